@@ -1,0 +1,42 @@
+package org.hificamsim.core.detection;
+
+/**
+ * How confident a camera is that it detects a target: an extension point, found by {@link #name}.
+ *
+ * <p>An implementer writes {@link #name} and {@link #confidence}; a model whose default threshold
+ * is not one half, or that looks at the bearing, says so. The detected distances per zoom level,
+ * the field of view and the threshold rule come free. Models hold no state: one instance serves any
+ * number of threads.
+ */
+public interface DetectionModel {
+  /** The name on the command line and in result files. */
+  String name();
+
+  /**
+   * The model's value for a target inside the field of view; targets outside it are never asked
+   * for. A target is detected when the value reaches the threshold; NaN never does.
+   *
+   * @param size target size q, metres, above 0
+   * @param distance camera-target distance d, metres, 0 or more
+   * @param offAxis angle between heading and target, radians, [0, pi]; NaN where the target stands
+   *     on the camera or rounding leaves no angle
+   * @param zoom the camera's zoom level
+   * @return the value as the formula gives it, not clamped; see {@link #clamp}
+   */
+  double confidence(double size, double distance, double offAxis, ZoomLevel zoom);
+
+  /** The threshold used where neither the command line nor the scenario gives one. */
+  default double defaultThreshold() {
+    return 0.5;
+  }
+
+  /** Whether {@link #confidence} depends on {@code offAxis}; such a model is called in full. */
+  default boolean dependsOnBearing() {
+    return false;
+  }
+
+  /** A value as a reported confidence in [0, 1]; NaN counts as 0. */
+  static double clamp(double value) {
+    return value >= 1 ? 1 : value > 0 ? value : 0;
+  }
+}

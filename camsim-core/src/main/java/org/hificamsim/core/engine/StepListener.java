@@ -1,0 +1,27 @@
+package org.hificamsim.core.engine;
+
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * Watches a run from outside the loop: data collection, progress, recording. An extension point.
+ *
+ * <p>An implementer writes {@link #stepped}. Both arguments are live and change with the next step:
+ * copy what is to be kept.
+ */
+@FunctionalInterface
+public interface StepListener {
+  /** Called at the end of each step, after the observation was measured. */
+  void stepped(NetworkView network, StepCoverage coverage);
+
+  /** The name by which {@code run --listener NAME} finds it among users' jars. */
+  default String name() {
+    return getClass().getSimpleName();
+  }
+
+  /** Called once before the first step. */
+  default void started(NetworkView network) {}
+
+  /** Called once after the last step. */
+  default void ended(NetworkView network) {}
+}

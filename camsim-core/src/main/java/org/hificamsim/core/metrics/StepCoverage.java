@@ -1,0 +1,75 @@
+package org.hificamsim.core.metrics;
+
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * How the targets present are covered in one step (section 7.1, Eq 7.1); filled anew each step.
+ *
+ * <p>Without any target everything is 0.
+ */
+public final class StepCoverage {
+  private int targets;
+  private int least;
+  private int uncovered;
+  private int coveredOnce;
+  private long sum;
+
+  /** Measures the network's last observation. */
+  public void measure(NetworkView network) {
+    targets = 0;
+    uncovered = 0;
+    coveredOnce = 0;
+    sum = 0;
+    int smallest = Integer.MAX_VALUE;
+    for (int target = 0; target < network.targets(); target++) {
+      if (!network.present(target)) {
+        continue;
+      }
+      int k = network.coverage(target);
+      targets++;
+      sum += k;
+      smallest = Math.min(smallest, k);
+      if (k == 0) {
+        uncovered++;
+      } else if (k == 1) {
+        coveredOnce++;
+      }
+    }
+    least = targets == 0 ? 0 : smallest;
+  }
+
+  /** The number of targets present. */
+  public int targets() {
+    return targets;
+  }
+
+  /** k_min, the least number of cameras that cover a target (Eq 7.1). */
+  public int kMin() {
+    return least;
+  }
+
+  /** The number of targets that no camera covers. */
+  public int covered0() {
+    return uncovered;
+  }
+
+  /** The number of targets that exactly one camera covers. */
+  public int covered1() {
+    return coveredOnce;
+  }
+
+  /** The number of targets that two or more cameras cover. */
+  public int coveredK() {
+    return targets - uncovered - coveredOnce;
+  }
+
+  /** The sum of k_j over the targets: the number of detections in the network. */
+  public long detections() {
+    return sum;
+  }
+
+  /** The mean of k_j over the targets. */
+  public double meanK() {
+    return targets == 0 ? 0 : (double) sum / targets;
+  }
+}

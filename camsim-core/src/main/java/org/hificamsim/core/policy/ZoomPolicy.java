@@ -1,0 +1,40 @@
+package org.hificamsim.core.policy;
+
+import java.util.SplittableRandom;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * Chooses each camera's zoom level, step by step: an extension point, found by {@link #name}.
+ *
+ * <p>An implementer writes {@link #name} and {@link #decide}; a learning policy also {@link #begin}
+ * (to size its tables) and {@link #learn}. Given a public constructor without arguments and a
+ * service declaration, a user's own policy runs from the command line. An instance serves one run;
+ * all its randomness comes from the generator handed to {@link #begin}.
+ */
+public interface ZoomPolicy {
+  /** The name on the command line and in result files. */
+  String name();
+
+  /**
+   * Reads the options given with the name, each through a getter of {@code options}; what is not
+   * read is refused afterwards.
+   *
+   * @throws org.hificamsim.core.InputException when a value is malformed or out of range
+   */
+  default void configure(Options options) {}
+
+  /** Called once, before the first step. */
+  default void begin(NetworkView network, SplittableRandom random) {}
+
+  /**
+   * Chooses the next level of every camera.
+   *
+   * @param network what is known before the step's observation
+   * @param levels one entry per camera, holding the current levels; the policy overwrites those of
+   *     online cameras with values in [0, levels(camera)); entries of offline cameras are ignored
+   */
+  void decide(NetworkView network, int[] levels);
+
+  /** Called once per step after the observation under the levels just chosen. */
+  default void learn(NetworkView network) {}
+}

@@ -1,0 +1,184 @@
+package org.hificamsim.core.registry;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.hificamsim.core.InputException;
+
+/**
+ * The {@code key=value,...} part of {@code name:key=value,...}.
+ *
+ * <p>Each getter declares one option: its key, default, range and meaning. A value that is missing
+ * takes the default; one that is malformed or out of range is an {@link InputException}. After all
+ * getters have been called, {@link #rejectUnknown} refuses what nobody declared and lists what is
+ * valid. A token without {@code =} continues the list before it, or, at the start, belongs to the
+ * option that is read with {@link #integers}: {@code fixed:0,1,2} equals {@code
+ * fixed:levels=0,1,2}.
+ */
+public final class Options {
+  /** One declared option: its key, its default as text, and what it means. */
+  public record Declared(String key, String defaultValue, String meaning) {}
+
+  private static final String POSITIONAL = "";
+
+  private final String owner;
+  private final Map<String, String> values = new LinkedHashMap<>();
+  private final Map<String, Declared> declared = new LinkedHashMap<>();
+
+  private Options(String owner) {
+    this.owner = owner;
+  }
+
+  /** No options given to {@code owner}: every getter returns its default. */
+  public static Options none(String owner) {
+    return new Options(owner);
+  }
+
+  /**
+   * Parses {@code key=value,key=value}.
+   *
+   * @throws InputException when a key is given twice or is empty
+   */
+  public static Options parse(String owner, String text) {
+    Options options = new Options(owner);
+    String key = POSITIONAL;
+    for (String token : text.split(",", -1)) {
+      int equals = token.indexOf('=');
+      if (equals < 0) {
+        options.values.merge(key, token.strip(), (before, more) -> before + "," + more);
+        continue;
+      }
+      key = token.substring(0, equals).strip();
+      if (key.isEmpty() || options.values.containsKey(key)) {
+        throw new InputException(
+            owner + ": option '" + token + "', expected key=value with each key once");
+      }
+      options.values.put(key, token.substring(equals + 1).strip());
+    }
+    return options;
+  }
+
+  /** A finite number in [{@code least}, {@code most}]. */
+  public double number(String key, double defaultValue, double least, double most, String meaning) {
+    String text = take(key, Double.toString(defaultValue), meaning);
+    if (text == null) {
+      return defaultValue;
+    }
+    try {
+      double value = Double.parseDouble(text);
+      if (value >= least && value <= most) {
+        return value;
+      }
+    } catch (NumberFormatException e) {
+      // told below
+    }
+    throw invalid(key, text, "a number from " + least + " to " + most);
+  }
+
+  /** A whole number in [{@code least}, {@code most}]. */
+  public int integer(String key, int defaultValue, int least, int most, String meaning) {
+    String text = take(key, Integer.toString(defaultValue), meaning);
+    return text == null ? defaultValue : integer(key, text, least, most);
+  }
+
+  /** A comma-separated list of whole numbers, the one option that may be given without its key. */
+  public List<Integer> integers(
+      String key, List<Integer> defaultValue, int least, int most, String meaning) {
+    String text =
+        take(
+            key,
+            defaultValue.stream().map(String::valueOf).collect(Collectors.joining(",")),
+            meaning);
+    if (text == null) {
+      text = values.remove(POSITIONAL);
+    }
+    if (text == null) {
+      return defaultValue;
+    }
+    List<Integer> list = new ArrayList<>();
+    for (String item : text.split(",", -1)) {
+      list.add(integer(key, item.strip(), least, most));
+    }
+    return List.copyOf(list);
+  }
+
+  /** One of an enumeration's constants, written in lower case with {@code -} for {@code _}. */
+  public <E extends Enum<E>> E choice(String key, E defaultValue, String meaning) {
+    String text = take(key, spelling(defaultValue), meaning);
+    if (text == null) {
+      return defaultValue;
+    }
+    E[] constants = defaultValue.getDeclaringClass().getEnumConstants();
+    for (E constant : constants) {
+      if (spelling(constant).equals(text)) {
+        return constant;
+      }
+    }
+    throw invalid(
+        key, text, "one of " + Arrays.stream(constants).map(Options::spelling).collect(listed()));
+  }
+
+  /** Free text. */
+  public String text(String key, String defaultValue, String meaning) {
+    String text = take(key, defaultValue, meaning);
+    return text == null ? defaultValue : text;
+  }
+
+  /** What the getters called so far declared, in that order. */
+  public List<Declared> declared() {
+    return List.copyOf(declared.values());
+  }
+
+  /**
+   * Refuses options that no getter declared.
+   *
+   * @throws InputException naming the first one and listing the valid ones
+   */
+  public void rejectUnknown() {
+    for (Map.Entry<String, String> entry : values.entrySet()) {
+      String given =
+          entry.getKey().isEmpty() ? entry.getValue() : entry.getKey() + "=" + entry.getValue();
+      throw new InputException(
+          owner
+              + ": unknown option '"
+              + given
+              + "', expected "
+              + (declared.isEmpty()
+                  ? "no options"
+                  : "one of " + declared.keySet().stream().collect(listed())));
+    }
+  }
+
+  private String take(String key, String defaultValue, String meaning) {
+    declared.put(key, new Declared(key, defaultValue, meaning));
+    return values.remove(key);
+  }
+
+  private int integer(String key, String text, int least, int most) {
+    try {
+      int value = Integer.parseInt(text);
+      if (value >= least && value <= most) {
+        return value;
+      }
+    } catch (NumberFormatException e) {
+      // told below
+    }
+    throw invalid(key, text, "a whole number from " + least + " to " + most);
+  }
+
+  private InputException invalid(String key, String text, String expected) {
+    return new InputException(owner + ": " + key + " is '" + text + "', expected " + expected);
+  }
+
+  private static String spelling(Enum<?> constant) {
+    return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
+  }
+
+  private static java.util.stream.Collector<CharSequence, ?, String> listed() {
+    return Collectors.joining(", ");
+  }
+}

@@ -1,0 +1,123 @@
+package org.hificamsim.core.registry;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.ServiceLoader;
+import java.util.function.BiConsumer;
+import java.util.function.Function;
+import org.hificamsim.core.InputException;
+
+/**
+ * The implementations of one extension point by name, in the order of registration.
+ *
+ * <p>A name may hold colons ({@code hifi:orb-lin}); what follows a registered name and a further
+ * colon are its {@link Options}. Lookup makes a new instance each time.
+ *
+ * @param <T> the extension point
+ */
+public final class Registry<T> {
+  /** One registered implementation. */
+  public record Entry<T>(String name, String summary, Function<Options, T> factory) {}
+
+  private final String kind;
+  private final Map<String, Entry<T>> entries = new LinkedHashMap<>();
+
+  /**
+   * @param kind what is registered, as error lines name it ("policy")
+   */
+  public Registry(String kind) {
+    this.kind = kind;
+  }
+
+  /**
+   * Adds an implementation.
+   *
+   * @throws InputException when the name is taken: a user's jar cannot shadow a built-in one
+   */
+  public Registry<T> register(String name, String summary, Function<Options, T> factory) {
+    if (entries.putIfAbsent(name, new Entry<>(name, summary, factory)) != null) {
+      throw new InputException(
+          kind + " '" + name + "' is registered twice, expected each name once");
+    }
+    return this;
+  }
+
+  /** Adds an implementation without options. */
+  public Registry<T> register(String name, String summary, java.util.function.Supplier<T> maker) {
+    return register(name, summary, options -> maker.get());
+  }
+
+  /**
+   * Adds every implementation that users' jars on the class path declare as a service. Each needs a
+   * public constructor without arguments; a new instance is made for each run.
+   */
+  public Registry<T> registerServices(
+      Class<T> type, Function<T, String> name, BiConsumer<T, Options> configure) {
+    ServiceLoader.load(type).stream()
+        .forEach(
+            provider ->
+                register(
+                    name.apply(provider.get()),
+                    provider.type().getName(),
+                    options -> {
+                      T instance = provider.get();
+                      configure.accept(instance, options);
+                      return instance;
+                    }));
+    return this;
+  }
+
+  /**
+   * Makes what {@code spec} names.
+   *
+   * @param spec {@code NAME} or {@code NAME:key=value,...}
+   * @throws InputException when the name, an option or a value is unknown
+   */
+  public T create(String spec) {
+    for (int end = spec.length(); end > 0; end = spec.lastIndexOf(':', end - 1)) {
+      Entry<T> entry = entries.get(spec.substring(0, end));
+      if (entry != null) {
+        return create(entry, end == spec.length() ? "" : spec.substring(end + 1));
+      }
+    }
+    throw new InputException(
+        "unknown " + kind + " '" + spec + "', expected one of " + String.join(", ", names()));
+  }
+
+  /** Whether {@code spec} starts with a registered name. */
+  public boolean knows(String spec) {
+    for (int end = spec.length(); end > 0; end = spec.lastIndexOf(':', end - 1)) {
+      if (entries.containsKey(spec.substring(0, end))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** The options that an implementation declares, with their defaults. */
+  public List<Options.Declared> options(String name) {
+    Options options = Options.none(kind + " " + name);
+    Object made = entries.get(name).factory().apply(options);
+    return made == null ? List.of() : options.declared();
+  }
+
+  /** Everything registered, in order. */
+  public List<Entry<T>> entries() {
+    return List.copyOf(entries.values());
+  }
+
+  /** All names, in order. */
+  public List<String> names() {
+    return new ArrayList<>(entries.keySet());
+  }
+
+  private T create(Entry<T> entry, String optionText) {
+    String owner = kind + " " + entry.name();
+    Options options = optionText.isEmpty() ? Options.none(owner) : Options.parse(owner, optionText);
+    T made = entry.factory().apply(options);
+    options.rejectUnknown();
+    return made;
+  }
+}
