@@ -1,13 +1,12 @@
 package org.hificamsim.core.registry;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 
 /**
  * The {@code key=value,...} part of {@code name:key=value,...}.
@@ -108,18 +107,13 @@ public final class Options {
 
   /** One of an enumeration's constants, written in lower case with {@code -} for {@code _}. */
   public <E extends Enum<E>> E choice(String key, E defaultValue, String meaning) {
-    String text = take(key, spelling(defaultValue), meaning);
+    String text = take(key, Spelling.of(defaultValue), meaning);
     if (text == null) {
       return defaultValue;
     }
-    E[] constants = defaultValue.getDeclaringClass().getEnumConstants();
-    for (E constant : constants) {
-      if (spelling(constant).equals(text)) {
-        return constant;
-      }
-    }
-    throw invalid(
-        key, text, "one of " + Arrays.stream(constants).map(Options::spelling).collect(listed()));
+    Class<E> type = defaultValue.getDeclaringClass();
+    return Spelling.find(type, text)
+        .orElseThrow(() -> invalid(key, text, "one of " + Spelling.all(type)));
   }
 
   /** Free text. */
@@ -149,7 +143,7 @@ public final class Options {
               + "', expected "
               + (declared.isEmpty()
                   ? "no options"
-                  : "one of " + declared.keySet().stream().collect(listed())));
+                  : "one of " + String.join(", ", declared.keySet())));
     }
   }
 
@@ -172,13 +166,5 @@ public final class Options {
 
   private InputException invalid(String key, String text, String expected) {
     return new InputException(owner + ": " + key + " is '" + text + "', expected " + expected);
-  }
-
-  private static String spelling(Enum<?> constant) {
-    return constant.name().toLowerCase(Locale.ROOT).replace('_', '-');
-  }
-
-  private static java.util.stream.Collector<CharSequence, ?, String> listed() {
-    return Collectors.joining(", ");
   }
 }

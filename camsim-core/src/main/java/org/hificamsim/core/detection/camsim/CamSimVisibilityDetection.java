@@ -1,0 +1,40 @@
+package org.hificamsim.core.detection.camsim;
+
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
+
+/**
+ * The visibility that the CamSim simulator itself computes: {@code 1 / (d + (R - d) / R)}, times
+ * {@code (A/2 - offAxis) / (A/2)} unless the camera sees all round. An angle that is no number, or
+ * not below A/2, makes it 0, so that a target exactly on the camera is invisible (CamSim's quirk
+ * Q9). Visible is what is above 0, which the default threshold says.
+ */
+public final class CamSimVisibilityDetection implements DetectionModel {
+  private static final double ALL_ROUND_DEGREES = 360;
+
+  @Override
+  public String name() {
+    return "camsim-visibility";
+  }
+
+  @Override
+  public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+    double half = zoom.viewingAngle() / 2;
+    if (!(offAxis < half)) {
+      return 0;
+    }
+    double near = 1 / (distance + (zoom.radius() - distance) / zoom.radius());
+    boolean allRound = Math.toDegrees(zoom.viewingAngle()) == ALL_ROUND_DEGREES;
+    return allRound ? near : near * ((half - offAxis) / half);
+  }
+
+  @Override
+  public double defaultThreshold() {
+    return Double.MIN_VALUE;
+  }
+
+  @Override
+  public boolean dependsOnBearing() {
+    return true;
+  }
+}

@@ -1,0 +1,160 @@
+package org.hificamsim.core.scenario;
+
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.function.Consumer;
+import java.util.function.DoublePredicate;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+
+/**
+ * The attributes of one element, read by name, type and range; what nobody read is left over.
+ *
+ * <p>Each getter that finds something wrong throws an {@link InputException} that names the place,
+ * the value and what was expected.
+ */
+final class Attributes {
+  private final XmlElement element;
+  private final Map<String, String> rest;
+
+  Attributes(XmlElement element) {
+    this.element = element;
+    this.rest = new LinkedHashMap<>(element.attributes());
+  }
+
+  /** A finite number. */
+  double number(String name) {
+    return number(name, "a finite number", value -> true);
+  }
+
+  /** A finite number in a range. */
+  double number(String name, String expected, DoublePredicate valid) {
+    return parse(name, required(name, expected), expected, valid);
+  }
+
+  /** A finite number in a range, or the default where the attribute is missing. */
+  double number(String name, double defaultValue, String expected, DoublePredicate valid) {
+    String text = rest.remove(name);
+    return text == null ? defaultValue : parse(name, text, expected, valid);
+  }
+
+  OptionalDouble optionalNumber(String name, String expected, DoublePredicate valid) {
+    String text = rest.remove(name);
+    return text == null
+        ? OptionalDouble.empty()
+        : OptionalDouble.of(parse(name, text, expected, valid));
+  }
+
+  int integer(String name, int least, int most) {
+    String expected = wholeNumber(least, most);
+    return parse(name, required(name, expected), least, most);
+  }
+
+  OptionalInt optionalInteger(String name, int least, int most) {
+    String text = rest.remove(name);
+    return text == null ? OptionalInt.empty() : OptionalInt.of(parse(name, text, least, most));
+  }
+
+  String text(String name) {
+    return required(name, "a name");
+  }
+
+  Optional<String> optionalText(String name) {
+    return Optional.ofNullable(rest.remove(name));
+  }
+
+  /** A constant, written in lower case with {@code -} for {@code _}. */
+  <E extends Enum<E>> E choice(String name, E defaultValue) {
+    String text = rest.remove(name);
+    if (text == null) {
+      return defaultValue;
+    }
+    Class<E> type = defaultValue.getDeclaringClass();
+    return Spelling.find(type, text)
+        .orElseThrow(() -> invalid(name, text, "one of " + Spelling.all(type)));
+  }
+
+  /** What nobody read; each is a warning but for those that are {@code known} to be of no use. */
+  Map<String, String> leftOver(Consumer<String> warnings, String... known) {
+    for (String name : rest.keySet()) {
+      if (!Arrays.asList(known).contains(name)) {
+        warnings.accept(
+            element.place(name)
+                + ": unknown attribute "
+                + name
+                + "=\""
+                + rest.get(name)
+                + "\" of <"
+                + element.name()
+                + ">, kept but ignored");
+      }
+    }
+    Map<String, String> kept = Map.copyOf(rest);
+    rest.clear();
+    return kept;
+  }
+
+  /** An error about one attribute's value. */
+  InputException invalid(String name, String value, String expected) {
+    return element
+        .place(name)
+        .error(
+            "<"
+                + element.name()
+                + "> "
+                + name
+                + " is '"
+                + shortened(value)
+                + "', expected "
+                + expected);
+  }
+
+  private String required(String name, String expected) {
+    String text = rest.remove(name);
+    if (text == null) {
+      throw element
+          .place()
+          .error("<" + element.name() + "> has no " + name + ", expected " + expected);
+    }
+    return text;
+  }
+
+  private double parse(String name, String text, String expected, DoublePredicate valid) {
+    try {
+      double value = Double.parseDouble(text);
+      if (Double.isFinite(value) && valid.test(value)) {
+        return value;
+      }
+    } catch (NumberFormatException e) {
+      // told below
+    }
+    throw invalid(name, text, expected);
+  }
+
+  private int parse(String name, String text, int least, int most) {
+    try {
+      int value = Integer.parseInt(text);
+      if (value >= least && value <= most) {
+        return value;
+      }
+    } catch (NumberFormatException e) {
+      // told below
+    }
+    throw invalid(name, text, wholeNumber(least, most));
+  }
+
+  private static String wholeNumber(int least, int most) {
+    return most == Integer.MAX_VALUE
+        ? "a whole number of " + least + " or more"
+        : "a whole number from " + least + " to " + most;
+  }
+
+  private static String shortened(String value) {
+    String flat = value.replaceAll("\\s+", " ");
+    return flat.length() > 60 ? flat.substring(0, 60) + "..." : flat;
+  }
+}

@@ -1,0 +1,28 @@
+package org.hificamsim.core.scenario;
+
+import java.util.Map;
+
+/**
+ * A camera as the scenario gives it.
+ *
+ * @param name unique in the scenario
+ * @param x position, metres, inside the field
+ * @param heading degrees, 0 is +y and 90 is +x
+ * @param viewingAngle full opening angle, degrees, (0, 360]
+ * @param range radius of the field of view, metres, 0 or more; not used where the scenario has a
+ *     zoom list
+ * @param extras attributes that nothing here reads, kept for the writer
+ */
+public record CameraSpec(
+    String name,
+    double x,
+    double y,
+    double heading,
+    double viewingAngle,
+    double range,
+    AgentSpec agent,
+    Map<String, String> extras) {
+  public CameraSpec {
+    extras = Map.copyOf(extras);
+  }
+}

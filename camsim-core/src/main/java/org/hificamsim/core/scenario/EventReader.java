@@ -1,0 +1,141 @@
+package org.hificamsim.core.scenario;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+import org.hificamsim.core.InputException;
+
+/** Reads events and checks that their story holds: who is added, changed and removed when. */
+final class EventReader {
+  private final CameraReader cameras;
+  private final TargetReader targets;
+  private final Consumer<String> warnings;
+
+  EventReader(CameraReader cameras, TargetReader targets, Consumer<String> warnings) {
+    this.cameras = cameras;
+    this.targets = targets;
+    this.warnings = warnings;
+  }
+
+  List<ScenarioEvent> events(List<XmlElement> elements) {
+    List<Placed> placed = elements.stream().map(this::event).toList();
+    checkTargets(placed);
+    checkCameras(placed);
+    return placed.stream().map(Placed::event).toList();
+  }
+
+  private record Placed(ScenarioEvent event, XmlElement element) {
+    InputException invalidName(String name, String expected) {
+      return new Attributes(element).invalid("name", name, expected);
+    }
+  }
+
+  private Placed event(XmlElement element) {
+    Attributes attributes = new Attributes(element);
+    int step = attributes.integer("timestep", 0, Integer.MAX_VALUE);
+    String participant = attributes.text("participant");
+    String kind = attributes.text("event");
+    ScenarioEvent event =
+        switch (participant) {
+          case "camera" -> cameraEvent(element, attributes, step, kind);
+          case "object" -> targetEvent(element, attributes, step, kind);
+          case "grc" -> registrationEvent(attributes, step, kind);
+          default -> throw attributes.invalid("participant", participant, "camera, object or grc");
+        };
+    attributes.leftOver(warnings, "name");
+    return new Placed(event, element);
+  }
+
+  private ScenarioEvent cameraEvent(
+      XmlElement element, Attributes attributes, int step, String kind) {
+    return switch (kind) {
+      case "add" -> new ScenarioEvent.AddCamera(step, cameras.camera(element, attributes));
+      case "change" -> change(attributes, step);
+      case "error" ->
+          new ScenarioEvent.FailCamera(
+              step, attributes.text("name"), attributes.integer("duration", -1, Integer.MAX_VALUE));
+      default -> throw attributes.invalid("event", kind, "add, change or error");
+    };
+  }
+
+  private static ScenarioEvent change(Attributes attributes, int step) {
+    return new ScenarioEvent.ChangeCamera(
+        step,
+        attributes.text("name"),
+        attributes.number("x"),
+        attributes.number("y"),
+        attributes.number("heading"),
+        attributes.number(
+            "viewing_angle",
+            CameraReader.ANGLE + ", or -1 to leave it",
+            value -> value == -1 || (value > 0 && value <= 360)),
+        attributes.number(
+            "range",
+            CameraReader.RANGE + ", or -1 to leave it",
+            value -> value == -1 || value >= 0));
+  }
+
+  private ScenarioEvent targetEvent(
+      XmlElement element, Attributes attributes, int step, String kind) {
+    double identity = attributes.number("name");
+    return switch (kind) {
+      case "add" -> {
+        if (element.attributes().containsKey("move")) {
+          warnings.accept(
+              element.place("move") + ": an event's move is ignored, as in CamSim; fqName counts");
+        }
+        yield new ScenarioEvent.AddTarget(step, targets.added(element, attributes, identity));
+      }
+      case "error" -> new ScenarioEvent.RemoveTarget(step, identity);
+      default -> throw attributes.invalid("event", kind, "add or error");
+    };
+  }
+
+  private static ScenarioEvent registrationEvent(Attributes attributes, int step, String kind) {
+    if (!kind.equals("error")) {
+      throw attributes.invalid("event", kind, "error");
+    }
+    return new ScenarioEvent.FailRegistration(
+        step, attributes.integer("duration", -1, Integer.MAX_VALUE));
+  }
+
+  private void checkTargets(List<Placed> placed) {
+    Set<Double> present = targets.present();
+    for (Placed one : inTime(placed)) {
+      if (one.event() instanceof ScenarioEvent.AddTarget add
+          && !present.add(add.target().features())) {
+        throw one.invalidName(add.target().name(), "features that no object present has");
+      }
+      if (one.event() instanceof ScenarioEvent.RemoveTarget remove
+          && !present.remove(remove.features())) {
+        warnings.accept(
+            one.element().place("name")
+                + ": no object "
+                + remove.features()
+                + " is there at step "
+                + remove.step()
+                + ", nothing is removed");
+      }
+    }
+  }
+
+  private void checkCameras(List<Placed> placed) {
+    for (Placed one : placed) {
+      String name =
+          one.event() instanceof ScenarioEvent.ChangeCamera change
+              ? change.camera()
+              : one.event() instanceof ScenarioEvent.FailCamera fail ? fail.camera() : null;
+      if (name != null && !cameras.knows(name)) {
+        throw one.invalidName(name, "the name of a camera");
+      }
+    }
+  }
+
+  private static List<Placed> inTime(List<Placed> placed) {
+    List<Placed> sorted = new ArrayList<>(placed);
+    sorted.sort(Comparator.comparingInt(one -> one.event().step()));
+    return sorted;
+  }
+}

@@ -1,0 +1,106 @@
+package org.hificamsim.core.scenario;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * A scenario: the field, the cameras, the targets, and what happens when.
+ *
+ * @param name the file's name without its ending
+ * @param order when targets move within a step
+ * @param headings the unit of the targets' headings
+ * @param threshold detection threshold, if the file sets one
+ * @param mountHeight height of all cameras over the target plane, metres (Eq 3.2), if given
+ * @param zooms candidate radii common to all cameras, metres, rising; empty for a plain CamSim
+ *     scenario, where each camera has its range alone
+ * @param cameras those of the start, in file order, with unique names
+ * @param targets those of the start: objects, then objects with waypoints, in file order
+ * @param events in file order
+ * @param visionGraph the initial links, if given
+ * @param extras attributes of {@code simulation} that nothing here reads, kept for the writer
+ */
+public record Scenario(
+    String name,
+    Field field,
+    StepOrder order,
+    Headings headings,
+    OptionalDouble threshold,
+    OptionalDouble mountHeight,
+    List<Double> zooms,
+    List<CameraSpec> cameras,
+    List<TargetSpec> targets,
+    List<ScenarioEvent> events,
+    Optional<VisionGraph> visionGraph,
+    Map<String, String> extras) {
+  public Scenario {
+    zooms = List.copyOf(zooms);
+    cameras = List.copyOf(cameras);
+    targets = List.copyOf(targets);
+    events = List.copyOf(events);
+    extras = Map.copyOf(extras);
+  }
+
+  /** Whether the file is in the coverage study's dialect, told by its zoom list. */
+  public boolean inCoverageDialect() {
+    return !zooms.isEmpty();
+  }
+
+  /** The same scenario with targets moving at another time within the step. */
+  public Scenario withOrder(StepOrder newOrder) {
+    return new Scenario(
+        name,
+        field,
+        newOrder,
+        headings,
+        threshold,
+        mountHeight,
+        zooms,
+        cameras,
+        targets,
+        events,
+        visionGraph,
+        extras);
+  }
+
+  /** The same scenario with another reading of the targets' headings. */
+  public Scenario withHeadings(Headings newHeadings) {
+    return new Scenario(
+        name,
+        field,
+        order,
+        newHeadings,
+        threshold,
+        mountHeight,
+        zooms,
+        cameras,
+        targets,
+        events,
+        visionGraph,
+        extras);
+  }
+
+  /** The same scenario with every target, now or later, under one movement. */
+  public Scenario withMovement(String movement) {
+    return new Scenario(
+        name,
+        field,
+        order,
+        headings,
+        threshold,
+        mountHeight,
+        zooms,
+        cameras,
+        targets.stream().map(target -> target.withMovement(movement)).toList(),
+        events.stream().map(event -> withMovement(event, movement)).toList(),
+        visionGraph,
+        extras);
+  }
+
+  private static ScenarioEvent withMovement(ScenarioEvent event, String movement) {
+    return event instanceof ScenarioEvent.AddTarget add
+        ? new ScenarioEvent.AddTarget(add.step(), add.target().withMovement(movement))
+        : event;
+  }
+}

@@ -1,0 +1,216 @@
+package org.hificamsim.core.scenario;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
+ * attributes ({@code docs/scenario-format.md}).
+ *
+ * <p>Elements are found by name at any depth, as CamSim does. Whatever is malformed, out of range
+ * or contradictory is an {@link org.hificamsim.core.InputException} with its place; what is merely
+ * odd, unknown, or kept without being simulated is a warning.
+ */
+public final class ScenarioReader {
+  private static final Set<String> ELEMENTS =
+      Set.of(
+          "simulation",
+          "cameras",
+          "camera",
+          "zoom",
+          "objects",
+          "object",
+          "object_with_waypoints",
+          "waypoint",
+          "events",
+          "event",
+          "visiongraph",
+          "graphnode",
+          "neighbour");
+
+  private final Path path;
+  private final XmlElement root;
+  private final Consumer<String> warnings;
+
+  private ScenarioReader(Path path, Consumer<String> warnings) {
+    this.path = path;
+    this.root = XmlParser.parse(path);
+    this.warnings = warnings;
+  }
+
+  /**
+   * Reads one file.
+   *
+   * @param warnings takes one line for each thing that is odd, with its place
+   * @throws org.hificamsim.core.InputException when the file is missing or wrong
+   */
+  public static Scenario read(Path path, Consumer<String> warnings) {
+    return new ScenarioReader(path, warnings).scenario();
+  }
+
+  private Scenario scenario() {
+    if (!root.name().equals("root")) {
+      throw root.place().error("the root element is <" + root.name() + ">, expected <root>");
+    }
+    warnAboutUnknownElements();
+    XmlElement simulation = simulation();
+    Attributes attributes = new Attributes(simulation);
+    Field field = field(simulation, attributes);
+    List<Double> zooms = new ZoomListReader(root).zooms();
+    CameraReader cameraReader = new CameraReader(field, warnings);
+    TargetReader targetReader = new TargetReader(field, warnings);
+    List<CameraSpec> cameras = root.all("camera").stream().map(cameraReader::camera).toList();
+    List<TargetSpec> targets = new ArrayList<>();
+    root.all("object").forEach(element -> targets.add(targetReader.object(element)));
+    root.all("object_with_waypoints")
+        .forEach(element -> targets.add(targetReader.objectWithWaypoints(element)));
+    List<ScenarioEvent> events =
+        new EventReader(cameraReader, targetReader, warnings).events(root.all("event"));
+    if (cameras.isEmpty() && events.stream().noneMatch(ScenarioEvent.AddCamera.class::isInstance)) {
+      throw simulation.place().error("no <camera>, expected at least one");
+    }
+    if (targets.isEmpty() && events.stream().noneMatch(ScenarioEvent.AddTarget.class::isInstance)) {
+      throw simulation
+          .place()
+          .error("no <object> and no event that adds one, expected at least one target");
+    }
+    StepOrder order =
+        attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE);
+    Headings headings = attributes.choice("headings", Headings.DEGREES);
+    OptionalDouble threshold =
+        attributes.optionalNumber(
+            "threshold", "a number from 0 to 1", value -> value >= 0 && value <= 1);
+    OptionalDouble mountHeight =
+        attributes.optionalNumber("mount_height", "a number above 0", value -> value > 0);
+    Scenario scenario =
+        new Scenario(
+            name(),
+            field,
+            order,
+            headings,
+            threshold,
+            mountHeight,
+            zooms,
+            cameras,
+            targets,
+            events,
+            visionGraph(),
+            attributes.leftOver(warnings));
+    warnAboutNetwork(scenario);
+    return scenario;
+  }
+
+  private String name() {
+    String file = path.getFileName().toString();
+    int dot = file.lastIndexOf('.');
+    return dot > 0 ? file.substring(0, dot) : file;
+  }
+
+  private XmlElement simulation() {
+    List<XmlElement> all = root.all("simulation");
+    if (all.isEmpty()) {
+      throw root.place().error("no <simulation>, expected one with min_x, max_x, min_y, max_y");
+    }
+    if (all.size() > 1) {
+      throw all.get(1).place().error("a second <simulation>, expected one");
+    }
+    return all.get(0);
+  }
+
+  private static Field field(XmlElement simulation, Attributes attributes) {
+    Field field =
+        new Field(
+            attributes.number("min_x"),
+            attributes.number("max_x"),
+            attributes.number("min_y"),
+            attributes.number("max_y"));
+    if (!(field.width() > 0)) {
+      throw new Attributes(simulation)
+          .invalid("max_x", Double.toString(field.maxX()), "more than min_x, " + field.minX());
+    }
+    if (!(field.height() > 0)) {
+      throw new Attributes(simulation)
+          .invalid("max_y", Double.toString(field.maxY()), "more than min_y, " + field.minY());
+    }
+    return field;
+  }
+
+  private Optional<VisionGraph> visionGraph() {
+    List<XmlElement> graphs = root.all("visiongraph");
+    if (graphs.isEmpty() || graphs.get(0).all("graphnode").isEmpty()) {
+      return Optional.empty();
+    }
+    Map<String, List<String>> neighbours = new LinkedHashMap<>();
+    Set<String> seen = new HashSet<>();
+    for (XmlElement node : root.all("graphnode")) {
+      String camera = new Attributes(node).text("name");
+      if (!seen.add(camera)) {
+        warnings.accept(
+            node.place("name")
+                + ": a second <graphnode> for '"
+                + camera
+                + "', the last one counts");
+        neighbours.remove(camera);
+      }
+      neighbours.put(
+          camera,
+          node.all("neighbour").stream()
+              .map(neighbour -> new Attributes(neighbour).text("name"))
+              .toList());
+    }
+    String isStatic = new Attributes(graphs.get(0)).optionalText("static").orElse("false");
+    return Optional.of(new VisionGraph(Boolean.parseBoolean(isStatic), neighbours));
+  }
+
+  private void warnAboutUnknownElements() {
+    root.below()
+        .filter(element -> !ELEMENTS.contains(element.name()))
+        .forEach(
+            element ->
+                warnings.accept(
+                    element.place() + ": unknown element <" + element.name() + ">, ignored"));
+  }
+
+  /** One line for all that belongs to CamSim's network of agents. */
+  private void warnAboutNetwork(Scenario scenario) {
+    List<String> carried = new ArrayList<>();
+    List<AgentSpec> agents = new ArrayList<>();
+    scenario.cameras().forEach(camera -> agents.add(camera.agent()));
+    for (ScenarioEvent event : scenario.events()) {
+      if (event instanceof ScenarioEvent.AddCamera add) {
+        agents.add(add.camera().agent());
+      }
+    }
+    addIf(carried, agents.stream().anyMatch(a -> a.algorithm().isPresent()), "ai_algorithm");
+    addIf(carried, agents.stream().anyMatch(a -> a.comm().isPresent()), "comm");
+    addIf(carried, agents.stream().anyMatch(a -> a.customComm().isPresent()), "customcom");
+    addIf(carried, agents.stream().anyMatch(a -> a.limit() != 0), "limit");
+    addIf(carried, agents.stream().anyMatch(a -> a.bandit().isPresent()), "bandit");
+    addIf(carried, scenario.visionGraph().isPresent(), "visiongraph");
+    addIf(
+        carried,
+        scenario.events().stream().anyMatch(ScenarioEvent.FailRegistration.class::isInstance),
+        "grc events");
+    if (!carried.isEmpty()) {
+      warnings.accept(
+          root.place()
+              + ": CamSim's network ("
+              + String.join(", ", carried)
+              + ") is kept but not simulated: no auctions, messages or handovers");
+    }
+  }
+
+  private static void addIf(List<String> list, boolean condition, String item) {
+    if (condition) {
+      list.add(item);
+    }
+  }
+}

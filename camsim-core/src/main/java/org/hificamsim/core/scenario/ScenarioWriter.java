@@ -1,0 +1,234 @@
+package org.hificamsim.core.scenario;
+
+import java.io.StringWriter;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import javax.xml.stream.XMLOutputFactory;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamWriter;
+import org.hificamsim.core.Spelling;
+
+/**
+ * Writes scenarios as XML that {@link ScenarioReader} reads back as an equal scenario; comments and
+ * layout of an original file are not kept.
+ */
+public final class ScenarioWriter {
+  private final XMLStreamWriter out;
+  private int depth;
+
+  private ScenarioWriter(XMLStreamWriter out) {
+    this.out = out;
+  }
+
+  /** The scenario as an XML document. */
+  public static String write(Scenario scenario) {
+    StringWriter text = new StringWriter();
+    try {
+      XMLStreamWriter out = XMLOutputFactory.newDefaultFactory().createXMLStreamWriter(text);
+      out.writeStartDocument("UTF-8", "1.0");
+      new ScenarioWriter(out).scenario(scenario);
+      out.writeEndDocument();
+      out.close();
+    } catch (XMLStreamException e) {
+      throw new IllegalStateException("a string takes any text", e);
+    }
+    return text.append("\n").toString();
+  }
+
+  private void scenario(Scenario scenario) throws XMLStreamException {
+    Map<String, Object> attributes = new LinkedHashMap<>();
+    attributes.put("min_x", scenario.field().minX());
+    attributes.put("max_x", scenario.field().maxX());
+    attributes.put("min_y", scenario.field().minY());
+    attributes.put("max_y", scenario.field().maxY());
+    attributes.put("order", Spelling.of(scenario.order()));
+    attributes.put("headings", Spelling.of(scenario.headings()));
+    scenario.threshold().ifPresent(value -> attributes.put("threshold", value));
+    scenario.mountHeight().ifPresent(value -> attributes.put("mount_height", value));
+    attributes.putAll(new TreeMap<>(scenario.extras()));
+    open("root", Map.of());
+    open("simulation", attributes);
+    open("cameras", Map.of());
+    if (!scenario.zooms().isEmpty()) {
+      indent();
+      out.writeStartElement("zoom");
+      out.writeCharacters(
+          scenario.zooms().stream().map(String::valueOf).collect(Collectors.joining(" ")));
+      out.writeEndElement();
+    }
+    for (CameraSpec camera : scenario.cameras()) {
+      empty("camera", camera(camera));
+    }
+    close();
+    open("objects", Map.of());
+    for (TargetSpec target : scenario.targets()) {
+      target(target);
+    }
+    close();
+    events(scenario.events());
+    if (scenario.visionGraph().isPresent()) {
+      visionGraph(scenario.visionGraph().get());
+    }
+    close();
+    close();
+  }
+
+  private static Map<String, Object> camera(CameraSpec camera) {
+    Map<String, Object> attributes = new LinkedHashMap<>();
+    attributes.put("name", camera.name());
+    attributes.put("x", camera.x());
+    attributes.put("y", camera.y());
+    attributes.put("heading", camera.heading());
+    attributes.put("viewing_angle", camera.viewingAngle());
+    attributes.put("range", camera.range());
+    AgentSpec agent = camera.agent();
+    agent.algorithm().ifPresent(value -> attributes.put("ai_algorithm", value));
+    agent.comm().ifPresent(value -> attributes.put("comm", value));
+    agent.customComm().ifPresent(value -> attributes.put("customcom", value));
+    if (agent.limit() != 0) {
+      attributes.put("limit", agent.limit());
+    }
+    agent.bandit().ifPresent(value -> attributes.put("bandit", value));
+    attributes.putAll(new TreeMap<>(camera.extras()));
+    return attributes;
+  }
+
+  private void target(TargetSpec target) throws XMLStreamException {
+    Map<String, Object> attributes = new LinkedHashMap<>();
+    attributes.put("features", target.features());
+    if (target.origin() == TargetSpec.Origin.OBJECT_WITH_WAYPOINTS) {
+      attributes.put("speed", target.speed());
+      attributes.put("size", target.size());
+      attributes.putAll(new TreeMap<>(target.extras()));
+      withWaypoints("object_with_waypoints", attributes, target.movement().waypoints());
+      return;
+    }
+    attributes.put("move", target.movement().name());
+    motion(target, attributes);
+    withWaypoints("object", attributes, target.movement().waypoints());
+  }
+
+  private static void motion(TargetSpec target, Map<String, Object> attributes) {
+    attributes.put("x", target.x());
+    attributes.put("y", target.y());
+    attributes.put("heading", target.heading());
+    attributes.put("speed", target.speed());
+    attributes.put("size", target.size());
+    attributes.put("mean", target.movement().mean());
+    attributes.put("std", target.movement().std());
+    attributes.putAll(new TreeMap<>(target.extras()));
+  }
+
+  private void events(List<ScenarioEvent> events) throws XMLStreamException {
+    if (events.isEmpty()) {
+      return;
+    }
+    open("events", Map.of());
+    for (ScenarioEvent event : events) {
+      Map<String, Object> attributes = new LinkedHashMap<>();
+      attributes.put("timestep", event.step());
+      List<Waypoint> waypoints = List.of();
+      if (event instanceof ScenarioEvent.AddCamera add) {
+        kind(attributes, "camera", "add");
+        attributes.putAll(camera(add.camera()));
+      } else if (event instanceof ScenarioEvent.ChangeCamera change) {
+        kind(attributes, "camera", "change");
+        change(attributes, change);
+      } else if (event instanceof ScenarioEvent.FailCamera fail) {
+        kind(attributes, "camera", "error");
+        attributes.put("name", fail.camera());
+        attributes.put("duration", fail.duration());
+      } else if (event instanceof ScenarioEvent.AddTarget add) {
+        kind(attributes, "object", "add");
+        attributes.put("name", add.target().features());
+        if (!add.target().movement().name().isEmpty()) {
+          attributes.put("fqName", add.target().movement().name());
+        }
+        motion(add.target(), attributes);
+        waypoints = add.target().movement().waypoints();
+      } else if (event instanceof ScenarioEvent.RemoveTarget remove) {
+        kind(attributes, "object", "error");
+        attributes.put("name", remove.features());
+      } else if (event instanceof ScenarioEvent.FailRegistration fail) {
+        kind(attributes, "grc", "error");
+        attributes.put("duration", fail.duration());
+      }
+      withWaypoints("event", attributes, waypoints);
+    }
+    close();
+  }
+
+  private static void kind(Map<String, Object> attributes, String participant, String event) {
+    attributes.put("participant", participant);
+    attributes.put("event", event);
+  }
+
+  private static void change(Map<String, Object> attributes, ScenarioEvent.ChangeCamera change) {
+    attributes.put("name", change.camera());
+    attributes.put("x", change.x());
+    attributes.put("y", change.y());
+    attributes.put("heading", change.heading());
+    attributes.put("viewing_angle", change.viewingAngle());
+    attributes.put("range", change.range());
+  }
+
+  private void visionGraph(VisionGraph graph) throws XMLStreamException {
+    open("visiongraph", Map.of("static", graph.isStatic()));
+    for (Map.Entry<String, List<String>> node : graph.neighbours().entrySet()) {
+      open("graphnode", Map.of("name", node.getKey()));
+      for (String neighbour : node.getValue()) {
+        empty("neighbour", Map.of("name", neighbour));
+      }
+      close();
+    }
+    close();
+  }
+
+  private void withWaypoints(String name, Map<String, Object> attributes, List<Waypoint> waypoints)
+      throws XMLStreamException {
+    if (waypoints.isEmpty()) {
+      empty(name, attributes);
+      return;
+    }
+    open(name, attributes);
+    for (Waypoint waypoint : waypoints) {
+      Map<String, Object> place = new LinkedHashMap<>();
+      place.put("x", waypoint.x());
+      place.put("y", waypoint.y());
+      empty("waypoint", place);
+    }
+    close();
+  }
+
+  private void open(String name, Map<String, Object> attributes) throws XMLStreamException {
+    indent();
+    out.writeStartElement(name);
+    attributes(attributes);
+    depth++;
+  }
+
+  private void empty(String name, Map<String, Object> attributes) throws XMLStreamException {
+    indent();
+    out.writeEmptyElement(name);
+    attributes(attributes);
+  }
+
+  private void close() throws XMLStreamException {
+    depth--;
+    indent();
+    out.writeEndElement();
+  }
+
+  private void attributes(Map<String, Object> attributes) throws XMLStreamException {
+    for (Map.Entry<String, Object> attribute : attributes.entrySet()) {
+      out.writeAttribute(attribute.getKey(), attribute.getValue().toString());
+    }
+  }
+
+  private void indent() throws XMLStreamException {
+    out.writeCharacters("\n" + "  ".repeat(depth));
+  }
+}

@@ -1,0 +1,50 @@
+package org.hificamsim.core.scenario;
+
+import java.util.Map;
+
+/**
+ * A target as the scenario gives it.
+ *
+ * @param origin the element that brings it
+ * @param features its identity, unique among the targets present
+ * @param x start position, metres; may lie outside the field
+ * @param heading in the unit of {@link Scenario#headings}
+ * @param speed metres per step
+ * @param size edge of its bounding box q, metres, above 0
+ * @param extras attributes that nothing here reads, kept for the writer
+ */
+public record TargetSpec(
+    Origin origin,
+    double features,
+    double x,
+    double y,
+    double heading,
+    double speed,
+    double size,
+    MovementSpec movement,
+    Map<String, String> extras) {
+  /** The largest object of the thesis's lab (Table 4.1). */
+  public static final double DEFAULT_SIZE = 0.66;
+
+  /** The elements that bring a target. */
+  public enum Origin {
+    OBJECT,
+    OBJECT_WITH_WAYPOINTS,
+    EVENT
+  }
+
+  public TargetSpec {
+    extras = Map.copyOf(extras);
+  }
+
+  /** The name in result files: the features value, as CamSim prints it. */
+  public String name() {
+    return Double.toString(features);
+  }
+
+  /** The same target under another movement. */
+  public TargetSpec withMovement(String name) {
+    return new TargetSpec(
+        origin, features, x, y, heading, speed, size, movement.withName(name), extras);
+  }
+}

@@ -1,0 +1,63 @@
+package org.hificamsim.core.scenario;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** Reads the coverage study's list of candidate radii. */
+final class ZoomListReader {
+  private static final int MOST_LEVELS = 1000;
+
+  private final XmlElement root;
+
+  ZoomListReader(XmlElement root) {
+    this.root = root;
+  }
+
+  /** The radii, rising; empty where the file has no zoom list. */
+  List<Double> zooms() {
+    List<XmlElement> lists = root.all("zoom");
+    if (lists.isEmpty()) {
+      return List.of();
+    }
+    if (lists.size() > 1) {
+      throw lists.get(1).place().error("a second <zoom>, expected one for all cameras");
+    }
+    XmlElement list = lists.get(0);
+    String text = list.text().toString().strip();
+    if (text.isEmpty()) {
+      throw list.place().error("<zoom> is empty, expected radii such as 2.5 5.0 7.5");
+    }
+    List<Double> radii = new ArrayList<>();
+    for (String item : text.split("\\s+")) {
+      double radius = radius(list, item);
+      if (!radii.isEmpty() && radius <= radii.get(radii.size() - 1)) {
+        throw list.place()
+            .error(
+                "<zoom> has '"
+                    + item
+                    + "' after "
+                    + radii.get(radii.size() - 1)
+                    + ", expected rising radii, each once");
+      }
+      radii.add(radius);
+    }
+    if (radii.size() > MOST_LEVELS) {
+      throw list.place()
+          .error("<zoom> has " + radii.size() + " radii, expected at most " + MOST_LEVELS);
+    }
+    return radii;
+  }
+
+  private static double radius(XmlElement list, String item) {
+    try {
+      double radius = Double.parseDouble(item);
+      if (Double.isFinite(radius) && radius > 0) {
+        return radius;
+      }
+    } catch (NumberFormatException e) {
+      // told below
+    }
+    throw list.place()
+        .error("<zoom> has '" + item + "', expected radii above 0 (m) between spaces");
+  }
+}

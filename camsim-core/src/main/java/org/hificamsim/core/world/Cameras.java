@@ -1,0 +1,118 @@
+package org.hificamsim.core.world;
+
+import org.hificamsim.core.detection.ZoomLevel;
+
+/**
+ * The cameras' state, one array a quantity, sized once for all cameras that will ever be added.
+ *
+ * <p>A camera keeps its number. It starts at its widest zoom level.
+ */
+public final class Cameras {
+  private final String[] names;
+  private final double[] x;
+  private final double[] y;
+  private final double[] headingX;
+  private final double[] headingY;
+  private final ZoomLevel[][] zooms;
+  private final int[] level;
+  private final boolean[] online;
+  private int revision;
+
+  Cameras(int count) {
+    names = new String[count];
+    x = new double[count];
+    y = new double[count];
+    headingX = new double[count];
+    headingY = new double[count];
+    zooms = new ZoomLevel[count][];
+    level = new int[count];
+    online = new boolean[count];
+  }
+
+  void define(int camera, String name, ZoomLevel[] levels) {
+    names[camera] = name;
+    zooms[camera] = levels;
+    level[camera] = levels.length - 1;
+  }
+
+  void place(int camera, double atX, double atY) {
+    x[camera] = atX;
+    y[camera] = atY;
+    revision++;
+  }
+
+  /**
+   * @param heading radians
+   */
+  void face(int camera, double heading) {
+    headingX[camera] = Math.sin(heading);
+    headingY[camera] = Math.cos(heading);
+    revision++;
+  }
+
+  void refit(int camera, ZoomLevel[] levels) {
+    zooms[camera] = levels;
+    revision++;
+  }
+
+  void switchTo(int camera, boolean on) {
+    online[camera] = on;
+    revision++;
+  }
+
+  /** Sets the zoom level. */
+  public void zoomTo(int camera, int newLevel) {
+    level[camera] = newLevel;
+  }
+
+  /** How many cameras there will ever be. */
+  public int count() {
+    return x.length;
+  }
+
+  public String name(int camera) {
+    return names[camera];
+  }
+
+  /** Whether the camera has been added and not been switched off. */
+  public boolean online(int camera) {
+    return online[camera];
+  }
+
+  /** Metres. */
+  public double x(int camera) {
+    return x[camera];
+  }
+
+  /** Metres. */
+  public double y(int camera) {
+    return y[camera];
+  }
+
+  /** The x component of the unit vector along the heading. */
+  public double headingX(int camera) {
+    return headingX[camera];
+  }
+
+  /** The y component of the unit vector along the heading. */
+  public double headingY(int camera) {
+    return headingY[camera];
+  }
+
+  public int levels(int camera) {
+    return zooms[camera].length;
+  }
+
+  public int level(int camera) {
+    return level[camera];
+  }
+
+  public ZoomLevel zoom(int camera, int atLevel) {
+    return zooms[camera][atLevel];
+  }
+
+  /** Changes whenever a camera is added, moved, refitted or switched off. */
+  public int revision() {
+    return revision;
+  }
+}

@@ -1,0 +1,121 @@
+package org.hificamsim.core.world;
+
+import java.util.Random;
+import org.hificamsim.core.scenario.Field;
+
+/**
+ * The targets' state, one array a quantity, sized once for all targets that will ever appear.
+ *
+ * <p>A target keeps its number; one that has not appeared yet, or has disappeared, is not present.
+ */
+public final class Targets {
+  private final Field field;
+  private final String[] names;
+  private final double[] x;
+  private final double[] y;
+  private final double[] heading;
+  private final double[] speed;
+  private final double[] size;
+  private final boolean[] present;
+
+  Targets(Field field, int count) {
+    this.field = field;
+    names = new String[count];
+    x = new double[count];
+    y = new double[count];
+    heading = new double[count];
+    speed = new double[count];
+    size = new double[count];
+    present = new boolean[count];
+  }
+
+  void define(int target, String name, double itsSize) {
+    names[target] = name;
+    size[target] = itsSize;
+  }
+
+  void appear(int target, double atX, double atY, double itsHeading, double itsSpeed) {
+    x[target] = atX;
+    y[target] = atY;
+    heading[target] = itsHeading;
+    speed[target] = itsSpeed;
+    present[target] = true;
+  }
+
+  void disappear(int target) {
+    present[target] = false;
+  }
+
+  /** How many targets there will ever be. */
+  public int count() {
+    return x.length;
+  }
+
+  public String name(int target) {
+    return names[target];
+  }
+
+  public boolean present(int target) {
+    return present[target];
+  }
+
+  /** Metres. */
+  public double x(int target) {
+    return x[target];
+  }
+
+  /** Metres. */
+  public double y(int target) {
+    return y[target];
+  }
+
+  /** Radians, 0 is +y and pi/2 is +x; not normalised. */
+  public double heading(int target) {
+    return heading[target];
+  }
+
+  /** Metres per step. */
+  public double speed(int target) {
+    return speed[target];
+  }
+
+  /** Edge of the bounding box q, metres. */
+  public double size(int target) {
+    return size[target];
+  }
+
+  /** Turns the target. */
+  public void turnTo(int target, double newHeading) {
+    heading[target] = newHeading;
+  }
+
+  /** Changes the target's speed. */
+  public void accelerateTo(int target, double newSpeed) {
+    speed[target] = newSpeed;
+  }
+
+  /** Puts the target on a point, without regard to the field's border. */
+  public void put(int target, double newX, double newY) {
+    x[target] = newX;
+    y[target] = newY;
+  }
+
+  /**
+   * Moves the target by (dx, dy). Outside the field the move is undone, arithmetically as in CamSim
+   * so that the last bits of the position may differ, and the target turns by pi + (2u - 1) pi/6.
+   *
+   * @param turn the stream that u is drawn from
+   * @return whether the target stayed inside the field
+   */
+  public boolean advance(int target, double dx, double dy, Random turn) {
+    x[target] += dx;
+    y[target] += dy;
+    if (field.contains(x[target], y[target])) {
+      return true;
+    }
+    heading[target] += Math.PI + ((turn.nextDouble() * 2 - 1) * Math.PI) / 6;
+    x[target] -= dx;
+    y[target] -= dy;
+    return false;
+  }
+}

@@ -1,0 +1,188 @@
+package org.hificamsim.core.world;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.registry.Registry;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.TargetSpec;
+
+/**
+ * The state of a scenario as it runs: cameras and targets in flat arrays, and the events to come.
+ *
+ * <p>Cameras and targets are numbered in the order of the file, those of the start first, then
+ * those that events add, in the order in which they appear.
+ */
+public final class World {
+  private final Scenario scenario;
+  private final Cameras cameras;
+  private final Targets targets;
+  private final List<CameraSpec> cameraSpecs = new ArrayList<>();
+  private final List<TargetSpec> targetSpecs = new ArrayList<>();
+  private final Movement[] movements;
+  private final ScenarioEvent[] events;
+  private final RandomStreams random;
+  private int nextEvent;
+  private int nextCamera;
+  private int nextTarget;
+
+  /**
+   * The world at its start, before the events of step 0.
+   *
+   * @throws InputException when a target asks for a movement that is not registered
+   */
+  public World(Scenario scenario, Registry<Movement> registry, long seed) {
+    this.scenario = scenario;
+    this.random = new RandomStreams(seed);
+    this.events =
+        scenario.events().stream()
+            .sorted(Comparator.comparingInt(ScenarioEvent::step))
+            .toArray(ScenarioEvent[]::new);
+    collectSpecs();
+    cameras = new Cameras(cameraSpecs.size());
+    targets = new Targets(scenario.field(), targetSpecs.size());
+    movements = new Movement[targetSpecs.size()];
+    defineAll(registry);
+    scenario.cameras().forEach(camera -> addCamera());
+    scenario.targets().forEach(target -> addTarget());
+  }
+
+  public Scenario scenario() {
+    return scenario;
+  }
+
+  public Cameras cameras() {
+    return cameras;
+  }
+
+  public Targets targets() {
+    return targets;
+  }
+
+  /** Fires the events of this step. */
+  public void fireEvents(long step) {
+    while (nextEvent < events.length && events[nextEvent].step() <= step) {
+      fire(events[nextEvent++]);
+    }
+  }
+
+  /** Moves all targets present by one step, in their order. */
+  public void moveTargets() {
+    for (int target = 0; target < movements.length; target++) {
+      if (targets.present(target)) {
+        movements[target].move(target, targets, random);
+      }
+    }
+  }
+
+  private void fire(ScenarioEvent event) {
+    if (event instanceof ScenarioEvent.AddCamera) {
+      addCamera();
+    } else if (event instanceof ScenarioEvent.ChangeCamera change) {
+      changeCamera(change);
+    } else if (event instanceof ScenarioEvent.FailCamera fail) {
+      failCamera(fail);
+    } else if (event instanceof ScenarioEvent.AddTarget) {
+      addTarget();
+    } else if (event instanceof ScenarioEvent.RemoveTarget remove) {
+      removeTarget(remove.features());
+    }
+  }
+
+  private void addCamera() {
+    CameraSpec spec = cameraSpecs.get(nextCamera);
+    cameras.place(nextCamera, spec.x(), spec.y());
+    cameras.face(nextCamera, Math.toRadians(spec.heading()));
+    cameras.switchTo(nextCamera, true);
+    nextCamera++;
+  }
+
+  private void changeCamera(ScenarioEvent.ChangeCamera change) {
+    int camera = onlineCamera(change.camera());
+    if (camera < 0) {
+      return;
+    }
+    cameras.place(
+        camera, changed(change.x(), cameras.x(camera)), changed(change.y(), cameras.y(camera)));
+    if (change.heading() != -1) {
+      cameras.face(camera, Math.toRadians(change.heading()));
+    }
+    double angle =
+        change.viewingAngle() == -1
+            ? cameras.zoom(camera, 0).viewingAngle()
+            : Math.toRadians(change.viewingAngle());
+    double range = changed(change.range(), cameras.zoom(camera, 0).radius());
+    cameras.refit(camera, ZoomLevels.of(scenario, range, angle));
+  }
+
+  private static double changed(double given, double before) {
+    return given == -1 ? before : given;
+  }
+
+  private void failCamera(ScenarioEvent.FailCamera fail) {
+    int camera = onlineCamera(fail.camera());
+    if (camera >= 0 && fail.duration() != 0) {
+      cameras.switchTo(camera, false);
+    }
+  }
+
+  private int onlineCamera(String name) {
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      if (cameras.online(camera) && cameras.name(camera).equals(name)) {
+        return camera;
+      }
+    }
+    return -1;
+  }
+
+  private void addTarget() {
+    TargetSpec spec = targetSpecs.get(nextTarget);
+    double heading = scenario.headings().radians(spec.heading());
+    targets.appear(nextTarget, spec.x(), spec.y(), heading, spec.speed());
+    movements[nextTarget].start(nextTarget, targets, spec);
+    nextTarget++;
+  }
+
+  private void removeTarget(double features) {
+    for (int target = 0; target < targets.count(); target++) {
+      if (targets.present(target) && targetSpecs.get(target).features() == features) {
+        targets.disappear(target);
+        return;
+      }
+    }
+  }
+
+  private void collectSpecs() {
+    cameraSpecs.addAll(scenario.cameras());
+    targetSpecs.addAll(scenario.targets());
+    for (ScenarioEvent event : events) {
+      if (event instanceof ScenarioEvent.AddCamera add) {
+        cameraSpecs.add(add.camera());
+      } else if (event instanceof ScenarioEvent.AddTarget add) {
+        targetSpecs.add(add.target());
+      }
+    }
+  }
+
+  private void defineAll(Registry<Movement> registry) {
+    for (int camera = 0; camera < cameraSpecs.size(); camera++) {
+      CameraSpec spec = cameraSpecs.get(camera);
+      double range = ZoomLevels.clampedRange(spec.range());
+      double angle = Math.toRadians(spec.viewingAngle());
+      cameras.define(camera, spec.name(), ZoomLevels.of(scenario, range, angle));
+    }
+    for (int target = 0; target < targetSpecs.size(); target++) {
+      TargetSpec spec = targetSpecs.get(target);
+      targets.define(target, spec.name(), spec.size());
+      movements[target] = registry.create(movementName(spec));
+    }
+  }
+
+  private String movementName(TargetSpec spec) {
+    String name = spec.movement().shortName();
+    return scenario.inCoverageDialect() && name.equals("Waypoints") ? "Scripted" : name;
+  }
+}

@@ -1,0 +1,34 @@
+package org.hificamsim.core.world;
+
+import java.util.List;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.Scenario;
+
+/** Makes a camera's zoom levels from a scenario's zoom list, or from the camera's range alone. */
+final class ZoomLevels {
+  /** CamSim's constant: a camera created with this range or more gets {@link #CLAMPED} instead. */
+  private static final double MOST = 20;
+
+  private static final double CLAMPED = MOST - MOST * 0.2;
+
+  private ZoomLevels() {}
+
+  /** CamSim's rule for the range of a camera that is created (its quirk Q10). */
+  static double clampedRange(double range) {
+    return range >= MOST ? CLAMPED : range;
+  }
+
+  /**
+   * @param range used where the scenario has no zoom list, metres
+   * @param viewingAngle radians
+   */
+  static ZoomLevel[] of(Scenario scenario, double range, double viewingAngle) {
+    List<Double> radii = scenario.inCoverageDialect() ? scenario.zooms() : List.of(range);
+    double narrowest = radii.get(0);
+    double widest = radii.get(radii.size() - 1);
+    double height = scenario.mountHeight().orElse(Double.NaN);
+    return radii.stream()
+        .map(radius -> new ZoomLevel(radius, narrowest, widest, height, viewingAngle))
+        .toArray(ZoomLevel[]::new);
+  }
+}
