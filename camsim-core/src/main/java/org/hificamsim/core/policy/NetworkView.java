@@ -56,6 +56,12 @@ public interface NetworkView {
   /** How many cameras detected the target at the last observation: k_j of section 7.1. */
   int coverage(int target);
 
+  /**
+   * The detection model's confidence for the target where both are now, at the camera's current
+   * level, in [0, 1]; 0 outside the field of view.
+   */
+  double confidence(int camera, int target);
+
   /** Whether the camera would detect the target where both are now, were it at this level. */
   boolean detects(int camera, int level, int target);
 

@@ -1,0 +1,112 @@
+package org.hificamsim.core.engine;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.world.World;
+
+/**
+ * A run of one scenario under one detection model and one zoom policy, step by step.
+ *
+ * <p>A step is: events, (move), decide, apply zooms, observe, reward, measure, record, (move);
+ * targets move where the scenario's {@link StepOrder} says. Equal arguments give equal runs.
+ */
+public final class Simulation {
+  private final World world;
+  private final StepOrder order;
+  private final ZoomPolicy policy;
+  private final StepListener[] listeners;
+  private final ObservedNetwork network;
+  private final StepCoverage coverage = new StepCoverage();
+  private final int[] levels;
+  private long step;
+
+  /**
+   * @param seed seeds the policy's generator; the world has been seeded on its own
+   * @param listeners called in this order
+   */
+  public Simulation(
+      World world,
+      Detection detection,
+      ZoomPolicy policy,
+      long seed,
+      List<? extends StepListener> listeners) {
+    this.world = world;
+    this.order = world.scenario().order();
+    this.policy = policy;
+    this.listeners = listeners.toArray(StepListener[]::new);
+    this.network = new ObservedNetwork(world, detection);
+    this.levels = new int[world.cameras().count()];
+    policy.begin(network, new SplittableRandom(seed));
+  }
+
+  /** Runs this many steps, from the first, telling the listeners when it starts and ends. */
+  public void run(long steps) {
+    for (StepListener listener : listeners) {
+      listener.started(network);
+    }
+    for (long i = 0; i < steps; i++) {
+      step();
+    }
+    for (StepListener listener : listeners) {
+      listener.ended(network);
+    }
+  }
+
+  /** Runs one step. */
+  public void step() {
+    world.fireEvents(step);
+    network.beginStep(step);
+    if (order == StepOrder.CAMSIM) {
+      world.moveTargets();
+    }
+    decide();
+    network.observe();
+    policy.learn(network);
+    coverage.measure(network);
+    for (StepListener listener : listeners) {
+      listener.stepped(network, coverage);
+    }
+    if (order == StepOrder.COVERAGE) {
+      world.moveTargets();
+    }
+    step++;
+  }
+
+  /** The network as the last step left it. */
+  public NetworkView network() {
+    return network;
+  }
+
+  /** The coverage that the last step measured. */
+  public StepCoverage coverage() {
+    return coverage;
+  }
+
+  /** All cameras decide from the same snapshot, then all zooms are applied. */
+  private void decide() {
+    for (int camera = 0; camera < levels.length; camera++) {
+      levels[camera] = network.level(camera);
+    }
+    policy.decide(network, levels);
+    for (int camera = 0; camera < levels.length; camera++) {
+      if (network.online(camera)) {
+        apply(camera, levels[camera]);
+      }
+    }
+  }
+
+  private void apply(int camera, int level) {
+    if (level < 0 || level >= network.levels(camera)) {
+      throw new IllegalStateException(
+          "policy %s chose level %d for camera %s, expected 0 to %d"
+              .formatted(
+                  policy.name(), level, network.cameraName(camera), network.levels(camera) - 1));
+    }
+    world.cameras().zoomTo(camera, level);
+  }
+}
