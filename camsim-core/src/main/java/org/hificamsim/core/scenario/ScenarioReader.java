@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /**
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
@@ -38,22 +39,25 @@ public final class ScenarioReader {
 
   private final Path path;
   private final XmlElement root;
+  private final Predicate<String> movements;
   private final Consumer<String> warnings;
 
-  private ScenarioReader(Path path, Consumer<String> warnings) {
+  private ScenarioReader(Path path, Predicate<String> movements, Consumer<String> warnings) {
     this.path = path;
     this.root = XmlParser.parse(path);
+    this.movements = movements;
     this.warnings = warnings;
   }
 
   /**
    * Reads one file.
    *
+   * @param movements tells whether a movement of this short name exists
    * @param warnings takes one line for each thing that is odd, with its place
    * @throws org.hificamsim.core.InputException when the file is missing or wrong
    */
-  public static Scenario read(Path path, Consumer<String> warnings) {
-    return new ScenarioReader(path, warnings).scenario();
+  public static Scenario read(Path path, Predicate<String> movements, Consumer<String> warnings) {
+    return new ScenarioReader(path, movements, warnings).scenario();
   }
 
   private Scenario scenario() {
@@ -66,7 +70,7 @@ public final class ScenarioReader {
     Field field = field(simulation, attributes);
     List<Double> zooms = new ZoomListReader(root).zooms();
     CameraReader cameraReader = new CameraReader(field, warnings);
-    TargetReader targetReader = new TargetReader(field, warnings);
+    TargetReader targetReader = new TargetReader(field, movements, warnings);
     List<CameraSpec> cameras = root.all("camera").stream().map(cameraReader::camera).toList();
     List<TargetSpec> targets = new ArrayList<>();
     root.all("object").forEach(element -> targets.add(targetReader.object(element)));

@@ -4,15 +4,18 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.Predicate;
 
 /** Reads targets, from their own element or from an event that adds one. */
 final class TargetReader {
   private final Field field;
+  private final Predicate<String> movements;
   private final Consumer<String> warnings;
   private final Set<Double> features = new HashSet<>();
 
-  TargetReader(Field field, Consumer<String> warnings) {
+  TargetReader(Field field, Predicate<String> movements, Consumer<String> warnings) {
     this.field = field;
+    this.movements = movements;
     this.warnings = warnings;
   }
 
@@ -64,6 +67,12 @@ final class TargetReader {
     double mean = attributes.number("mean", 0, "a finite number", value -> true);
     double std = attributes.number("std", 1, "a number of 0 or more", value -> value >= 0);
     MovementSpec spec = new MovementSpec(movement, mean, std, waypoints(element));
+    if (!movements.test(spec.shortName())) {
+      throw attributes.invalid(
+          origin == TargetSpec.Origin.EVENT ? "fqName" : "move",
+          movement,
+          "a movement such as Straight, Waypoints, Brownian, DirectedBrownian, or one in a jar");
+    }
     boolean onPath = spec.shortName().equals("Waypoints");
     if (onPath && spec.waypoints().isEmpty()) {
       throw element.place().error("movement Waypoints without <waypoint>, expected at least two");

@@ -121,7 +121,9 @@ class CamSimTraceTest {
       String file, long seed, int steps, String movement, StepListener listener) {
     Scenario scenario =
         ScenarioReader.read(
-            Reference.file("camsim/scenarios/" + file + ".xml"), new ArrayList<>()::add);
+            Reference.file("camsim/scenarios/" + file + ".xml"),
+            name -> true,
+            new ArrayList<>()::add);
     if (movement != null) {
       scenario = scenario.withMovement(movement);
     }

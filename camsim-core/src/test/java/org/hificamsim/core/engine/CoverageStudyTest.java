@@ -26,7 +26,9 @@ class CoverageStudyTest {
             .toList();
     Scenario scenario =
         ScenarioReader.read(
-                Reference.file("coverage-study/" + name + ".xml"), new ArrayList<>()::add)
+                Reference.file("coverage-study/" + name + ".xml"),
+                name -> true,
+                new ArrayList<>()::add)
             .withHeadings(Headings.AS_RADIANS);
     List<Integer> ours = new ArrayList<>();
     new Simulation(
