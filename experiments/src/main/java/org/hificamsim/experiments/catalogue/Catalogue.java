@@ -1,0 +1,54 @@
+package org.hificamsim.experiments.catalogue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.hificamsim.agents.CoveragePolicies;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.detection.camsim.CamSimDetections;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Registry;
+import org.hificamsim.core.world.Movement;
+import org.hificamsim.core.world.movement.Movements;
+import org.hificamsim.hifi.model.HiFiDetections;
+import org.hificamsim.hifi.model.ModelFiles;
+
+/**
+ * Everything that can be asked for by name: what comes with the simulator, then what users' jars on
+ * the class path bring.
+ */
+public record Catalogue(
+    Registry<DetectionModel> detections,
+    Registry<ZoomPolicy> policies,
+    Registry<Movement> movements,
+    Registry<StepListener> listeners) {
+  /** The catalogue of this class path. */
+  public static Catalogue load() {
+    Registry<DetectionModel> detections = new Registry<>("detection");
+    CamSimDetections.register(detections);
+    detections.register(
+        "geometric", "certain inside the field of view: upper bound", GeometricDetection::new);
+    HiFiDetections.register(detections);
+    detections.registerServices(
+        DetectionModel.class, DetectionModel::name, (model, options) -> {});
+    Registry<ZoomPolicy> policies = CoveragePolicies.register(new Registry<>("policy"));
+    policies.registerServices(ZoomPolicy.class, ZoomPolicy::name, ZoomPolicy::configure);
+    Registry<StepListener> listeners = new Registry<>("listener");
+    listeners.registerServices(
+        StepListener.class, StepListener::name, (listener, options) -> {});
+    return new Catalogue(detections, policies, Movements.registry(), listeners);
+  }
+
+  /**
+   * The detection model of a name or of a model file.
+   *
+   * @throws org.hificamsim.core.InputException when it is neither, or the file is wrong
+   */
+  public DetectionModel detection(String nameOrFile) {
+    boolean isFile =
+        nameOrFile.endsWith(".json")
+            || (!detections.knows(nameOrFile) && Files.isRegularFile(Path.of(nameOrFile)));
+    return isFile ? ModelFiles.read(Path.of(nameOrFile)) : detections.create(nameOrFile);
+  }
+}

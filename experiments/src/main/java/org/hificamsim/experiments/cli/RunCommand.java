@@ -1,0 +1,158 @@
+package org.hificamsim.experiments.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.experiments.catalogue.Catalogue;
+import org.hificamsim.experiments.output.ManifestFile;
+import org.hificamsim.experiments.output.OutputFolder;
+import org.hificamsim.experiments.output.RunRecorder;
+import org.hificamsim.experiments.output.SummaryFile;
+import org.hificamsim.experiments.run.RunExecutor;
+import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.experiments.run.RunResult;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code hificamsim run}: simulates one scenario and writes what was covered. */
+@Command(
+    name = "run",
+    description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.",
+    mixinStandardHelpOptions = true,
+    showDefaultValues = true)
+final class RunCommand implements Callable<Integer> {
+  private static final int MOST_STEPS = 1_000_000_000;
+  private static final int MOST_REPEATS = 1_000_000;
+
+  @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
+  private Path file;
+
+  @Option(
+      names = "--detection",
+      paramLabel = "NAME|FILE.json",
+      defaultValue = "hifi:orb-lin",
+      description = "The detection model; see 'list detections'.")
+  private String detection;
+
+  @Option(
+      names = "--policy",
+      paramLabel = "NAME[:key=value,...]",
+      defaultValue = "epsilon-greedy",
+      description = "The zoom policy; see 'list policies'.")
+  private String policy;
+
+  @Option(
+      names = "--threshold",
+      paramLabel = "T",
+      showDefaultValue = picocli.CommandLine.Help.Visibility.NEVER,
+      description = "Detection threshold, 0 to 1; default: the scenario's, else the model's.")
+  private Double threshold;
+
+  @Option(names = "--steps", paramLabel = "N", defaultValue = "1000", description = "Steps.")
+  private int steps;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Seed of the first repeat; repeat i uses seed + i.")
+  private long seed;
+
+  @Option(names = "--repeat", paramLabel = "N", defaultValue = "1", description = "Repeats.")
+  private int repeats;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "Where the files go; default: out/<scenario>/.")
+  private Path out;
+
+  @Option(names = "--record", description = "Write zooms.csv and targets.csv too.")
+  private boolean record;
+
+  @Option(
+      names = "--listener",
+      paramLabel = "NAME",
+      description = "A step listener from a jar on the class path; may be repeated.")
+  private List<String> listeners = new ArrayList<>();
+
+  @Mixin private ScenarioOptions scenarioOptions;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    Instant started = Instant.now();
+    Catalogue catalogue = Catalogue.load();
+    RunPlan plan = plan(catalogue);
+    RunExecutor executor = new RunExecutor(catalogue);
+    executor.simulation(plan, 0, List.of());
+    listeners.forEach(catalogue.listeners()::create);
+    Path folder = out != null ? out : Path.of("out", plan.scenario().name());
+    try (OutputFolder output = new OutputFolder(folder)) {
+      List<RunResult> results = execute(plan, executor, catalogue, output);
+      SummaryFile.write(output.open("summary.json"), plan, results);
+      ManifestFile.write(
+          output.open("manifest.json"),
+          spec.commandLine().getParent().getParseResult().originalArgs(),
+          started,
+          (long) plan.steps() * plan.repeats());
+      output.commit(RunRecorder.RECORDS);
+      SummaryTable.print(stdout(), plan, results, folder);
+    }
+    return 0;
+  }
+
+  /** Checks every option before anything is written. */
+  private RunPlan plan(Catalogue catalogue) {
+    Numbers.inRange("--steps", steps, 1, MOST_STEPS);
+    Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
+    if (threshold != null) {
+      Numbers.proportion("--threshold", threshold);
+    }
+    catalogue.policies().create(policy);
+    DetectionModel model = catalogue.detection(detection);
+    Scenario scenario = scenarioOptions.read(file, catalogue, stderr());
+    double tau =
+        threshold != null ? threshold : scenario.threshold().orElse(model.defaultThreshold());
+    return new RunPlan(scenario, new Detection(model, tau), policy, steps, seed, repeats);
+  }
+
+  private List<RunResult> execute(
+      RunPlan plan, RunExecutor executor, Catalogue catalogue, OutputFolder output)
+      throws IOException {
+    long total = (long) plan.steps() * plan.repeats();
+    try (RunRecorder recorder = new RunRecorder(output, record);
+        Progress progress = new Progress("run " + plan.scenario().name(), total, stderr())) {
+      return executor.execute(
+          plan,
+          run -> {
+            List<StepListener> all = new ArrayList<>();
+            all.add(recorder.listener(run));
+            all.add((network, coverage) -> progress.advance());
+            listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
+            return all;
+          });
+    }
+  }
+
+  private PrintWriter stdout() {
+    return spec.commandLine().getOut();
+  }
+
+  private PrintWriter stderr() {
+    return spec.commandLine().getErr();
+  }
+}

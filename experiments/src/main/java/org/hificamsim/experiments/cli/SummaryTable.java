@@ -1,0 +1,63 @@
+package org.hificamsim.experiments.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import org.hificamsim.experiments.run.Estimate;
+import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.experiments.run.RunResult;
+
+/** The short table that a run prints when it is done. */
+final class SummaryTable {
+  private final PrintWriter out;
+  private final List<RunResult> results;
+
+  private SummaryTable(PrintWriter out, List<RunResult> results) {
+    this.out = out;
+    this.results = results;
+  }
+
+  static void print(PrintWriter out, RunPlan plan, List<RunResult> results, Path folder) {
+    SummaryTable table = new SummaryTable(out, results);
+    table.line("scenario", plan.scenario().name());
+    table.line(
+        "detection",
+        plan.detection().model().name() + ", threshold " + plan.detection().threshold());
+    table.line("policy", plan.policy());
+    table.line(
+        "steps",
+        plan.steps()
+            + (plan.repeats() == 1
+                ? ", seed " + plan.seed()
+                : " x " + plan.repeats() + " repeats, seeds " + plan.seed() + " to "
+                    + plan.seed(plan.repeats() - 1)));
+    table.figure("performance", RunResult::performance, "%.0f", "sum of k_min");
+    table.figure("mean k_min", RunResult::meanKMin, "%.4f", "per step");
+    table.figure("covered by none", RunResult::covered0, "%.4f", "share of targets");
+    table.figure("covered by one", RunResult::covered1, "%.4f", "");
+    table.figure("covered by more", RunResult::coveredK, "%.4f", "");
+    table.figure("mean k", RunResult::meanK, "%.4f", "cameras per target");
+    table.line("files", folder.toString());
+    out.flush();
+  }
+
+  private void figure(
+      String label, ToDoubleFunction<RunResult> figure, String format, String unit) {
+    Estimate estimate = Estimate.of(results, figure);
+    String text = format(format, estimate.mean());
+    if (results.size() > 1) {
+      text += " [%s, %s]".formatted(format(format, estimate.low()), format(format, estimate.high()));
+    }
+    line(label, unit.isEmpty() ? text : text + "  (" + unit + ")");
+  }
+
+  private static String format(String format, double value) {
+    return String.format(Locale.ROOT, format, value);
+  }
+
+  private void line(String label, String text) {
+    out.printf(Locale.ROOT, "%-16s %s%n", label, text);
+  }
+}

@@ -1,0 +1,75 @@
+package org.hificamsim.experiments.output;
+
+import java.io.BufferedWriter;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.hificamsim.core.InputException;
+
+/**
+ * A folder that receives a set of files at once: each is written under a temporary name and moved
+ * into place by {@link #commit}. Closed without that, it leaves the folder as it was.
+ */
+public final class OutputFolder implements Closeable {
+  private final Path folder;
+  private final Map<String, Path> pending = new LinkedHashMap<>();
+
+  /**
+   * Makes the folder where it is missing.
+   *
+   * @throws InputException when the path is a file or cannot be made
+   */
+  public OutputFolder(Path folder) {
+    this.folder = folder;
+    if (Files.exists(folder) && !Files.isDirectory(folder)) {
+      throw new InputException("--out '" + folder + "' is a file, expected a folder");
+    }
+    try {
+      Files.createDirectories(folder);
+    } catch (IOException e) {
+      throw new InputException("--out '" + folder + "' cannot be made: " + e.getMessage(), e);
+    }
+    if (!Files.isWritable(folder)) {
+      throw new InputException("--out '" + folder + "' is not writable, expected a folder that is");
+    }
+  }
+
+  /** A writer (UTF-8) for a file of this name; the caller closes it before {@link #commit}. */
+  public Writer open(String name) throws IOException {
+    Path temporary = Files.createTempFile(folder, "." + name + "-", ".part");
+    pending.put(name, temporary);
+    return new BufferedWriter(Files.newBufferedWriter(temporary, StandardCharsets.UTF_8), 1 << 16);
+  }
+
+  /** Moves every file opened into place, and removes what an earlier run left under {@code stale}. */
+  public void commit(String... stale) throws IOException {
+    for (Map.Entry<String, Path> file : pending.entrySet()) {
+      Files.move(
+          file.getValue(),
+          folder.resolve(file.getKey()),
+          StandardCopyOption.ATOMIC_MOVE,
+          StandardCopyOption.REPLACE_EXISTING);
+    }
+    for (String name : stale) {
+      if (!pending.containsKey(name)) {
+        Files.deleteIfExists(folder.resolve(name));
+      }
+    }
+    pending.clear();
+  }
+
+  /** Removes whatever has not been committed. */
+  @Override
+  public void close() throws IOException {
+    for (Path temporary : pending.values()) {
+      Files.deleteIfExists(temporary);
+    }
+    pending.clear();
+  }
+}

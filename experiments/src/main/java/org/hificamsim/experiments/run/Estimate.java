@@ -1,0 +1,29 @@
+package org.hificamsim.experiments.run;
+
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import org.apache.commons.math3.distribution.TDistribution;
+import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
+
+/**
+ * A mean over repeats with its 95% confidence interval (Student's t).
+ *
+ * @param low equals the mean where there is a single repeat
+ */
+public record Estimate(double mean, double low, double high) {
+  private static final double LEVEL = 0.95;
+
+  /** The estimate of one figure. */
+  public static Estimate of(List<RunResult> results, ToDoubleFunction<RunResult> figure) {
+    SummaryStatistics statistics = new SummaryStatistics();
+    results.forEach(result -> statistics.addValue(figure.applyAsDouble(result)));
+    double mean = statistics.getMean();
+    if (results.size() < 2) {
+      return new Estimate(mean, mean, mean);
+    }
+    double quantile =
+        new TDistribution(results.size() - 1).inverseCumulativeProbability((1 + LEVEL) / 2);
+    double half = quantile * statistics.getStandardDeviation() / Math.sqrt(results.size());
+    return new Estimate(mean, mean - half, mean + half);
+  }
+}

@@ -1,0 +1,50 @@
+package org.hificamsim.experiments.run;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntFunction;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.world.World;
+import org.hificamsim.experiments.catalogue.Catalogue;
+
+/** Runs a plan, one repeat after the other. */
+public final class RunExecutor {
+  private final Catalogue catalogue;
+
+  public RunExecutor(Catalogue catalogue) {
+    this.catalogue = catalogue;
+  }
+
+  /**
+   * Runs every repeat.
+   *
+   * @param listeners makes the listeners of one repeat
+   * @return one result per repeat, in order
+   */
+  public List<RunResult> execute(RunPlan plan, IntFunction<List<StepListener>> listeners) {
+    List<RunResult> results = new ArrayList<>();
+    for (int run = 0; run < plan.repeats(); run++) {
+      results.add(repeat(plan, run, listeners.apply(run)));
+    }
+    return results;
+  }
+
+  private RunResult repeat(RunPlan plan, int run, List<StepListener> listeners) {
+    RunCoverage coverage = new RunCoverage();
+    List<StepListener> all = new ArrayList<>(listeners);
+    all.add(0, coverage);
+    simulation(plan, run, all).run(plan.steps());
+    return RunResult.of(run, plan.seed(run), coverage);
+  }
+
+  /** The simulation of one repeat, at its start. */
+  public Simulation simulation(RunPlan plan, int run, List<StepListener> listeners) {
+    long seed = plan.seed(run);
+    World world = new World(plan.scenario(), catalogue.movements(), seed);
+    ZoomPolicy policy = catalogue.policies().create(plan.policy());
+    return new Simulation(world, plan.detection(), policy, seed, listeners);
+  }
+}
