@@ -47,9 +47,7 @@ public class StepBenchmark {
     Catalogue catalogue = Catalogue.load();
     Scenario read =
         ScenarioReader.read(
-            Path.of("scenarios", scenario + ".xml"),
-            catalogue.movements()::knows,
-            warning -> {});
+            Path.of("scenarios", scenario + ".xml"), catalogue.movements()::knows, warning -> {});
     DetectionModel model = catalogue.detection(detection);
     simulation =
         new Simulation(
