@@ -48,14 +48,21 @@ public final class JsonFile {
   public static JsonObject parse(String file, byte[] bytes) {
     try (JsonParser parser = FACTORY.createParser(bytes)) {
       return new JsonFile(file, parser).whole();
-    } catch (JsonProcessingException e) {
-      throw place(file, e.getLocation()).fault(problem(e));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
   private JsonObject whole() throws IOException {
+    try {
+      return onlyObject();
+    } catch (JsonProcessingException e) {
+      JsonLocation location = e.getLocation();
+      throw place(location == null ? parser.currentLocation() : location).fault(problem(e));
+    }
+  }
+
+  private JsonObject onlyObject() throws IOException {
     if (parser.nextToken() == null) {
       throw new Place(file, 1, 1).fault("the file is empty, expected a JSON object");
     }
@@ -77,7 +84,7 @@ public final class JsonFile {
       case START_ARRAY -> items(place);
       case VALUE_STRING -> new JsonValue.Text(place, parser.getText());
       case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT ->
-          new JsonValue.Numeral(place, parser.getDoubleValue());
+          new JsonValue.Numeral(place, parser.getDoubleValue(), parser.getText());
       default -> new JsonValue.Word(place, parser.getText());
     };
   }
@@ -102,13 +109,11 @@ public final class JsonFile {
   }
 
   private Place place() {
-    return place(file, parser.currentTokenLocation());
+    return place(parser.currentTokenLocation());
   }
 
-  private static Place place(String file, JsonLocation location) {
-    return location == null
-        ? new Place(file, 1, 1)
-        : new Place(file, location.getLineNr(), location.getColumnNr());
+  private Place place(JsonLocation location) {
+    return new Place(file, location.getLineNr(), location.getColumnNr());
   }
 
   private static String problem(JsonProcessingException e) {

@@ -54,6 +54,14 @@ public final class JsonObject implements JsonValue {
     throw wrong(key, expected);
   }
 
+  /** Checks that the property is this whole number. */
+  public void exactly(String key, int value) {
+    if (!(take(key, Integer.toString(value)) instanceof Numeral numeral)
+        || numeral.value() != value) {
+      throw wrong(key, Integer.toString(value));
+    }
+  }
+
   /** A text. */
   public String text(String key) {
     return text(key, "a text");

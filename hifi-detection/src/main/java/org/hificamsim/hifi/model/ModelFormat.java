@@ -38,7 +38,7 @@ final class ModelFormat {
 
   static void checkSchema(JsonObject json, String schema) {
     json.text("schema", List.of(schema));
-    json.number("version", VERSION, VERSION);
+    json.exactly("version", VERSION);
   }
 
   static DetectorLine detectorLine(JsonObject json) {
