@@ -28,7 +28,7 @@ public final class JsonFile {
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
           .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
           .streamReadConstraints(
-              StreamReadConstraints.builder().maxNestingDepth(50).maxTokenCount(2_000_000).build())
+              StreamReadConstraints.builder().maxNestingDepth(50).maxTokenCount(500_000).build())
           .build();
 
   private final String file;
