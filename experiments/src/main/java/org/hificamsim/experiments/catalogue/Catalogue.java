@@ -30,13 +30,11 @@ public record Catalogue(
     detections.register(
         "geometric", "certain inside the field of view: upper bound", GeometricDetection::new);
     HiFiDetections.register(detections);
-    detections.registerServices(
-        DetectionModel.class, DetectionModel::name, (model, options) -> {});
+    detections.registerServices(DetectionModel.class, DetectionModel::name, (model, options) -> {});
     Registry<ZoomPolicy> policies = CoveragePolicies.register(new Registry<>("policy"));
     policies.registerServices(ZoomPolicy.class, ZoomPolicy::name, ZoomPolicy::configure);
     Registry<StepListener> listeners = new Registry<>("listener");
-    listeners.registerServices(
-        StepListener.class, StepListener::name, (listener, options) -> {});
+    listeners.registerServices(StepListener.class, StepListener::name, (listener, options) -> {});
     return new Catalogue(detections, policies, Movements.registry(), listeners);
   }
 

@@ -25,7 +25,7 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true)
 final class ListCommand implements Runnable {
   /** Where the launcher says the project is; the working directory otherwise. */
-  private static final Path HOME = Path.of(System.getProperty("hificamsim.home", ""));
+  private static final Path HOME = Path.of(System.getProperty("hificamsim.root", ""));
 
   @Spec private CommandSpec spec;
 
@@ -69,8 +69,7 @@ final class ListCommand implements Runnable {
     for (Path file : scenarioFiles()) {
       line(
           file.toString(),
-          Descriptions.of(
-              ScenarioReader.read(file, catalogue.movements()::knows, warning -> {})));
+          Descriptions.of(ScenarioReader.read(file, catalogue.movements()::knows, warning -> {})));
     }
   }
 

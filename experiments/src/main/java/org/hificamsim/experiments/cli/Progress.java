@@ -7,8 +7,9 @@ import me.tongfei.progressbar.ProgressBarBuilder;
 import me.tongfei.progressbar.ProgressBarStyle;
 
 /**
- * The progress of a long run on standard error: a bar on a terminal, else a line now and then.
- * Quiet for the first seconds, so that short runs show nothing.
+ * The progress of a long run on standard error: a bar on a terminal, else a line now and then. The
+ * launcher says which by {@code -Dhificamsim.terminal=true}. Quiet for the first seconds, so that
+ * short runs show nothing.
  */
 final class Progress implements AutoCloseable {
   private static final long LOOK_EVERY = 1 << 12;
@@ -19,7 +20,7 @@ final class Progress implements AutoCloseable {
   private final long total;
   private final PrintWriter err;
   private final long started = System.nanoTime();
-  private final boolean terminal = System.console() != null;
+  private final boolean terminal = Boolean.getBoolean("hificamsim.terminal");
   private long done;
   private long lastLine = started;
   private ProgressBar bar;

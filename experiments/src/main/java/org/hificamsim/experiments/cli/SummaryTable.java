@@ -31,7 +31,11 @@ final class SummaryTable {
         plan.steps()
             + (plan.repeats() == 1
                 ? ", seed " + plan.seed()
-                : " x " + plan.repeats() + " repeats, seeds " + plan.seed() + " to "
+                : " x "
+                    + plan.repeats()
+                    + " repeats, seeds "
+                    + plan.seed()
+                    + " to "
                     + plan.seed(plan.repeats() - 1)));
     table.figure("performance", RunResult::performance, "%.0f", "sum of k_min");
     table.figure("mean k_min", RunResult::meanKMin, "%.4f", "per step");
@@ -48,7 +52,8 @@ final class SummaryTable {
     Estimate estimate = Estimate.of(results, figure);
     String text = format(format, estimate.mean());
     if (results.size() > 1) {
-      text += " [%s, %s]".formatted(format(format, estimate.low()), format(format, estimate.high()));
+      text +=
+          " [%s, %s]".formatted(format(format, estimate.low()), format(format, estimate.high()));
     }
     line(label, unit.isEmpty() ? text : text + "  (" + unit + ")");
   }

@@ -8,7 +8,9 @@ import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
 
-/** Writes {@code manifest.json}: when, with what, and how long; the one file that differs by run. */
+/**
+ * Writes {@code manifest.json}: when, with what, and how long; the one file that differs by run.
+ */
 public final class ManifestFile {
   private ManifestFile() {}
 

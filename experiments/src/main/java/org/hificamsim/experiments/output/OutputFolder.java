@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
 
@@ -47,8 +48,10 @@ public final class OutputFolder implements Closeable {
     return new BufferedWriter(Files.newBufferedWriter(temporary, StandardCharsets.UTF_8), 1 << 16);
   }
 
-  /** Moves every file opened into place, and removes what an earlier run left under {@code stale}. */
-  public void commit(String... stale) throws IOException {
+  /**
+   * Moves every file opened into place, and removes what an earlier run left under {@code stale}.
+   */
+  public void commit(List<String> stale) throws IOException {
     for (Map.Entry<String, Path> file : pending.entrySet()) {
       Files.move(
           file.getValue(),

@@ -2,14 +2,18 @@ package org.hificamsim.experiments.output;
 
 import java.io.Closeable;
 import java.io.IOException;
+import java.util.List;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 
 /** Writes the per-step tables of a run: {@code steps.csv}, and if asked zooms and targets. */
 public final class RunRecorder implements Closeable {
+  private static final String ZOOMS = "zooms.csv";
+  private static final String TARGETS = "targets.csv";
+
   /** The files of {@code --record}. */
-  public static final String[] RECORDS = {"zooms.csv", "targets.csv"};
+  public static final List<String> RECORDS = List.of(ZOOMS, TARGETS);
 
   private final CsvTable steps;
   private final CsvTable zooms;
@@ -33,10 +37,9 @@ public final class RunRecorder implements Closeable {
     zooms =
         full
             ? new CsvTable(
-                folder.open(RECORDS[0]), "run", "step", "camera", "level", "radius", "detected")
+                folder.open(ZOOMS), "run", "step", "camera", "level", "radius", "detected")
             : null;
-    targets =
-        full ? new CsvTable(folder.open(RECORDS[1]), "run", "step", "target", "x", "y") : null;
+    targets = full ? new CsvTable(folder.open(TARGETS), "run", "step", "target", "x", "y") : null;
   }
 
   /** The listener that writes one repeat. */

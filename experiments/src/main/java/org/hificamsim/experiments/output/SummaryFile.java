@@ -64,8 +64,7 @@ public final class SummaryFile {
       if (results.size() == 1 && figure.getKey().equals("performance")) {
         json.writeNumberField("performance", results.get(0).performance());
       } else {
-        json.writeNumberField(
-            figure.getKey(), Estimate.of(results, figure.getValue()).mean());
+        json.writeNumberField(figure.getKey(), Estimate.of(results, figure.getValue()).mean());
       }
     }
     if (results.size() > 1) {

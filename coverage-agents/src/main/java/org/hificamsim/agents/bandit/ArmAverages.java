@@ -1,0 +1,49 @@
+package org.hificamsim.agents.bandit;
+
+import org.hificamsim.agents.choice.LevelTable;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * What every bandit here learns: for each camera and level, how often the level was used and the
+ * average number of targets detected with it.
+ *
+ * <p>The reward is the utility U_i of Eq 7.3, the number of targets that the camera detected. The
+ * factor lambda of that equation scales all averages alike and so changes no comparison of them.
+ */
+final class ArmAverages {
+  private final LevelTable table;
+  private final double[] means;
+  private final long[] pulls;
+
+  ArmAverages(NetworkView network) {
+    table = new LevelTable(network);
+    means = new double[table.size()];
+    pulls = new long[table.size()];
+  }
+
+  /** Credits each online camera's current level with what it just detected. */
+  void learn(NetworkView network) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        int arm = table.offset(camera) + network.level(camera);
+        pulls[arm]++;
+        means[arm] += (network.detected(camera) - means[arm]) / pulls[arm];
+      }
+    }
+  }
+
+  /** The index in {@link #means} and {@link #pulls} of the camera's narrowest level. */
+  int offset(int camera) {
+    return table.offset(camera);
+  }
+
+  /** Average number of targets detected, by arm; 0 for an arm never used. */
+  double[] means() {
+    return means;
+  }
+
+  /** Number of times that each arm was used. */
+  long[] pulls() {
+    return pulls;
+  }
+}

@@ -1,0 +1,62 @@
+package org.hificamsim.agents.bandit;
+
+import java.util.SplittableRandom;
+import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.agents.choice.Ties;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * The epsilon-greedy bandit (section 7.4.3, Eq 7.3): each camera takes the level with the best
+ * average number of detected targets, and explores with probability epsilon.
+ *
+ * <p>A level never used counts as 0. Open in the thesis and so an option: which of equally good
+ * levels is best ({@code ties}), what exploring draws from ({@code explore}), whether epsilon
+ * decays ({@code epsilon-decay}, {@code epsilon-min}).
+ */
+public final class EpsilonGreedyZoomPolicy implements ZoomPolicy {
+  public static final String NAME = "epsilon-greedy";
+
+  private final EpsilonGreedyChoice choice;
+  private final Ties ties;
+  private ArmAverages arms;
+
+  public EpsilonGreedyZoomPolicy(EpsilonGreedyChoice choice, Ties ties) {
+    this.choice = choice;
+    this.ties = ties;
+  }
+
+  /** The policy with its options, each with the default that reproduces the thesis. */
+  public static EpsilonGreedyZoomPolicy from(Options options) {
+    return new EpsilonGreedyZoomPolicy(
+        EpsilonGreedyChoice.from(options), Ties.from(options, Ties.WIDEST));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    arms = new ArmAverages(network);
+    choice.begin(network, random);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] levels) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        int count = network.levels(camera);
+        int best = ties.best(arms.means(), arms.offset(camera), count);
+        levels[camera] = choice.choose(camera, count, best);
+      }
+    }
+  }
+
+  @Override
+  public void learn(NetworkView network) {
+    arms.learn(network);
+  }
+}

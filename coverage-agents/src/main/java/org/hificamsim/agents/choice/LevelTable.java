@@ -1,0 +1,28 @@
+package org.hificamsim.agents.choice;
+
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * Where a flat array keeps its entry for each camera and level: all levels of camera 0, then of
+ * camera 1, and so on, whatever number of levels each has.
+ */
+public final class LevelTable {
+  private final int[] offsets;
+
+  public LevelTable(NetworkView network) {
+    offsets = new int[network.cameras() + 1];
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      offsets[camera + 1] = offsets[camera] + network.levels(camera);
+    }
+  }
+
+  /** The number of entries. */
+  public int size() {
+    return offsets[offsets.length - 1];
+  }
+
+  /** The index of the camera's narrowest level; the wider ones follow. */
+  public int offset(int camera) {
+    return offsets[camera];
+  }
+}

@@ -1,0 +1,31 @@
+package org.hificamsim.agents.choice;
+
+import org.hificamsim.core.registry.Options;
+
+/** Which of several equally good levels a camera takes; the thesis does not say. */
+public enum Ties {
+  WIDEST,
+  NARROWEST;
+
+  /** The option {@code ties}. */
+  public static Ties from(Options options, Ties defaultValue) {
+    return options.choice("ties", defaultValue, "which of equally good levels: widest, narrowest");
+  }
+
+  /**
+   * The level with the largest value.
+   *
+   * @param values holds the value of level l at {@code from + l}; none is NaN
+   * @param levels the number of levels, 1 or more
+   */
+  public int best(double[] values, int from, int levels) {
+    int best = 0;
+    for (int level = 1; level < levels; level++) {
+      double difference = values[from + level] - values[from + best];
+      if (difference > 0 || (difference == 0 && this == WIDEST)) {
+        best = level;
+      }
+    }
+    return best;
+  }
+}

@@ -1,0 +1,133 @@
+package org.hificamsim.agents.optimal;
+
+import org.hificamsim.agents.search.CoverageProblem;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * The detection sets of each camera's candidate levels over the targets that are present, in order
+ * of preference, as a coverage problem.
+ *
+ * <p>A set that is included in a more preferred one of the same camera is left out: it would never
+ * be chosen.
+ */
+final class DetectionSets {
+  private final Preference preference;
+  private final CoverageProblem problem;
+  private final int[] present;
+  private final int[] levelOf;
+  private final long[] masks;
+  private final int[] order;
+  private final int[] sizes;
+  private int targets;
+  private int words;
+
+  DetectionSets(NetworkView network, Preference preference) {
+    this.preference = preference;
+    int most = 0;
+    int all = 0;
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      most = Math.max(most, network.levels(camera));
+      all += network.levels(camera);
+    }
+    problem = new CoverageProblem(network.cameras(), all, network.targets());
+    present = new int[network.targets()];
+    levelOf = new int[all];
+    masks = new long[most * CoverageProblem.wordsFor(network.targets())];
+    order = new int[most];
+    sizes = new int[most];
+  }
+
+  /** The problem that {@link #fill} fills. */
+  CoverageProblem problem() {
+    return problem;
+  }
+
+  /** The level behind a set of the problem. */
+  int levelOf(int set) {
+    return levelOf[set];
+  }
+
+  /**
+   * Fills the problem with the network as it is now; its cameras are the online ones.
+   *
+   * @return whether any target is present; if none is, the problem stays as it was
+   */
+  boolean fill(NetworkView network, CandidateLevels candidates) {
+    findPresent(network);
+    if (targets == 0) {
+      return false;
+    }
+    problem.clear(targets);
+    words = problem.words();
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        problem.addCamera();
+        add(network, camera, candidates);
+      }
+    }
+    return true;
+  }
+
+  private void findPresent(NetworkView network) {
+    targets = 0;
+    for (int target = 0; target < network.targets(); target++) {
+      if (network.present(target)) {
+        present[targets++] = target;
+      }
+    }
+  }
+
+  private void add(NetworkView network, int camera, CandidateLevels candidates) {
+    int count = candidates.count(camera);
+    for (int i = 0; i < count; i++) {
+      look(network, camera, candidates.level(camera, i), i);
+      place(i);
+    }
+    int first = problem.sets();
+    for (int i = 0; i < count; i++) {
+      if (!included(order[i], first)) {
+        levelOf[problem.sets()] = candidates.level(camera, order[i]);
+        problem.addSet(masks, order[i] * words);
+      }
+    }
+  }
+
+  private void look(NetworkView network, int camera, int level, int row) {
+    int size = 0;
+    for (int word = 0; word < words; word++) {
+      long bits = 0;
+      int end = Math.min(targets, (word + 1) * Long.SIZE);
+      for (int target = word * Long.SIZE; target < end; target++) {
+        if (network.detects(camera, level, present[target])) {
+          bits |= 1L << target;
+        }
+      }
+      masks[row * words + word] = bits;
+      size += Long.bitCount(bits);
+    }
+    sizes[row] = size;
+  }
+
+  /** Inserts a row into the order of preference; the candidates come in order of width. */
+  private void place(int row) {
+    int at = row;
+    while (preference.mostTargets() && at > 0 && sizes[order[at - 1]] < sizes[row]) {
+      order[at] = order[at - 1];
+      at--;
+    }
+    order[at] = row;
+  }
+
+  private boolean included(int row, int firstSet) {
+    for (int set = firstSet; set < problem.sets(); set++) {
+      boolean included = true;
+      for (int word = 0; word < words; word++) {
+        included &= (masks[row * words + word] & ~problem.mask(set, word)) == 0;
+      }
+      if (included) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

@@ -1,0 +1,78 @@
+package org.hificamsim.agents.optimal;
+
+import java.util.SplittableRandom;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/**
+ * The configuration with the best k_min of all (Eq 7.1), found anew and exactly at each step: the
+ * upper bound that section 7.4.1 calls greedy, computed there by trying all Z^C configurations.
+ *
+ * <p>A camera with a level proven to detect whatever its others detect stays at that level, the
+ * narrowest such; where all cameras have one, there is nothing to search. Otherwise levels that
+ * another one dominates are out, and among configurations of the remaining levels with the best
+ * k_min it is the one in which camera 0 detects most targets, then at its narrowest level, then
+ * camera 1, and so on. With no target present the levels stay.
+ */
+public final class OptimalZoomPolicy implements ZoomPolicy {
+  public static final String NAME = "optimal";
+
+  private CandidateLevels candidates;
+  private ConfigurationSearch search;
+  private int revision;
+  private boolean settled;
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    candidates = new CandidateLevels(network);
+    search = new ConfigurationSearch(network, Preference.MOST_TARGETS_THEN_NARROWEST);
+    findCandidates(network);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] levels) {
+    if (network.revision() != revision) {
+      findCandidates(network);
+    }
+    if (!settled) {
+      search.decide(network, candidates, levels);
+    } else if (anyPresent(network)) {
+      settle(network, levels);
+    }
+  }
+
+  private void findCandidates(NetworkView network) {
+    revision = network.revision();
+    settled = true;
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      candidates.clear(camera);
+      for (int level = 0; level < network.levels(camera); level++) {
+        candidates.add(camera, level);
+      }
+      candidates.removeDominated(network, camera);
+      settled &= candidates.count(camera) == 1 || !network.online(camera);
+    }
+  }
+
+  private void settle(NetworkView network, int[] levels) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        levels[camera] = candidates.level(camera, 0);
+      }
+    }
+  }
+
+  private static boolean anyPresent(NetworkView network) {
+    for (int target = 0; target < network.targets(); target++) {
+      if (network.present(target)) {
+        return true;
+      }
+    }
+    return false;
+  }
+}

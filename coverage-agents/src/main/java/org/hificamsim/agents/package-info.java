@@ -1,0 +1,2 @@
+/** The zoom policies of chapter 7, registered by name. */
+package org.hificamsim.agents;

@@ -1,0 +1,118 @@
+package org.hificamsim.agents.search;
+
+/**
+ * A max-min coverage problem: each camera chooses one of its detection sets, so that the least
+ * covered target is covered by as many cameras as possible (k_min of Eq 7.1).
+ *
+ * <p>Cameras, sets and targets are numbered from 0. A camera's sets are listed in its order of
+ * preference, which decides between equally good choices; a set may equal, include or be included
+ * in another one. Sets are bit masks, target t at bit {@code t % 64} of word {@code t / 64}. The
+ * same object is filled anew for each problem: {@link #clear}, then for each camera {@link
+ * #addCamera} and its sets.
+ */
+public final class CoverageProblem {
+  private final int[] firstSet;
+  private final int[] cameraOf;
+  private final long[] masks;
+  private final int mostTargets;
+  private int targets;
+  private int words;
+  private int cameras;
+  private int sets;
+
+  /** A problem without cameras, with room for that many cameras, sets in all, and targets. */
+  public CoverageProblem(int mostCameras, int mostSets, int mostTargets) {
+    firstSet = new int[mostCameras + 1];
+    cameraOf = new int[mostSets];
+    masks = new long[mostSets * wordsFor(mostTargets)];
+    this.mostTargets = mostTargets;
+  }
+
+  /** The number of words that a set of targets takes. */
+  public static int wordsFor(int targets) {
+    return (targets + Long.SIZE - 1) / Long.SIZE;
+  }
+
+  /** Forgets all cameras; from now on there are {@code targets} targets. */
+  public void clear(int targets) {
+    if (targets > mostTargets) {
+      throw new IllegalArgumentException(
+          "targets is " + targets + ", expected at most " + mostTargets);
+    }
+    this.targets = targets;
+    words = wordsFor(targets);
+    cameras = 0;
+    sets = 0;
+  }
+
+  /** Adds a camera; the sets that follow are its own. It needs at least one. */
+  public void addCamera() {
+    cameras++;
+    firstSet[cameras] = sets;
+  }
+
+  /** Adds a set to the last camera: {@code words()} words of {@code source} from {@code from}. */
+  public void addSet(long[] source, int from) {
+    for (int word = 0; word < words; word++) {
+      masks[sets * words + word] = source[from + word];
+    }
+    cameraOf[sets] = cameras - 1;
+    sets++;
+    firstSet[cameras] = sets;
+  }
+
+  public int cameras() {
+    return cameras;
+  }
+
+  public int targets() {
+    return targets;
+  }
+
+  /** The number of words of one set. */
+  public int words() {
+    return words;
+  }
+
+  /** The number of sets of all cameras. */
+  public int sets() {
+    return sets;
+  }
+
+  /** The number of the camera's most preferred set; its others follow up to the next camera's. */
+  public int firstSet(int camera) {
+    return firstSet[camera];
+  }
+
+  /** One more than the number of the camera's least preferred set. */
+  public int endSet(int camera) {
+    return firstSet[camera + 1];
+  }
+
+  /** The camera to which a set belongs. */
+  public int cameraOf(int set) {
+    return cameraOf[set];
+  }
+
+  /** One word of a set's bit mask. */
+  public long mask(int set, int word) {
+    return masks[set * words + word];
+  }
+
+  /** Whether the target is in the set. */
+  public boolean contains(int set, int target) {
+    return (masks[set * words + (target >> 6)] >>> target & 1) != 0;
+  }
+
+  int mostCameras() {
+    return firstSet.length - 1;
+  }
+
+  int mostSets() {
+    return cameraOf.length;
+  }
+
+  int mostTargets() {
+    return mostTargets;
+  }
+}

@@ -1,0 +1,155 @@
+package org.hificamsim.agents;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.DynamicTest.dynamicTest;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.hificamsim.agents.toy.GeometricNetwork;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.junit.jupiter.api.DynamicTest;
+
+/**
+ * What every zoom policy owes the engine, as tests: for the built-in ones and a user's own.
+ *
+ * @param policies makes a new instance for each run
+ * @param global whether the policy is an upper bound that may use global knowledge
+ */
+record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) {
+  private static final int STEPS = 300;
+  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+  private static final GeometricNetwork.Kind MIXED =
+      new GeometricNetwork.Kind(6, -5, 7, 2, false, true, 20, 15);
+
+  Stream<DynamicTest> tests() {
+    return Stream.of(
+        dynamicTest("hasTheSameNameInEveryInstance", this::hasTheSameNameInEveryInstance),
+        dynamicTest("choosesLevelsThatTheCameraHas", this::choosesLevelsThatTheCameraHas),
+        dynamicTest("toleratesComingAndGoing", this::toleratesComingAndGoing),
+        dynamicTest("toleratesNetworksWithoutTargets", this::toleratesNetworksWithoutTargets),
+        dynamicTest("toleratesNetworksWithoutCameras", this::toleratesNetworksWithoutCameras),
+        dynamicTest("repeatsItselfForTheSameSeed", this::repeatsItselfForTheSameSeed),
+        dynamicTest("sharesNoStateBetweenInstances", this::sharesNoStateBetweenInstances),
+        dynamicTest("allocatesNothingPerStep", this::allocatesNothingPerStep),
+        dynamicTest("knowsOnlyWhatItsCamerasKnow", this::knowsOnlyWhatItsCamerasKnow));
+  }
+
+  private void hasTheSameNameInEveryInstance() {
+    assertEquals(policies.get().name(), policies.get().name());
+  }
+
+  private void choosesLevelsThatTheCameraHas() {
+    for (int world = 0; world < 20; world++) {
+      run(GeometricNetwork.random(MIXED, world), world, 50, false);
+    }
+  }
+
+  private void toleratesComingAndGoing() {
+    for (int world = 0; world < 20; world++) {
+      run(GeometricNetwork.random(MIXED, world), world, 50, true);
+    }
+  }
+
+  private void toleratesNetworksWithoutTargets() {
+    run(
+        GeometricNetwork.random(new GeometricNetwork.Kind(4, -5, 0, 1, false, false, 20, 15), 1),
+        1,
+        STEPS,
+        true);
+  }
+
+  private void toleratesNetworksWithoutCameras() {
+    run(
+        GeometricNetwork.random(new GeometricNetwork.Kind(0, 5, 3, 1, false, false, 20, 15), 1),
+        1,
+        STEPS,
+        true);
+  }
+
+  private void repeatsItselfForTheSameSeed() {
+    int[][] first = run(GeometricNetwork.random(MIXED, 5), 11, STEPS, true);
+    int[][] second = run(GeometricNetwork.random(MIXED, 5), 11, STEPS, true);
+    assertEquals(STEPS, first.length);
+    for (int step = 0; step < STEPS; step++) {
+      assertArrayEquals(first[step], second[step], "step " + step);
+    }
+  }
+
+  private void sharesNoStateBetweenInstances() {
+    int[][] alone = run(GeometricNetwork.random(MIXED, 5), 11, STEPS, false);
+    GeometricNetwork network = GeometricNetwork.random(MIXED, 5);
+    GeometricNetwork other = GeometricNetwork.random(MIXED, 6);
+    ZoomPolicy policy = network.begin(policies.get(), 11);
+    ZoomPolicy disturbing = other.begin(policies.get(), 12);
+    for (int step = 0; step < STEPS; step++) {
+      other.step(disturbing);
+      network.step(policy);
+      assertArrayEquals(alone[step], network.currentLevels(), "step " + step);
+      network.scatter();
+      other.scatter();
+    }
+  }
+
+  private void allocatesNothingPerStep() {
+    GeometricNetwork network = GeometricNetwork.random(MIXED, 3);
+    ZoomPolicy policy = network.begin(policies.get(), 1);
+    allocatedBySteps(network, policy, 5_000);
+    assertEquals(0, allocatedBySteps(network, policy, 500), "bytes allocated in 500 steps");
+  }
+
+  private void knowsOnlyWhatItsCamerasKnow() {
+    GeometricNetwork network = GeometricNetwork.random(MIXED, 8);
+    ZoomPolicy policy = network.begin(policies.get(), 1);
+    for (int step = 0; step < STEPS; step++) {
+      network.step(policy);
+    }
+    assertTrue(global || network.globalQueries() == 0, network.globalQueries() + " queries");
+  }
+
+  private static long allocatedBySteps(GeometricNetwork network, ZoomPolicy policy, int steps) {
+    long allocated = 0;
+    for (int step = 0; step < steps; step++) {
+      network.scatter();
+      network.disturb();
+      long before = THREADS.getCurrentThreadAllocatedBytes();
+      network.step(policy);
+      allocated += THREADS.getCurrentThreadAllocatedBytes() - before;
+    }
+    return allocated;
+  }
+
+  /** Runs the engine's step and checks each decision; returns the levels after each step. */
+  private int[][] run(GeometricNetwork network, long seed, int steps, boolean disturbed) {
+    ZoomPolicy policy = policies.get();
+    policy.begin(network, new SplittableRandom(seed));
+    int[][] history = new int[steps][];
+    for (int step = 0; step < steps; step++) {
+      int[] before = network.currentLevels();
+      network.decide(policy);
+      check(network, before);
+      network.observe();
+      policy.learn(network);
+      history[step] = network.currentLevels();
+      network.scatter();
+      if (disturbed) {
+        network.disturb();
+      }
+    }
+    return history;
+  }
+
+  private static void check(GeometricNetwork network, int[] before) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      int level = network.level(camera);
+      assertTrue(
+          level >= 0 && level < network.levels(camera),
+          "camera " + camera + " level " + level + " after " + Arrays.toString(before));
+    }
+  }
+}

@@ -1,0 +1,71 @@
+package org.hificamsim.agents.bandit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.agents.choice.EpsilonSchedule;
+import org.hificamsim.agents.choice.Exploration;
+import org.hificamsim.agents.choice.Ties;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.junit.jupiter.api.Test;
+
+class EpsilonGreedyZoomPolicyTest {
+  private final ToyNetwork network = new ToyNetwork(3, 4);
+
+  @Test
+  void startsAtTheLevelThatTiesPrefer() {
+    network.step(network.begin(greedy(0, Ties.WIDEST), 1));
+    assertEquals(3, network.level(0));
+    network.step(network.begin(greedy(0, Ties.NARROWEST), 1));
+    assertEquals(0, network.level(0));
+  }
+
+  @Test
+  void staysWithALevelThatDetectsSomethingWhenItNeverExplores() {
+    network.see(0, 3, 0).see(0, 1, 0, 1, 2);
+    EpsilonGreedyZoomPolicy policy = network.begin(greedy(0, Ties.WIDEST), 1);
+    for (int step = 0; step < 100; step++) {
+      network.step(policy);
+      assertEquals(3, network.level(0));
+    }
+  }
+
+  @Test
+  void findsTheBestLevelByExploring() {
+    network.see(0, 3, 0).see(0, 1, 0, 1, 2).see(0, 2, 1, 2);
+    EpsilonGreedyZoomPolicy policy = network.begin(greedy(0.1, Ties.WIDEST), 1);
+    int atBest = 0;
+    for (int step = 0; step < 10_000; step++) {
+      network.step(policy);
+      atBest += network.level(0) == 1 ? 1 : 0;
+    }
+    assertTrue(atBest > 8_800 && atBest < 9_200, "at the best level in " + atBest + " steps");
+  }
+
+  @Test
+  void averagesAllRewardsOfALevelAlike() {
+    ArmAverages arms = new ArmAverages(network);
+    for (int targets = 0; targets <= 3; targets++) {
+      network.see(0, 3, java.util.stream.IntStream.range(0, targets).toArray());
+      network.observe();
+      arms.learn(network);
+    }
+    assertEquals(1.5, arms.means()[3]);
+    assertEquals(4, arms.pulls()[3]);
+    assertEquals(0, arms.means()[0]);
+  }
+
+  @Test
+  void anOfflineCameraLearnsNothing() {
+    ArmAverages arms = new ArmAverages(network);
+    network.switchCamera(0, false);
+    arms.learn(network);
+    assertEquals(0, arms.pulls()[3]);
+  }
+
+  private static EpsilonGreedyZoomPolicy greedy(double epsilon, Ties ties) {
+    return new EpsilonGreedyZoomPolicy(
+        new EpsilonGreedyChoice(EpsilonSchedule.constant(epsilon), Exploration.OTHER), ties);
+  }
+}

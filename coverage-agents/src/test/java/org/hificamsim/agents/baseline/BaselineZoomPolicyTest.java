@@ -1,0 +1,88 @@
+package org.hificamsim.agents.baseline;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.hificamsim.agents.CoveragePolicies;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Registry;
+import org.junit.jupiter.api.Test;
+
+class BaselineZoomPolicyTest {
+  private final ToyNetwork network = new ToyNetwork(1, 5, 3, 1);
+
+  @Test
+  void zoomOutTakesEachCamerasWidestLevel() {
+    assertArrayEquals(new int[] {4, 2, 0}, levelsAfter(new ZoomOutPolicy()));
+  }
+
+  @Test
+  void zoomInTakesTheNarrowestLevel() {
+    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new ZoomInPolicy()));
+  }
+
+  @Test
+  void oneFixedLevelServesAllCameras() {
+    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new FixedZoomPolicy(List.of(0))));
+  }
+
+  @Test
+  void fixedLevelsFollowTheCamerasOrder() {
+    Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
+    assertArrayEquals(new int[] {3, 1, 0}, levelsAfter(registry.create("fixed:3,1,0")));
+  }
+
+  @Test
+  void aFixedLevelThatACameraLacksIsRefusedWithItsRange() {
+    ZoomPolicy policy = new FixedZoomPolicy(List.of(3));
+    InputException refused = assertThrows(InputException.class, () -> network.begin(policy, 1));
+    assertEquals(
+        "policy fixed: level of camera 'c1' is 3, expected 0 (narrowest) to 2 (widest)",
+        refused.getMessage());
+  }
+
+  @Test
+  void aWrongNumberOfFixedLevelsIsRefused() {
+    ZoomPolicy policy = new FixedZoomPolicy(List.of(0, 0));
+    InputException refused = assertThrows(InputException.class, () -> network.begin(policy, 1));
+    assertTrue(refused.getMessage().contains("has 2 values, expected 1 for all cameras or 3"));
+  }
+
+  @Test
+  void randomTakesEachLevelEquallyOften() {
+    RandomZoomPolicy policy = network.begin(new RandomZoomPolicy(), 7);
+    int[] times = new int[5];
+    for (int step = 0; step < 50_000; step++) {
+      network.step(policy);
+      times[network.level(0)]++;
+    }
+    double chiSquare = 0;
+    for (int count : times) {
+      chiSquare += Math.pow(count - 10_000, 2) / 10_000;
+    }
+    assertTrue(chiSquare < 18.5, "chi-square with 4 degrees of freedom is " + chiSquare);
+  }
+
+  @Test
+  void aCamerasRandomLevelsDoNotDependOnTheOthersBeingOnline() {
+    ToyNetwork other = new ToyNetwork(1, 5, 3, 1);
+    other.switchCamera(0, false);
+    RandomZoomPolicy policy = network.begin(new RandomZoomPolicy(), 7);
+    RandomZoomPolicy same = other.begin(new RandomZoomPolicy(), 7);
+    for (int step = 0; step < 100; step++) {
+      network.step(policy);
+      other.step(same);
+      assertEquals(network.level(1), other.level(1));
+    }
+  }
+
+  private int[] levelsAfter(ZoomPolicy policy) {
+    network.step(network.begin(policy, 1));
+    return network.currentLevels();
+  }
+}

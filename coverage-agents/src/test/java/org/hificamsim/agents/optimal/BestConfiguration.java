@@ -1,0 +1,34 @@
+package org.hificamsim.agents.optimal;
+
+import org.hificamsim.agents.toy.ToyNetwork;
+
+/** The reference that tries every configuration of a toy network. */
+final class BestConfiguration {
+  private BestConfiguration() {}
+
+  /**
+   * The best k_min over all levels in [lowest, highest] of each camera; the network is restored.
+   */
+  static int kMin(ToyNetwork network, int[] lowest, int[] highest) {
+    int[] before = network.currentLevels();
+    int best = kMin(network, lowest, highest, 0);
+    for (int camera = 0; camera < before.length; camera++) {
+      network.setLevel(camera, before[camera]);
+    }
+    network.observe();
+    return best;
+  }
+
+  private static int kMin(ToyNetwork network, int[] lowest, int[] highest, int camera) {
+    if (camera == network.cameras()) {
+      network.observe();
+      return network.kMin();
+    }
+    int best = 0;
+    for (int level = lowest[camera]; level <= highest[camera]; level++) {
+      network.setLevel(camera, level);
+      best = Math.max(best, kMin(network, lowest, highest, camera + 1));
+    }
+    return best;
+  }
+}

@@ -1,0 +1,126 @@
+package org.hificamsim.agents.optimal;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import org.hificamsim.agents.toy.GeometricNetwork;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.junit.jupiter.api.Test;
+
+class OptimalZoomPolicyTest {
+  @Test
+  void reachesTheBestOfAllConfigurationsWithRingsAndSectors() {
+    compare(new GeometricNetwork.Kind(5, -4, 4, 3, false, true, 12, 16), 2_000);
+  }
+
+  @Test
+  void reachesTheBestOfAllConfigurationsWithRingsAllRound() {
+    compare(new GeometricNetwork.Kind(6, 3, 5, 1, false, false, 10, 16), 1_500);
+  }
+
+  @Test
+  void reachesTheBestOfAllConfigurationsWithNestedSets() {
+    compare(new GeometricNetwork.Kind(5, -4, 4, 3, true, true, 12, 16), 1_500);
+  }
+
+  @Test
+  void reachesTheBestOfAllConfigurationsWithManyTargets() {
+    compare(new GeometricNetwork.Kind(5, 3, 70, 2, false, false, 4, 40), 200);
+  }
+
+  @Test
+  void reachesTheBestOfAllConfigurationsWithASingleLevel() {
+    compare(new GeometricNetwork.Kind(4, 1, 2, 1, true, false, 10, 16), 50);
+  }
+
+  @Test
+  void aCameraWithADominatingLevelStaysAtTheNarrowestSuchWithoutBeingAskedAgain() {
+    GeometricNetwork network =
+        GeometricNetwork.random(new GeometricNetwork.Kind(6, 4, 5, 1, true, true, 12, 16), 3);
+    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+    network.decide(policy);
+    int[] levels = network.currentLevels();
+    long asked = network.globalQueries();
+    for (int step = 0; step < 100; step++) {
+      network.scatter();
+      network.decide(policy);
+      assertArrayEquals(levels, network.currentLevels());
+    }
+    assertEquals(asked, network.globalQueries());
+    for (int camera = 0; camera < levels.length; camera++) {
+      for (int level = 0; level < network.levels(camera); level++) {
+        assertTrue(network.dominates(camera, levels[camera], level));
+        assertTrue(level >= levels[camera] || !network.dominates(camera, level, levels[camera]));
+      }
+    }
+  }
+
+  @Test
+  void asksAgainWhenTheNetworkChanged() {
+    GeometricNetwork network =
+        GeometricNetwork.random(new GeometricNetwork.Kind(6, 4, 5, 1, true, true, 12, 16), 3);
+    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+    network.decide(policy);
+    long asked = network.globalQueries();
+    network.switchCamera(0, false);
+    network.decide(policy);
+    assertTrue(network.globalQueries() > asked);
+  }
+
+  @Test
+  void keepsTheLevelsWhileNoTargetIsPresent() {
+    ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 0, 0).see(1, 1, 0);
+    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+    network.showTarget(0, false);
+    network.decide(policy);
+    assertArrayEquals(new int[] {2, 2}, network.currentLevels());
+    network.showTarget(0, true);
+    network.decide(policy);
+    assertArrayEquals(new int[] {0, 1}, network.currentLevels());
+  }
+
+  @Test
+  void ofEquallyGoodLevelsTakesTheOneThatDetectsMostThenTheNarrowest() {
+    ToyNetwork network = new ToyNetwork(2, 4).see(0, 0, 1).see(0, 1, 0, 1).see(0, 2, 0, 1);
+    network.decide(network.begin(new OptimalZoomPolicy(), 1));
+    assertEquals(1, network.level(0));
+  }
+
+  @Test
+  void leavesOfflineCamerasAlone() {
+    ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 0, 0).see(1, 1, 0);
+    network.switchCamera(0, false);
+    network.decide(network.begin(new OptimalZoomPolicy(), 1));
+    assertArrayEquals(new int[] {2, 1}, network.currentLevels());
+  }
+
+  private static void compare(GeometricNetwork.Kind kind, int worlds) {
+    int positive = 0;
+    for (int world = 0; world < worlds; world++) {
+      GeometricNetwork network = GeometricNetwork.random(kind, world);
+      OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+      for (int step = 0; step < 3; step++) {
+        network.decide(policy);
+        network.observe();
+        int found = network.kMin();
+        int[] widest = Arrays.stream(levels(network)).map(count -> count - 1).toArray();
+        assertEquals(
+            BestConfiguration.kMin(network, new int[widest.length], widest),
+            found,
+            "world " + world + " step " + step);
+        positive += found > 0 ? 1 : 0;
+        network.scatter();
+        network.disturb();
+      }
+    }
+    assertTrue(positive > worlds / 10, "only " + positive + " cases could cover all targets");
+  }
+
+  private static int[] levels(ToyNetwork network) {
+    int[] levels = new int[network.cameras()];
+    Arrays.setAll(levels, network::levels);
+    return levels;
+  }
+}

@@ -1,0 +1,238 @@
+package org.hificamsim.agents.toy;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/**
+ * A small network for tests whose detections the test sets, or a subclass computes; it applies
+ * policies as the engine does and counts their use of global knowledge.
+ */
+public class ToyNetwork implements NetworkView {
+  private final int[] levels;
+  private final int[] level;
+  private final int targets;
+  private final boolean[] online;
+  private final boolean[] present;
+  private final boolean[][][] detects;
+  private final int[] chosen;
+  private final int[] detected;
+  private final int[] coverage;
+  private int revision;
+  private long step;
+  private long globalQueries;
+
+  /** All cameras online at their widest level, all targets present, nothing detected. */
+  public ToyNetwork(int targets, int... levels) {
+    this.targets = targets;
+    this.levels = levels.clone();
+    level = Arrays.stream(levels).map(count -> count - 1).toArray();
+    chosen = new int[levels.length];
+    detected = new int[levels.length];
+    online = new boolean[levels.length];
+    Arrays.fill(online, true);
+    present = new boolean[targets];
+    Arrays.fill(present, true);
+    coverage = new int[targets];
+    detects = new boolean[levels.length][][];
+    for (int camera = 0; camera < levels.length; camera++) {
+      detects[camera] = new boolean[levels[camera]][targets];
+    }
+  }
+
+  /** Sets what a camera detects at one level to exactly these targets. */
+  public final ToyNetwork see(int camera, int atLevel, int... seen) {
+    Arrays.fill(detects[camera][atLevel], false);
+    for (int target : seen) {
+      detects[camera][atLevel][target] = true;
+    }
+    return this;
+  }
+
+  protected final void see(int camera, int atLevel, int target, boolean seen) {
+    detects[camera][atLevel][target] = seen;
+  }
+
+  public final void switchCamera(int camera, boolean on) {
+    online[camera] = on;
+    revision++;
+  }
+
+  public final void showTarget(int target, boolean shown) {
+    present[target] = shown;
+  }
+
+  /** One step of the engine: decide, apply, observe, learn. */
+  public final void step(ZoomPolicy policy) {
+    decide(policy);
+    observe();
+    policy.learn(this);
+    step++;
+  }
+
+  /** Lets the policy decide and applies its levels. */
+  public final void decide(ZoomPolicy policy) {
+    System.arraycopy(level, 0, chosen, 0, level.length);
+    policy.decide(this, chosen);
+    for (int camera = 0; camera < level.length; camera++) {
+      if (online[camera]) {
+        level[camera] = chosen[camera];
+      }
+    }
+  }
+
+  /** Counts what the cameras detect at their levels. */
+  public final void observe() {
+    Arrays.fill(detected, 0);
+    Arrays.fill(coverage, 0);
+    for (int camera = 0; camera < level.length; camera++) {
+      for (int target = 0; target < targets && online[camera]; target++) {
+        if (present[target] && detects[camera][level[camera]][target]) {
+          detected[camera]++;
+          coverage[target]++;
+        }
+      }
+    }
+  }
+
+  /** Eq 7.1 at the last observation; the number of cameras when no target is present. */
+  public final int kMin() {
+    int least = cameras();
+    for (int target = 0; target < targets; target++) {
+      least = present[target] ? Math.min(least, coverage[target]) : least;
+    }
+    return least;
+  }
+
+  /** How often detection sets, dominance or target positions were asked for. */
+  public final long globalQueries() {
+    return globalQueries;
+  }
+
+  public final int[] currentLevels() {
+    return level.clone();
+  }
+
+  public final void setLevel(int camera, int to) {
+    level[camera] = to;
+  }
+
+  /** Starts the policy on this network. */
+  public final <P extends ZoomPolicy> P begin(P policy, long seed) {
+    policy.begin(this, new SplittableRandom(seed));
+    return policy;
+  }
+
+  @Override
+  public final long step() {
+    return step;
+  }
+
+  @Override
+  public final int revision() {
+    return revision;
+  }
+
+  @Override
+  public final int cameras() {
+    return levels.length;
+  }
+
+  @Override
+  public final String cameraName(int camera) {
+    return "c" + camera;
+  }
+
+  @Override
+  public final boolean online(int camera) {
+    return online[camera];
+  }
+
+  @Override
+  public double cameraX(int camera) {
+    return camera;
+  }
+
+  @Override
+  public double cameraY(int camera) {
+    return 0;
+  }
+
+  @Override
+  public final int levels(int camera) {
+    return levels[camera];
+  }
+
+  @Override
+  public final int level(int camera) {
+    return level[camera];
+  }
+
+  @Override
+  public ZoomLevel zoom(int camera, int atLevel) {
+    return new ZoomLevel(1.0 + atLevel, 1, levels[camera], Double.NaN, 2 * Math.PI);
+  }
+
+  @Override
+  public final int detected(int camera) {
+    return detected[camera];
+  }
+
+  @Override
+  public final int targets() {
+    return targets;
+  }
+
+  @Override
+  public final String targetName(int target) {
+    return "t" + target;
+  }
+
+  @Override
+  public final boolean present(int target) {
+    return present[target];
+  }
+
+  @Override
+  public final double targetX(int target) {
+    globalQueries++;
+    return x(target);
+  }
+
+  @Override
+  public final double targetY(int target) {
+    globalQueries++;
+    return y(target);
+  }
+
+  @Override
+  public final int coverage(int target) {
+    return coverage[target];
+  }
+
+  @Override
+  public final boolean detects(int camera, int atLevel, int target) {
+    globalQueries++;
+    return detects[camera][atLevel][target];
+  }
+
+  @Override
+  public final boolean dominates(int camera, int atLevel, int other) {
+    globalQueries++;
+    return provenSuperset(camera, atLevel, other);
+  }
+
+  protected double x(int target) {
+    return target;
+  }
+
+  protected double y(int target) {
+    return 0;
+  }
+
+  protected boolean provenSuperset(int camera, int atLevel, int other) {
+    return atLevel == other;
+  }
+}

@@ -1,0 +1,33 @@
+package org.hificamsim.hifi;
+
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.hifi.detector.DetectorLine;
+import org.hificamsim.hifi.feature.FeatureAbstraction;
+import org.hificamsim.hifi.optics.Optics;
+
+/**
+ * The high-fidelity detection model: confidence {@code g(f(q, d, z))} (§3.4, Table 6.1), with any
+ * feature abstraction f and any detector line g. It looks at size, distance and zoom, and not at
+ * the bearing.
+ *
+ * @param name the name on the command line and in result files
+ * @param f predicts the share of the image that the target fills
+ * @param g turns that share into a confidence
+ * @param optics gives the zoom level's focal length
+ * @param defaultThreshold the confidence from which a target counts as detected
+ * @param provenance where the numbers come from
+ */
+public record HiFiDetection(
+    String name,
+    FeatureAbstraction f,
+    DetectorLine g,
+    Optics optics,
+    double defaultThreshold,
+    Provenance provenance)
+    implements DetectionModel {
+  @Override
+  public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+    return g.confidence(f.pip(size, distance, optics.focalLength(zoom)));
+  }
+}

@@ -1,0 +1,25 @@
+package org.hificamsim.hifi;
+
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.hifi.feature.LinearAbstraction;
+import org.hificamsim.hifi.optics.Optics;
+
+/**
+ * Eq 6.1 exactly as printed: the detector line applied to {@code -log10(PIP)} rather than to PIP,
+ * so that the confidence grows with distance and leaves [0, 1]. {@link HiFiDetection} is the
+ * consistent reading.
+ *
+ * @param name the name on the command line and in result files
+ * @param sum the printed weights, whose sum is the confidence itself
+ * @param optics gives the zoom level's focal length
+ * @param defaultThreshold the confidence from which a target counts as detected
+ */
+public record LiteralDetection(
+    String name, LinearAbstraction sum, Optics optics, double defaultThreshold)
+    implements DetectionModel {
+  @Override
+  public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+    return sum.negativeLogPip(size, distance, optics.focalLength(zoom));
+  }
+}

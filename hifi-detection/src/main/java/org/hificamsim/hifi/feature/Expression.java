@@ -1,0 +1,50 @@
+package org.hificamsim.hifi.feature;
+
+/**
+ * A formula of numbers, the variables {@code z}, {@code q} and {@code d}, the operators {@code + -
+ * * /} and brackets, such as {@code 2*z - 0.36/q}. Two formulas are equal when their texts are.
+ */
+public final class Expression {
+  private final String text;
+  private final Term root;
+
+  private Expression(String text, Term root) {
+    this.text = text;
+    this.root = root;
+  }
+
+  /**
+   * Reads a formula.
+   *
+   * @throws IllegalArgumentException telling what was expected at which character, in one line
+   */
+  public static Expression parse(String text) {
+    return new Expression(text, new ExpressionParser(text).parse());
+  }
+
+  /** The value, in IEEE arithmetic: NaN for 0/0. All three variables are in metres. */
+  public double at(double size, double distance, double focalLength) {
+    return root.at(size, distance, focalLength);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Expression that && text.equals(that.text);
+  }
+
+  @Override
+  public int hashCode() {
+    return text.hashCode();
+  }
+
+  /** The formula as it was written. */
+  @Override
+  public String toString() {
+    return text;
+  }
+
+  /** A part of a formula that has a value. */
+  interface Term {
+    double at(double size, double distance, double focalLength);
+  }
+}

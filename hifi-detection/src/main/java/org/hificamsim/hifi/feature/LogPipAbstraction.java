@@ -1,0 +1,24 @@
+package org.hificamsim.hifi.feature;
+
+/**
+ * A feature abstraction that predicts {@code -log10(PIP)}, the response of the regressions in §4.3.
+ *
+ * <p>An implementer writes {@link #negativeLogPip}; the back-transform comes free.
+ */
+public interface LogPipAbstraction extends FeatureAbstraction {
+  /**
+   * The predicted {@code -log10(PIP)}, unbounded; below 0 it stands for a patch larger than the
+   * image.
+   *
+   * @param size target size q, metres, above 0
+   * @param distance camera-target distance d, metres, 0 or more
+   * @param focalLength focal length z, metres, 0 or more
+   */
+  double negativeLogPip(double size, double distance, double focalLength);
+
+  /** {@code min(1, 10^(-f))}, computed alike on every machine. */
+  @Override
+  default double pip(double size, double distance, double focalLength) {
+    return Math.min(1, StrictMath.pow(10, -negativeLogPip(size, distance, focalLength)));
+  }
+}

@@ -1,0 +1,147 @@
+package org.hificamsim.hifi.json;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.hificamsim.core.InputException;
+
+/**
+ * An object of a JSON file, read property by property.
+ *
+ * <p>Each getter declares one property, its type and range; one that is missing, of another type or
+ * out of range is an {@link InputException} with its place. After all getters have been called,
+ * {@link #rejectUnknown} refuses what nobody declared.
+ */
+public final class JsonObject implements JsonValue {
+  record Property(Place place, JsonValue value) {}
+
+  private final Place place;
+  private final Map<String, Property> properties;
+  private final Set<String> declared = new LinkedHashSet<>();
+
+  JsonObject(Place place, Map<String, Property> properties) {
+    this.place = place;
+    this.properties = properties;
+  }
+
+  @Override
+  public Place place() {
+    return place;
+  }
+
+  @Override
+  public String shown() {
+    return "an object";
+  }
+
+  /** Whether the property is there. */
+  public boolean has(String key) {
+    declared.add(key);
+    return properties.containsKey(key);
+  }
+
+  /** A finite number in [{@code least}, {@code most}]. */
+  public double number(String key, double least, double most) {
+    String expected = "a number from " + least + " to " + most;
+    if (take(key, expected) instanceof Numeral numeral
+        && numeral.value() >= least
+        && numeral.value() <= most) {
+      return numeral.value();
+    }
+    throw wrong(key, expected);
+  }
+
+  /** A text. */
+  public String text(String key) {
+    return text(key, "a text");
+  }
+
+  /** A text that is one of {@code choices}. */
+  public String text(String key, Iterable<String> choices) {
+    String expected = "one of " + String.join(", ", choices);
+    String text = text(key, expected);
+    for (String choice : choices) {
+      if (choice.equals(text)) {
+        return text;
+      }
+    }
+    throw wrong(key, expected);
+  }
+
+  /** An object. */
+  public JsonObject object(String key) {
+    if (take(key, "an object") instanceof JsonObject object) {
+      return object;
+    }
+    throw wrong(key, "an object");
+  }
+
+  /** A list of objects. */
+  public List<JsonObject> objects(String key) {
+    if (!(take(key, "a list of objects") instanceof Items items)) {
+      throw wrong(key, "a list of objects");
+    }
+    List<JsonObject> objects = new ArrayList<>();
+    for (JsonValue item : items.values()) {
+      if (!(item instanceof JsonObject object)) {
+        throw item.place().fault(key + " holds " + item.shown() + ", expected objects alone");
+      }
+      objects.add(object);
+    }
+    return objects;
+  }
+
+  /** Every property as a text, in the order of the file. */
+  public Map<String, String> texts() {
+    Map<String, String> texts = new LinkedHashMap<>();
+    properties.keySet().forEach(key -> texts.put(key, text(key)));
+    return texts;
+  }
+
+  /**
+   * The fault of a property's value, at its place.
+   *
+   * @param expectation what was expected of it, starting with that word
+   */
+  public InputException fault(String key, String expectation) {
+    JsonValue value = properties.get(key).value();
+    return value.place().fault(key + " is " + value.shown() + ", " + expectation);
+  }
+
+  /** Refuses properties that no getter asked for. */
+  public void rejectUnknown() {
+    properties.forEach(
+        (key, property) -> {
+          if (!declared.contains(key)) {
+            throw property
+                .place()
+                .fault(
+                    "unknown property '"
+                        + key
+                        + "', expected one of "
+                        + String.join(", ", declared));
+          }
+        });
+  }
+
+  private InputException wrong(String key, String expected) {
+    return fault(key, "expected " + expected);
+  }
+
+  private String text(String key, String expected) {
+    if (take(key, expected) instanceof Text text) {
+      return text.text();
+    }
+    throw wrong(key, expected);
+  }
+
+  private JsonValue take(String key, String expected) {
+    if (!has(key)) {
+      throw place.fault("property '" + key + "' is missing, expected " + expected);
+    }
+    return properties.get(key).value();
+  }
+}

@@ -1,0 +1,41 @@
+package org.hificamsim.hifi.json;
+
+import java.util.List;
+
+/** A value in a JSON file and where it stands. */
+sealed interface JsonValue
+    permits JsonObject, JsonValue.Items, JsonValue.Text, JsonValue.Numeral, JsonValue.Word {
+  Place place();
+
+  /** The value as an error line shows it. */
+  String shown();
+
+  /** A list. */
+  record Items(Place place, List<JsonValue> values) implements JsonValue {
+    @Override
+    public String shown() {
+      return "a list of " + values.size();
+    }
+  }
+
+  /** A text. */
+  record Text(Place place, String text) implements JsonValue {
+    private static final int SHOWN = 60;
+
+    @Override
+    public String shown() {
+      return text.length() <= SHOWN ? "'" + text + "'" : "'" + text.substring(0, SHOWN) + "...'";
+    }
+  }
+
+  /** A number, NaN and the infinities among them. */
+  record Numeral(Place place, double value) implements JsonValue {
+    @Override
+    public String shown() {
+      return Double.toString(value);
+    }
+  }
+
+  /** True, false or null. */
+  record Word(Place place, String shown) implements JsonValue {}
+}

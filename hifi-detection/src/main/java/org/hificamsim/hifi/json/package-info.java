@@ -1,0 +1,2 @@
+/** Strict reading of JSON files in which every fault is told with its line and column. */
+package org.hificamsim.hifi.json;

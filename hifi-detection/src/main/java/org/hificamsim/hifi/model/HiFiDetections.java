@@ -1,0 +1,66 @@
+package org.hificamsim.hifi.model;
+
+import java.util.Locale;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.registry.Registry;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.LiteralDetection;
+import org.hificamsim.hifi.Provenance;
+
+/**
+ * The names of the high-fidelity models: {@code hifi:<detector>-<f>} with the line that was fitted
+ * on f's own predictions where Table 6.1 has one, {@code hifi:<detector>-<f>-gt} with the line
+ * fitted on measured PIP, and {@code hifi-literal}.
+ */
+public final class HiFiDetections {
+  private static final String LITERAL = "hifi-literal";
+
+  private HiFiDetections() {}
+
+  /** Adds every model of the {@linkplain Catalogue#published published catalogue}. */
+  public static void register(Registry<DetectionModel> registry) {
+    Catalogue catalogue = Catalogue.published();
+    for (String detector : catalogue.detectors()) {
+      Catalogue.Line measured = catalogue.line(detector, Catalogue.GROUND_TRUTH).orElseThrow();
+      for (Catalogue.Feature feature : catalogue.features()) {
+        Catalogue.Line own = catalogue.line(detector, feature.name()).orElse(measured);
+        String name = "hifi:" + detector + "-" + feature.name();
+        register(registry, name, feature, own);
+        register(registry, name + "-gt", feature, measured);
+      }
+    }
+    registry.register(
+        LITERAL,
+        "Eq 6.1 exactly as printed: the line on -log10(PIP), growing with distance",
+        () -> literal(catalogue));
+  }
+
+  private static void register(
+      Registry<DetectionModel> registry,
+      String name,
+      Catalogue.Feature feature,
+      Catalogue.Line line) {
+    String summary =
+        line.detector().toUpperCase(Locale.ROOT)
+            + " line ("
+            + line.source()
+            + ") on the "
+            + feature.title()
+            + " ("
+            + feature.provenance().source()
+            + ")";
+    registry.register(name, summary, () -> model(name, feature, line));
+  }
+
+  private static HiFiDetection model(String name, Catalogue.Feature feature, Catalogue.Line line) {
+    Catalogue catalogue = Catalogue.published();
+    Provenance provenance = feature.provenance().with("detector line", line.source());
+    return new HiFiDetection(
+        name, feature.f(), line.g(), catalogue.optics(), catalogue.threshold(line.g()), provenance);
+  }
+
+  private static LiteralDetection literal(Catalogue catalogue) {
+    return new LiteralDetection(
+        LITERAL, catalogue.literal(), catalogue.optics(), catalogue.reference().threshold());
+  }
+}

@@ -1,0 +1,91 @@
+package org.hificamsim.hifi.model;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import org.hificamsim.core.InputException;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.json.JsonFile;
+import org.hificamsim.hifi.json.Place;
+
+/**
+ * Users' detection models in JSON files: what {@code profile fit} writes, what {@code --detection
+ * FILE.json} reads, and what people edit by hand.
+ *
+ * <p>{@code optics}, {@code threshold}, {@code units} and {@code provenance} may be left out: the
+ * lab's camera, the threshold that the catalogue derives from the line, metres, and nothing known.
+ */
+public final class ModelFiles {
+  /** The largest file that is read. */
+  public static final int LARGEST_BYTES = 16 << 20;
+
+  private ModelFiles() {}
+
+  /**
+   * The model in a file.
+   *
+   * @throws InputException in one line with file, line and column, when it is no valid model
+   */
+  public static HiFiDetection read(Path file) {
+    return parse(file.toString(), bytes(file));
+  }
+
+  /**
+   * Writes a model that {@link #read} will read as an equal one. Until the whole file is there, its
+   * name holds what it held before.
+   *
+   * @throws IllegalArgumentException when the model has a number or name that no file may hold
+   * @throws InputException when the file cannot be written
+   */
+  public static void write(HiFiDetection model, Path file) {
+    byte[] bytes = checkedBytes(model);
+    Path target = file.toAbsolutePath();
+    Path draft = target.resolveSibling("." + target.getFileName() + "." + System.nanoTime());
+    try {
+      try {
+        Files.write(draft, bytes, StandardOpenOption.CREATE_NEW, StandardOpenOption.SYNC);
+        Files.move(draft, target, StandardCopyOption.ATOMIC_MOVE);
+      } finally {
+        Files.deleteIfExists(draft);
+      }
+    } catch (IOException e) {
+      throw new InputException(
+          file + ": cannot be written (" + e + "), expected a writable place", e);
+    }
+  }
+
+  private static HiFiDetection parse(String file, byte[] bytes) {
+    return ModelFormat.read(JsonFile.parse(file, bytes));
+  }
+
+  private static byte[] bytes(Path file) {
+    try (InputStream in = Files.newInputStream(file)) {
+      byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
+      if (bytes.length > LARGEST_BYTES) {
+        throw new Place(file.toString(), 1, 1)
+            .fault("the file is too big, expected at most " + LARGEST_BYTES + " bytes");
+      }
+      return bytes;
+    } catch (NoSuchFileException e) {
+      throw new InputException(file + ": no such file, expected a model in JSON", e);
+    } catch (IOException e) {
+      throw new InputException(file + ": cannot be read, expected a model in JSON: " + e, e);
+    }
+  }
+
+  private static byte[] checkedBytes(HiFiDetection model) {
+    try {
+      byte[] bytes = ModelWriter.bytes(model);
+      if (parse(model.name(), bytes).equals(model)) {
+        return bytes;
+      }
+    } catch (InputException | IOException e) {
+      throw new IllegalArgumentException("no file can hold this model: " + e.getMessage(), e);
+    }
+    throw new IllegalArgumentException("no file can hold this model: " + model);
+  }
+}

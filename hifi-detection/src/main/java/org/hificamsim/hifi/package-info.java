@@ -1,0 +1,2 @@
+/** High-fidelity target detection: confidence as {@code g(f(q, d, z))} (§3.4). */
+package org.hificamsim.hifi;

@@ -1,0 +1,32 @@
+package org.hificamsim.hifi.model;
+
+import java.util.List;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.registry.Registry;
+import org.hificamsim.hifi.feature.FeatureAbstraction;
+
+/** What the tests take from the catalogue. */
+final class Features {
+  private Features() {}
+
+  static FeatureAbstraction named(String name) {
+    return feature(name).f();
+  }
+
+  static Catalogue.Feature feature(String name) {
+    return Catalogue.published().features().stream()
+        .filter(feature -> feature.name().equals(name))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  static Registry<DetectionModel> registry() {
+    Registry<DetectionModel> registry = new Registry<>("detection");
+    HiFiDetections.register(registry);
+    return registry;
+  }
+
+  static List<String> registered() {
+    return registry().names();
+  }
+}

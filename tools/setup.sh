@@ -1,0 +1,100 @@
+# Sourced by ./hificamsim and ./test with `root` set: finds or installs what the project needs, and builds.
+# Everything said here goes to standard error. Why it is so: docs/adr/0003-launcher.md.
+# shellcheck shell=sh
+
+gradle=/usr/share/gradle/bin/gradle # Debian's; the one on PATH may be another version
+stamp=${root:?}/experiments/build/install/hificamsim.stamp
+
+say() { echo "hificamsim: $*" >&2; }
+die() { say "$@"; exit 1; }
+
+# The feature version (17, 25, ...) of the Java installation $1, 0 when there is none.
+java_version() {
+    version=
+    if [ -r "$1/release" ]; then
+        version=$(sed -n 's/^JAVA_VERSION="\([0-9]*\).*/\1/p' "$1/release")
+    elif [ -x "$1/bin/java" ]; then
+        version=$("$1/bin/java" -version 2>&1 | sed -n '1s/.*version "\([0-9]*\).*/\1/p')
+    fi
+    echo "${version:-0}"
+}
+
+# Prints the first Java installation with the program $1 whose version lies in $2..$3: JAVA_HOME, PATH, the usual place.
+java_home() {
+    on_path=$(command -v "$1") && on_path=$(dirname "$(dirname "$(readlink -f "$on_path")")")
+    for home in "${JAVA_HOME:-}" "$on_path" /usr/lib/jvm/*-17-*; do
+        [ -x "${home:-/none}/bin/$1" ] || continue
+        version=$(java_version "$home")
+        if [ "$version" -ge "$2" ] && [ "$version" -le "$3" ]; then
+            echo "$home"
+            return
+        fi
+    done
+    return 1
+}
+
+run_home() { java_home java 17 999; }
+build_home() { java_home javac 17 17; } # Gradle 4.4.1 runs on no later one
+
+# Installs the Debian packages that are missing, when it may; otherwise says which, in one line.
+install_missing() {
+    missing=
+    build_home >/dev/null || missing=openjdk-17-jdk-headless
+    [ -x "$gradle" ] || missing="${missing:+$missing }gradle"
+    [ -n "$missing" ] || return 0
+    as_root=
+    if ! command -v apt-get >/dev/null; then
+        die "please install JDK 17 and Debian's Gradle 4.4.1 (missing: $missing)"
+    elif [ "$(id -u)" != 0 ]; then
+        as_root='sudo -n'
+        $as_root true 2>/dev/null || die "please run as root: apt-get install $missing"
+    fi
+    say "installing $missing"
+    log=$(mktemp)
+    # shellcheck disable=SC2086 # several packages, several words
+    if ! { $as_root apt-get update &&
+        $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
+            install -y --no-install-recommends $missing; } >"$log" 2>&1 </dev/null; then
+        cat "$log" >&2
+        rm -f "$log"
+        die "could not install $missing"
+    fi
+    rm -f "$log"
+}
+
+# Gradle in the project's root on the right JDK, without the lines that Debian's start script and downloads add.
+run_gradle() (
+    JAVA_HOME=$(build_home)
+    export JAVA_HOME
+    cd "$root" && "$gradle" --no-daemon "$@" </dev/null 2>&1
+)
+without_chatter() { grep -Ev '^(Download https?:|openjdk version |OpenJDK .*(Runtime|VM|warning))' || true; }
+
+# Whether the command line must be built: never built, or a source or build file (or its directory) is newer.
+stale() {
+    [ -d "$root/experiments/build/install/hificamsim/lib" ] && [ -f "$stamp" ] || return 0
+    [ -n "$(cd "$root" && find build.gradle settings.gradle gradle ./*/build.gradle ./*/src \
+        -path './*/src/test' -prune -o -newer "$stamp" -print -quit)" ]
+}
+
+# Builds the command line if that is needed; of several calls at once one builds and the others wait for it.
+build_if_stale() {
+    stale || return 0
+    if ! [ -w "$root" ]; then
+        [ -d "$root/experiments/build/install/hificamsim/lib" ] || die "not built, and $root cannot be written"
+        return 0
+    fi
+    install_missing
+    mkdir -p "$root/.gradle" "$(dirname "$stamp")"
+    (
+        flock 9
+        stale || exit 0
+        say "building (the first time also downloads libraries)"
+        touch "$stamp.new" # as of the start: what changes during the build is newer
+        if ! log=$(run_gradle --quiet :experiments:installDist); then
+            printf '%s\n' "$log" | without_chatter >&2
+            die "the build failed"
+        fi
+        mv "$stamp.new" "$stamp"
+    ) 9>"$root/.gradle/hificamsim.lock"
+}
