@@ -2,6 +2,7 @@ package org.hificamsim.core.scenario;
 
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * The characters of a scenario file, for finding places.
@@ -14,10 +15,17 @@ final class XmlText {
   private final byte[] bytes;
   private Charset charset = StandardCharsets.UTF_8;
   private String text;
+  private int[] lines;
 
   XmlText(String file, byte[] bytes) {
     this.file = file;
     this.bytes = bytes;
+  }
+
+  /** A value as error lines quote it: on one line, and not too long. */
+  static String shortened(String value, int most) {
+    String flat = value.substring(0, Math.min(value.length(), most + 1)).replaceAll("\\s+", " ");
+    return value.length() > most ? flat.substring(0, Math.min(flat.length(), most)) + "..." : flat;
   }
 
   /** The encoding that the parser found. */
@@ -53,36 +61,43 @@ final class XmlText {
     if (!text().startsWith(name, at)) {
       return false;
     }
-    String rest = text().substring(at + name.length(), Math.min(text().length(), at + 80));
-    return rest.stripLeading().startsWith("=");
+    int i = at + name.length();
+    while (i < text().length() && Character.isWhitespace(text().charAt(i))) {
+      i++;
+    }
+    return i < text().length() && text().charAt(i) == '=';
   }
 
   private int tagStart(int endLine, int endColumn) {
-    int end = 0;
-    for (int line = 1; line < endLine; line++) {
-      end = nextLine(end);
-    }
-    return Math.max(0, text().lastIndexOf('<', Math.max(0, end + endColumn - 2)));
-  }
-
-  private int nextLine(int from) {
-    for (int i = from; i < text().length(); i++) {
-      char c = text().charAt(i);
-      if (c == '\n' || (c == '\r' && (i + 1 == text().length() || text().charAt(i + 1) != '\n'))) {
-        return i + 1;
-      }
-    }
-    return text().length();
+    int line = Math.min(endLine, lines().length) - 1;
+    return Math.max(0, text().lastIndexOf('<', Math.max(0, lines()[line] + endColumn - 2)));
   }
 
   private Place at(int offset) {
-    int line = 1;
-    int start = 0;
-    for (int next = nextLine(0); next <= offset && next > start; next = nextLine(next)) {
-      line++;
-      start = next;
+    int found = Arrays.binarySearch(lines(), offset);
+    int line = found >= 0 ? found : -found - 2;
+    return new Place(file, line + 1, offset - lines()[line] + 1);
+  }
+
+  /** Where each line starts. */
+  private int[] lines() {
+    if (lines == null) {
+      int[] starts = new int[16];
+      int count = 1;
+      for (int i = 0; i < text().length(); i++) {
+        if (endsLine(i)) {
+          starts = count == starts.length ? Arrays.copyOf(starts, 2 * count) : starts;
+          starts[count++] = i + 1;
+        }
+      }
+      lines = Arrays.copyOf(starts, count);
     }
-    return new Place(file, line, offset - start + 1);
+    return lines;
+  }
+
+  private boolean endsLine(int i) {
+    char c = text().charAt(i);
+    return c == '\n' || (c == '\r' && (i + 1 == text().length() || text().charAt(i + 1) != '\n'));
   }
 
   private String text() {
