@@ -98,7 +98,7 @@ final class RunCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     RunPlan plan = plan(catalogue);
     RunExecutor executor = new RunExecutor(catalogue);
-    executor.simulation(plan, 0, List.of());
+    executor.check(plan);
     listeners.forEach(catalogue.listeners()::create);
     Path folder = out != null ? out : Path.of("out", plan.scenario().name());
     try (OutputFolder output = new OutputFolder(folder)) {
