@@ -135,7 +135,8 @@ final class RunCommand implements Callable<Integer> {
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (RunRecorder recorder = new RunRecorder(output, record);
-        Progress progress = new Progress("run " + plan.scenario().name(), total, stderr())) {
+        Progress progress =
+            new Progress("run " + plan.scenario().name(), " steps", total, stderr())) {
       return executor.execute(
           plan,
           run -> {
