@@ -20,7 +20,7 @@ class FieldOfViewTest {
   private static final double BORDER = 1e-7;
 
   /** The same question asked of bearings instead of a scalar product. */
-  @Property(tries = 5000, edgeCases = EdgeCasesMode.NONE)
+  @Property(tries = 2000, edgeCases = EdgeCasesMode.NONE)
   void agreesWithBearings(
       @ForAll @DoubleRange(min = -10, max = 10) double x,
       @ForAll @DoubleRange(min = -10, max = 10) double y,
