@@ -52,7 +52,7 @@ install_missing() {
     say "installing $missing"
     log=$(mktemp)
     # shellcheck disable=SC2086 # several packages, several words
-    if ! { $as_root apt-get update &&
+    if ! { $as_root apt-get update || true # one dead source need not stop the rest
         $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
             install -y --no-install-recommends $missing; } >"$log" 2>&1 </dev/null; then
         cat "$log" >&2
@@ -65,7 +65,8 @@ install_missing() {
 # Gradle in the project's root on the right JDK, without the lines that Debian's start script and downloads add.
 run_gradle() (
     JAVA_HOME=$(build_home)
-    export JAVA_HOME
+    GRADLE_USER_HOME=${GRADLE_USER_HOME:-${HOME:-$root}/.gradle}
+    export JAVA_HOME GRADLE_USER_HOME
     cd "$root" && "$gradle" --no-daemon "$@" </dev/null 2>&1
 )
 without_chatter() { grep -Ev '^(Download https?:|openjdk version |OpenJDK .*(Runtime|VM|warning))' || true; }
@@ -89,7 +90,7 @@ build_if_stale() {
     (
         flock 9
         stale || exit 0
-        say "building (the first time also downloads libraries)"
+        if [ -f "$stamp" ]; then say "building what has changed"; else say "building; the first time takes a minute"; fi
         touch "$stamp.new" # as of the start: what changes during the build is newer
         if ! log=$(run_gradle --quiet :experiments:installDist); then
             printf '%s\n' "$log" | without_chatter >&2

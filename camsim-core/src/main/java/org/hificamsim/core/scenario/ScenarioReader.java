@@ -73,7 +73,7 @@ public final class ScenarioReader {
     Field field = field(simulation, attributes);
     List<Double> zooms = new ZoomListReader(root).zooms();
     CameraReader cameraReader = new CameraReader(field, warnings);
-    TargetReader targetReader = new TargetReader(field, movements, warnings);
+    TargetReader targetReader = new TargetReader(field, !zooms.isEmpty(), movements, warnings);
     List<CameraSpec> cameras = root.all("camera").stream().map(cameraReader::camera).toList();
     List<TargetSpec> targets = new ArrayList<>();
     root.all("object").forEach(element -> targets.add(targetReader.object(element)));

@@ -9,12 +9,21 @@ import java.util.function.Predicate;
 /** Reads targets, from their own element or from an event that adds one. */
 final class TargetReader {
   private final Field field;
+  private final boolean coverageDialect;
   private final Predicate<String> movements;
   private final Consumer<String> warnings;
   private final Set<Double> features = new HashSet<>();
 
-  TargetReader(Field field, Predicate<String> movements, Consumer<String> warnings) {
+  /**
+   * @param coverageDialect whether paths are scripted and may leave the field
+   */
+  TargetReader(
+      Field field,
+      boolean coverageDialect,
+      Predicate<String> movements,
+      Consumer<String> warnings) {
     this.field = field;
+    this.coverageDialect = coverageDialect;
     this.movements = movements;
     this.warnings = warnings;
   }
@@ -85,7 +94,7 @@ final class TargetReader {
       x = spec.waypoints().get(0).x();
       y = spec.waypoints().get(0).y();
     }
-    if (!field.contains(x, y)) {
+    if (!field.contains(x, y) && !(onPath && coverageDialect)) {
       warnings.accept(
           element.place("x")
               + ": <"
@@ -125,7 +134,7 @@ final class TargetReader {
     Attributes attributes = new Attributes(element);
     Waypoint waypoint = new Waypoint(attributes.number("x"), attributes.number("y"));
     attributes.leftOver(warnings);
-    if (!field.contains(waypoint.x(), waypoint.y())) {
+    if (!field.contains(waypoint.x(), waypoint.y()) && !coverageDialect) {
       warnings.accept(element.place() + ": <waypoint> lies outside the field, out of reach");
     }
     return waypoint;

@@ -3,6 +3,7 @@ package org.hificamsim.core.scenario;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import org.hificamsim.core.Place;
 
 /**
  * The characters of a scenario file, for finding places.

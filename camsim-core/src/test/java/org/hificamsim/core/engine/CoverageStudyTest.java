@@ -27,7 +27,7 @@ class CoverageStudyTest {
     Scenario scenario =
         ScenarioReader.read(
                 Reference.file("coverage-study/" + name + ".xml"),
-                movement -> true,
+                anyMovement -> true,
                 new ArrayList<>()::add)
             .withHeadings(Headings.AS_RADIANS);
     List<Integer> ours = new ArrayList<>();

@@ -36,9 +36,9 @@ class ReferenceScenarioTest {
   }
 
   private void roundTrip(Path file) throws IOException {
-    Scenario read = ScenarioReader.read(file, movement -> true, new ArrayList<>()::add);
+    Scenario read = ScenarioReader.read(file, anyMovement -> true, new ArrayList<>()::add);
     Path written = folder.resolve(file.getFileName());
     Files.writeString(written, ScenarioWriter.write(read));
-    assertEquals(read, ScenarioReader.read(written, movement -> true, new ArrayList<>()::add));
+    assertEquals(read, ScenarioReader.read(written, anyMovement -> true, new ArrayList<>()::add));
   }
 }

@@ -3,6 +3,8 @@ package org.hificamsim.experiments.output;
 import java.io.BufferedWriter;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -11,6 +13,7 @@ import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.InputException;
 
 /**
@@ -43,9 +46,22 @@ public final class OutputFolder implements Closeable {
 
   /** A writer (UTF-8) for a file of this name; the caller closes it before {@link #commit}. */
   public Writer open(String name) throws IOException {
-    Path temporary = Files.createTempFile(folder, "." + name + "-", ".part");
+    return new BufferedWriter(
+        new OutputStreamWriter(stream(name), StandardCharsets.UTF_8), 1 << 16);
+  }
+
+  /** A writer (UTF-8) for a file that is compressed with gzip. */
+  public Writer openCompressed(String name) throws IOException {
+    return new BufferedWriter(
+        new OutputStreamWriter(new GZIPOutputStream(stream(name), 1 << 16), StandardCharsets.UTF_8),
+        1 << 16);
+  }
+
+  /** A stream for a file of this name; the caller closes it before {@link #commit}. */
+  public OutputStream stream(String name) throws IOException {
+    Path temporary = folder.resolve("." + name + "-" + ProcessHandle.current().pid() + ".part");
     pending.put(name, temporary);
-    return new BufferedWriter(Files.newBufferedWriter(temporary, StandardCharsets.UTF_8), 1 << 16);
+    return Files.newOutputStream(temporary);
   }
 
   /**

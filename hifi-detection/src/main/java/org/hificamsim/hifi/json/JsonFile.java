@@ -16,6 +16,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 
 /**
  * A JSON text read once, front to back, into values that know their place. Twice-given properties,
@@ -28,7 +29,7 @@ public final class JsonFile {
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
           .enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS)
           .streamReadConstraints(
-              StreamReadConstraints.builder().maxNestingDepth(50).maxTokenCount(2_000_000).build())
+              StreamReadConstraints.builder().maxNestingDepth(50).maxTokenCount(500_000).build())
           .build();
 
   private final String file;
@@ -48,23 +49,30 @@ public final class JsonFile {
   public static JsonObject parse(String file, byte[] bytes) {
     try (JsonParser parser = FACTORY.createParser(bytes)) {
       return new JsonFile(file, parser).whole();
-    } catch (JsonProcessingException e) {
-      throw place(file, e.getLocation()).fault(problem(e));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
   private JsonObject whole() throws IOException {
+    try {
+      return onlyObject();
+    } catch (JsonProcessingException e) {
+      JsonLocation location = e.getLocation();
+      throw place(location == null ? parser.currentLocation() : location).error(problem(e));
+    }
+  }
+
+  private JsonObject onlyObject() throws IOException {
     if (parser.nextToken() == null) {
-      throw new Place(file, 1, 1).fault("the file is empty, expected a JSON object");
+      throw new Place(file, 1, 1).error("the file is empty, expected a JSON object");
     }
     JsonValue value = value();
     if (!(value instanceof JsonObject object)) {
-      throw value.place().fault("the file holds " + value.shown() + ", expected an object in {}");
+      throw value.place().error("the file holds " + value.shown() + ", expected an object in {}");
     }
     if (parser.nextToken() != null) {
-      throw place().fault("'" + parser.getText() + "' after the end, expected nothing more");
+      throw place().error("'" + parser.getText() + "' after the end, expected nothing more");
     }
     return object;
   }
@@ -77,7 +85,7 @@ public final class JsonFile {
       case START_ARRAY -> items(place);
       case VALUE_STRING -> new JsonValue.Text(place, parser.getText());
       case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT ->
-          new JsonValue.Numeral(place, parser.getDoubleValue());
+          new JsonValue.Numeral(place, parser.getDoubleValue(), parser.getText());
       default -> new JsonValue.Word(place, parser.getText());
     };
   }
@@ -102,13 +110,11 @@ public final class JsonFile {
   }
 
   private Place place() {
-    return place(file, parser.currentTokenLocation());
+    return place(parser.currentTokenLocation());
   }
 
-  private static Place place(String file, JsonLocation location) {
-    return location == null
-        ? new Place(file, 1, 1)
-        : new Place(file, location.getLineNr(), location.getColumnNr());
+  private Place place(JsonLocation location) {
+    return new Place(file, location.getLineNr(), location.getColumnNr());
   }
 
   private static String problem(JsonProcessingException e) {

@@ -1,6 +1,7 @@
 package org.hificamsim.hifi.json;
 
 import java.util.List;
+import org.hificamsim.core.Place;
 
 /** A value in a JSON file and where it stands. */
 sealed interface JsonValue
@@ -20,22 +21,24 @@ sealed interface JsonValue
 
   /** A text. */
   record Text(Place place, String text) implements JsonValue {
-    private static final int SHOWN = 60;
-
     @Override
     public String shown() {
-      return text.length() <= SHOWN ? "'" + text + "'" : "'" + text.substring(0, SHOWN) + "...'";
+      return "'" + shortened(text) + "'";
     }
   }
 
   /** A number, NaN and the infinities among them. */
-  record Numeral(Place place, double value) implements JsonValue {
+  record Numeral(Place place, double value, String text) implements JsonValue {
     @Override
     public String shown() {
-      return Double.toString(value);
+      return shortened(text);
     }
   }
 
   /** True, false or null. */
   record Word(Place place, String shown) implements JsonValue {}
+
+  private static String shortened(String text) {
+    return text.length() <= 60 ? text : text.substring(0, 60) + "...";
+  }
 }

@@ -38,7 +38,7 @@ final class ModelFormat {
 
   static void checkSchema(JsonObject json, String schema) {
     json.text("schema", List.of(schema));
-    json.number("version", VERSION, VERSION);
+    json.exactly("version", VERSION);
   }
 
   static DetectorLine detectorLine(JsonObject json) {
@@ -67,7 +67,7 @@ final class ModelFormat {
   private static String name(JsonObject json) {
     String name = json.text("name");
     if (!NAME.matcher(name).matches()) {
-      throw json.fault("name", "expected 1 to 100 letters, digits, or any of : . _ -");
+      throw json.error("name", "expected 1 to 100 letters, digits, or any of : . _ -");
     }
     return name;
   }

@@ -35,6 +35,9 @@ class PowerLawDerivationTest {
     assertEquals(solved[1], shipped.a(), 1e-9, derived);
     assertEquals(solved[2], shipped.b(), 1e-9, derived);
     assertEquals(-solved[3], shipped.e(), 1e-9, derived);
+    assertEquals(
+        "R2 %.3f with Eq 4.4 at these points".formatted(regression.calculateRSquared()),
+        Features.feature("power").provenance().remarks().get("agreement"));
   }
 
   private void fillGrid() {

@@ -1,0 +1,107 @@
+package org.hificamsim.hifi.model;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.registry.Registry;
+import org.hificamsim.hifi.DetectionModelContract;
+import org.hificamsim.hifi.HiFiDetection;
+import org.junit.jupiter.api.DynamicContainer;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+class HiFiDetectionsTest {
+  private static final List<String> DETECTORS = List.of("orb", "sift", "surf");
+  private static final List<String> ABSTRACTIONS =
+      List.of("lin", "sr", "svr-lin", "power", "pinhole");
+
+  private final Registry<DetectionModel> registry = Features.registry();
+
+  @TestFactory
+  Stream<DynamicContainer> everyModelKeepsTheContract() {
+    return registry.names().stream()
+        .map(name -> DetectionModelContract.of(name, () -> registry.create(name)));
+  }
+
+  @Test
+  void everyDetectorGoesWithEveryAbstraction() {
+    assertEquals(DETECTORS.size() * ABSTRACTIONS.size() * 2 + 1, registry.names().size());
+    for (String detector : DETECTORS) {
+      for (String f : ABSTRACTIONS) {
+        HiFiDetection own = model("hifi:" + detector + "-" + f);
+        HiFiDetection measured = model("hifi:" + detector + "-" + f + "-gt");
+        assertEquals(Features.named(f), own.f());
+        assertEquals(Features.named(f), measured.f());
+        assertEquals(
+            Catalogue.published().line(detector, Catalogue.GROUND_TRUTH).orElseThrow().g(),
+            measured.g());
+      }
+    }
+  }
+
+  @Test
+  void abstractionWithARowInTable61TakesItsLine() {
+    for (String f : List.of("lin", "sr")) {
+      assertEquals(
+          Catalogue.published().line("sift", f).orElseThrow().g(), model("hifi:sift-" + f).g());
+    }
+  }
+
+  @Test
+  void abstractionWithoutARowTakesTheGroundTruthLine() {
+    for (String f : List.of("svr-lin", "power", "pinhole")) {
+      assertEquals(model("hifi:surf-" + f + "-gt").g(), model("hifi:surf-" + f).g());
+    }
+  }
+
+  @Test
+  void thresholdOfTheReferenceModelIsThePublishedReproductions() {
+    assertEquals(0.0441, model("hifi:orb-lin").defaultThreshold());
+    assertEquals(0.0441, registry.create("hifi-literal").defaultThreshold());
+  }
+
+  @Test
+  void modelsDifferByTheirLineAndNotByAThresholdMeantForAnother() {
+    double pip = (0.0441 - 0.026) / 0.571;
+    for (String name : registry.names()) {
+      if (registry.create(name) instanceof HiFiDetection model) {
+        assertEquals(pip, model.g().pip(model.defaultThreshold()), 1e-15, name);
+      }
+    }
+  }
+
+  @Test
+  void untrainedModelIsRefusedWithTheNamesThatThereAre() {
+    InputException refused =
+        assertThrows(InputException.class, () -> registry.create("hifi:orb-svr-rbf"));
+    assertTrue(refused.getMessage().contains("unknown detection 'hifi:orb-svr-rbf'"));
+    assertTrue(refused.getMessage().contains("hifi:orb-svr-lin, "));
+  }
+
+  @Test
+  void modelsTakeNoOptions() {
+    assertThrows(InputException.class, () -> registry.create("hifi:orb-lin:slope=2"));
+  }
+
+  @Test
+  void everySummaryIsOneLineThatNamesItsSources() {
+    for (Registry.Entry<DetectionModel> entry : registry.entries()) {
+      assertFalse(entry.summary().contains("\n"), entry.name());
+      assertTrue(entry.summary().length() <= 100, entry.summary());
+    }
+    assertEquals(
+        "ORB line (Table 6.1) on the multiple linear regression (Eq 4.4)",
+        registry.entries().get(0).summary());
+    assertEquals("Table 6.1", model("hifi:orb-sr").provenance().remarks().get("detector line"));
+  }
+
+  private HiFiDetection model(String name) {
+    return (HiFiDetection) registry.create(name);
+  }
+}

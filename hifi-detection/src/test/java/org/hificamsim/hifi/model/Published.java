@@ -1,0 +1,39 @@
+package org.hificamsim.hifi.model;
+
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The published tables beside the source tree; tests that need one are skipped without it. */
+final class Published {
+  private Published() {}
+
+  /** The rows of a table, each by column name. */
+  static List<Map<String, String>> rows(String table) throws IOException {
+    String root = System.getProperty("hificamsim.root");
+    assumeTrue(root != null, "system property hificamsim.root is not set");
+    Path file = Path.of(root, "..", "shared", "reference", "published", table).normalize();
+    assumeTrue(Files.exists(file), "published table is missing: " + file);
+    List<String> lines = Files.readAllLines(file);
+    String[] header = lines.get(0).split(",", -1);
+    return lines.stream().skip(1).map(line -> row(header, line.split(",", -1))).toList();
+  }
+
+  /** The catalogue's spelling of a table's id. */
+  static String name(String id) {
+    return id.replace('_', '-');
+  }
+
+  private static Map<String, String> row(String[] header, String[] cells) {
+    Map<String, String> row = new LinkedHashMap<>();
+    for (int i = 0; i < header.length; i++) {
+      row.put(header[i], cells[i]);
+    }
+    return row;
+  }
+}

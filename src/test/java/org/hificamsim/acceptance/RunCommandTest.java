@@ -1,0 +1,162 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What {@code run} writes, prints and refuses. */
+class RunCommandTest {
+  private static final Path LATTICE = Cli.scenario("lattice-random");
+
+  @TempDir Path folder;
+
+  @Test
+  void writesOneRowPerRunAndStepAndASummaryThatAddsThemUp() throws IOException {
+    Path out = folder.resolve("out");
+    Cli run = Cli.run("run", LATTICE, "--steps", 50, "--repeat", 2, "--out", out);
+    assertEquals(0, run.exit(), run.err());
+    List<String> rows = Files.readAllLines(out.resolve("steps.csv"));
+    assertEquals("run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k", rows.get(0));
+    assertEquals(101, rows.size());
+    JsonNode summary = summary(out);
+    for (int repeat = 0; repeat < 2; repeat++) {
+      String prefix = repeat + ",";
+      long sum =
+          rows.stream()
+              .skip(1)
+              .filter(row -> row.startsWith(prefix))
+              .mapToLong(row -> Long.parseLong(row.split(",")[2]))
+              .sum();
+      assertEquals(sum, summary.get("runs").get(repeat).get("performance").asLong());
+    }
+    JsonNode interval = summary.get("interval_95").get("performance");
+    double mean = summary.get("performance").asDouble();
+    assertTrue(interval.get(0).asDouble() <= mean && mean <= interval.get(1).asDouble());
+    assertEquals(
+        1.0,
+        Stream.of("covered_0", "covered_1", "covered_k")
+            .mapToDouble(name -> summary.get(name).asDouble())
+            .sum(),
+        1e-12);
+  }
+
+  @Test
+  void defaultsAreThoseOfTheContract() throws IOException {
+    Path out = folder.resolve("out");
+    Cli.run("run", LATTICE, "--out", out);
+    JsonNode summary = summary(out);
+    assertEquals("hifi:orb-lin", summary.get("detection").asText());
+    assertEquals("epsilon-greedy", summary.get("policy").asText());
+    assertEquals(1000, summary.get("steps").asInt());
+    assertEquals(0, summary.get("seed").asInt());
+    assertEquals(0.0441, summary.get("threshold").asDouble());
+    assertEquals("coverage", summary.get("order").asText());
+    assertEquals(1001, Files.readAllLines(out.resolve("steps.csv")).size());
+  }
+
+  @Test
+  void recordsZoomsAndTargetsOnRequestAndRemovesThemWhenTheyAreStale() throws IOException {
+    Cli.run("run", LATTICE, "--steps", 10, "--record", "--out", folder);
+    List<String> zooms = Files.readAllLines(folder.resolve("zooms.csv"));
+    assertEquals("run,step,camera,level,radius,detected", zooms.get(0));
+    assertEquals(1 + 9 * 10, zooms.size());
+    List<String> targets = Files.readAllLines(folder.resolve("targets.csv"));
+    assertEquals("run,step,target,x,y", targets.get(0));
+    assertEquals(1 + 3 * 10, targets.size());
+    Cli.run("run", LATTICE, "--steps", 10, "--out", folder);
+    assertFalse(Files.exists(folder.resolve("zooms.csv")));
+    assertFalse(Files.exists(folder.resolve("targets.csv")));
+  }
+
+  @Test
+  void leavesNothingButItsFiles() throws IOException {
+    Cli.run("run", LATTICE, "--steps", 10, "--out", folder);
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(
+          List.of("manifest.json", "steps.csv", "summary.json"),
+          files.map(file -> file.getFileName().toString()).sorted().toList());
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--steps 0 | --steps is 0, expected a whole number from 1",
+        "--steps abc | 'abc'",
+        "--repeat 0 | --repeat is 0",
+        "--seed x | 'x'",
+        "--threshold 1.5 | --threshold is 1.5, expected a number from 0 to 1",
+        "--threshold NaN | --threshold is NaN",
+        "--detection hifi:orb-cubic | unknown detection 'hifi:orb-cubic', expected one of camsim",
+        "--detection nothing.json | nothing.json",
+        "--policy greedy | unknown policy 'greedy', expected one of zoom-out",
+        "--policy epsilon-greedy:epsilon=2 | epsilon is '2', expected a number from 0.0 to 1.0",
+        "--policy epsilon-greedy:gamma=2 | unknown option 'gamma=2', expected one of epsilon",
+        "--policy fixed:9 | 9",
+        "--order sideways | --order is 'sideways', expected one of coverage, camsim",
+        "--headings grads | --headings is 'grads', expected one of degrees, as-radians",
+        "--listener nobody | unknown listener 'nobody'",
+        "--colour blue | --colour",
+      })
+  void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
+    Path out = folder.resolve("out");
+    Object[] words =
+        Stream.concat(
+                Stream.of("run", LATTICE, "--out", out), Stream.of(options.strip().split(" ")))
+            .toArray();
+    Cli run = Cli.run(words);
+    assertEquals(2, run.exit(), run.err());
+    assertEquals(1, run.err().lines().count(), run.err());
+    assertTrue(run.err().startsWith("error: "), run.err());
+    assertTrue(run.err().contains(expected), run.err());
+    assertEquals("", run.out());
+    assertFalse(Files.exists(out));
+  }
+
+  @Test
+  void refusesAnOutputFolderThatIsAFile() throws IOException {
+    Path file = Files.writeString(folder.resolve("taken"), "mine");
+    Cli run = Cli.run("run", LATTICE, "--steps", 1, "--out", file);
+    assertEquals(2, run.exit());
+    assertEquals("mine", Files.readString(file));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"hifi:surf-power", "hifi:sift-sr", "geometric", "camsim-standard"})
+  void runsUnderEveryKindOfDetection(String detection) throws IOException {
+    Cli run = Cli.run("run", LATTICE, "--steps", 5, "--detection", detection, "--out", folder);
+    assertEquals(0, run.exit(), run.err());
+    assertEquals(detection, summary(folder).get("detection").asText());
+  }
+
+  @Test
+  void theScenariosThresholdYieldsToTheOption() throws IOException {
+    Path scenario = folder.resolve("own.xml");
+    Files.writeString(
+        scenario,
+        Files.readString(LATTICE)
+            .replace("order=\"coverage\"", "order=\"coverage\" threshold=\"0.2\""));
+    Cli.run("run", scenario, "--steps", 1, "--out", folder.resolve("a"));
+    assertEquals(0.2, summary(folder.resolve("a")).get("threshold").asDouble());
+    Cli.run("run", scenario, "--steps", 1, "--threshold", "0.1", "--out", folder.resolve("b"));
+    assertEquals(0.1, summary(folder.resolve("b")).get("threshold").asDouble());
+  }
+
+  private static JsonNode summary(Path out) throws IOException {
+    return new ObjectMapper().readTree(out.resolve("summary.json").toFile());
+  }
+}

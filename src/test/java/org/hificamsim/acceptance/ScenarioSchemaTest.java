@@ -1,0 +1,150 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.abort;
+
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.xml.XMLConstants;
+import javax.xml.transform.Source;
+import javax.xml.transform.stream.StreamSource;
+import javax.xml.validation.Schema;
+import javax.xml.validation.SchemaFactory;
+import javax.xml.validation.Validator;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.xml.sax.SAXException;
+
+/** The schema {@code scenarios/camsim.xsd}: takes every real file, and refuses broken ones. */
+class ScenarioSchemaTest {
+  private static final Path ROOT = Path.of(System.getProperty("hificamsim.root"));
+  private static final Path REFERENCE = ROOT.resolveSibling("shared").resolve("reference");
+
+  /** A small scenario with one of everything that the broken ones break. */
+  private static final String SOUND =
+      """
+<root>
+  <simulation min_x="-10" max_x="10" min_y="-5" max_y="5" order="coverage" threshold="0.5">
+    <cameras>
+      <zoom>2.5 5.0</zoom>
+      <camera name="A" x="0" y="0" heading="90" viewing_angle="360" range="5" comm="0"/>
+      <camera name="B" x="1" y="0" heading="90" viewing_angle="70" range="0"/>
+    </cameras>
+    <objects>
+      <object features="1.0" x="0" y="1" heading="0" speed="1" size="0.66"/>
+      <object features="2.0" x="0" y="1" heading="0" speed="1"/>
+    </objects>
+    <events>
+      <event timestep="0" participant="object" event="error" name="1.0"/>
+      <event timestep="9" participant="camera" event="error" name="A" duration="-1"/>
+    </events>
+    <visiongraph static="false"><graphnode name="A"><neighbour name="B"/></graphnode></visiongraph>
+  </simulation>
+</root>
+""";
+
+  private static Schema schema;
+
+  @BeforeAll
+  static void readSchema() throws SAXException {
+    SchemaFactory factory = SchemaFactory.newInstance(XMLConstants.W3C_XML_SCHEMA_NS_URI);
+    schema = factory.newSchema(ROOT.resolve("scenarios/camsim.xsd").toFile());
+  }
+
+  @TestFactory
+  Stream<DynamicTest> takesOurScenarios() throws IOException {
+    return takesAll(ROOT.resolve("scenarios"));
+  }
+
+  @TestFactory
+  Stream<DynamicTest> takesCamSimsScenarios() throws IOException {
+    return takesAll(REFERENCE.resolve("camsim/scenarios"));
+  }
+
+  @TestFactory
+  Stream<DynamicTest> takesTheCoverageStudysScenarios() throws IOException {
+    return takesAll(REFERENCE.resolve("coverage-study"));
+  }
+
+  @Test
+  void takesTheSoundSnippet() {
+    assertDoesNotThrow(() -> validate(new StreamSource(new StringReader(SOUND))));
+  }
+
+  @ParameterizedTest(name = "{0} -> {1}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "min_x=\"-10\"              | ",
+        "min_x=\"-10\"              | min_x=\"NaN\"",
+        "max_x=\"10\"               | max_x=\"INF\"",
+        "max_x=\"10\"               | max_x=\"1e999\"",
+        "max_y=\"5\"                | max_y=\"five\"",
+        "order=\"coverage\"         | order=\"random\"",
+        "threshold=\"0.5\"          | threshold=\"1.5\"",
+        "threshold=\"0.5\"          | treshold=\"0.5\"",
+        "2.5 5.0                    | 2.5 0 5.0",
+        "2.5 5.0                    | 2.5,5.0",
+        "2.5 5.0                    | ",
+        "name=\"B\" x=\"1\"         | name=\"A\" x=\"1\"",
+        "viewing_angle=\"360\"      | viewing_angle=\"361\"",
+        "viewing_angle=\"360\"      | viewing_angle=\"0\"",
+        "range=\"5\"                | range=\"-1\"",
+        "comm=\"0\"                 | comm=\"5\"",
+        "features=\"2.0\"           | features=\"1\"",
+        "features=\"2.0\"           | ",
+        "speed=\"1\"                | speed=\"-1\"",
+        "size=\"0.66\"              | size=\"0\"",
+        "timestep=\"0\"             | timestep=\"0.5\"",
+        "timestep=\"0\"             | timestep=\"-1\"",
+        "participant=\"object\"     | participant=\"person\"",
+        "event=\"error\" name=\"1.0\"| event=\"leave\" name=\"1.0\"",
+        "duration=\"-1\"            | duration=\"-2\"",
+        "static=\"false\"           | static=\"perhaps\"",
+        "<events>                   | <events><waypoint x=\"0\" y=\"0\"/>",
+        "name=\"1.0\"/>             | name=\"1.0\"><waypoint x=\"0\" y=\"0\"/></event>",
+        "<objects>                  | <objects><person/>",
+        "<root>                     | <root><simulation/>",
+      })
+  void refuses(String part, String broken) {
+    String text = SOUND.replace(part, broken == null ? "" : broken);
+    assertTrue(!text.equals(SOUND), "the snippet has no such part");
+    assertThrows(
+        SAXException.class, () -> validate(new StreamSource(new StringReader(text))), text);
+  }
+
+  private static Stream<DynamicTest> takesAll(Path folder) throws IOException {
+    if (!Files.isDirectory(folder)) {
+      return abort("no reference files here: " + folder);
+    }
+    try (Stream<Path> files = Files.walk(folder)) {
+      List<Path> scenarios =
+          files.filter(file -> file.toString().endsWith(".xml")).sorted().toList();
+      assertTrue(!scenarios.isEmpty(), "no scenario in " + folder);
+      return scenarios.stream().map(ScenarioSchemaTest::takes);
+    }
+  }
+
+  private static DynamicTest takes(Path file) {
+    return DynamicTest.dynamicTest(
+        file.getParent().getFileName() + "/" + file.getFileName(),
+        () -> assertDoesNotThrow(() -> validate(new StreamSource(file.toFile()))));
+  }
+
+  private static void validate(Source scenario) throws SAXException, IOException {
+    Validator validator = schema.newValidator();
+    validator.setProperty(XMLConstants.ACCESS_EXTERNAL_DTD, "");
+    validator.setProperty(XMLConstants.ACCESS_EXTERNAL_SCHEMA, "");
+    validator.validate(scenario);
+  }
+}

@@ -1,0 +1,94 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** The commands {@code validate} and {@code list}. */
+class ValidateAndListTest {
+  @TempDir Path folder;
+
+  @Test
+  void everyScenarioOfTheProjectIsValidWithoutAWarningButForTheNetwork() throws IOException {
+    try (Stream<Path> files = Files.list(Cli.ROOT.resolve("scenarios"))) {
+      for (Path file : files.filter(path -> path.toString().endsWith(".xml")).sorted().toList()) {
+        Cli validate = Cli.run("validate", file);
+        assertEquals(0, validate.exit(), validate.err());
+        assertTrue(validate.out().startsWith(file + ": ok, "), validate.out());
+        assertTrue(
+            validate.err().lines().allMatch(line -> line.contains("CamSim's network")),
+            validate.err());
+      }
+    }
+  }
+
+  @Test
+  void everyReferenceFileIsValidAndRuns() throws IOException {
+    Path reference = Cli.reference("");
+    assumeTrue(Files.isDirectory(reference), "no reference data: skipped");
+    try (Stream<Path> files = Files.walk(reference)) {
+      List<Path> scenarios = files.filter(path -> path.toString().endsWith(".xml")).toList();
+      assertEquals(60, scenarios.size());
+      for (Path file : scenarios) {
+        Cli validate = Cli.run("validate", file);
+        assertEquals(0, validate.exit(), validate.err());
+        Cli run =
+            Cli.run(
+                "run", file, "--detection", "camsim-visibility", "--steps", 20, "--out", folder);
+        assertEquals(0, run.exit(), run.err());
+      }
+    }
+  }
+
+  @Test
+  void oneBadFileAmongGoodOnesGivesExitCode2AndTheOthersAreStillChecked() throws IOException {
+    Path bad = Files.writeString(folder.resolve("bad.xml"), "<root/>");
+    Cli validate =
+        Cli.run("validate", bad, Cli.scenario("lattice-random"), Cli.scenario("ring-random"));
+    assertEquals(2, validate.exit());
+    assertEquals(2, validate.out().lines().count());
+    assertTrue(validate.err().startsWith("error: " + bad + ":1:1: "), validate.err());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"hifi:orb-lin", "camsim-range", "hifi-literal", "geometric"})
+  void listsDetections(String name) {
+    Cli list = Cli.run("list", "detections");
+    assertEquals(0, list.exit());
+    assertTrue(list.out().lines().anyMatch(line -> line.startsWith(name + " ")), list.out());
+  }
+
+  @Test
+  void listsPoliciesWithTheirOptions() {
+    Cli list = Cli.run("list", "policies");
+    assertEquals(0, list.exit());
+    assertTrue(list.out().contains("epsilon-greedy"), list.out());
+    assertTrue(list.out().contains("    epsilon=0.1"), list.out());
+  }
+
+  @Test
+  void listsScenarios() {
+    Cli list = Cli.run("list", "scenarios");
+    assertEquals(0, list.exit(), list.err());
+    Cli.SIX.forEach(name -> assertTrue(list.out().contains(name + ".xml"), name));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "list", "walk", "list nothing", "run"})
+  void wrongCommandsAreOneErrorLineAndExitCode2(String words) {
+    Cli wrong = words.isEmpty() ? Cli.run() : Cli.run((Object[]) words.split(" "));
+    assertEquals(2, wrong.exit());
+    assertEquals(1, wrong.err().lines().count(), wrong.err());
+    assertTrue(wrong.err().startsWith("error: "), wrong.err());
+  }
+}
