@@ -16,6 +16,7 @@ import java.time.Duration;
 import java.util.Locale;
 import java.util.SplittableRandom;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
