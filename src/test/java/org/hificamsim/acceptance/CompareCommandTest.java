@@ -164,6 +164,17 @@ class CompareCommandTest {
     assertFalse(Files.exists(out));
   }
 
+  @Test
+  void refusesAnOutputFolderThatIsAFile() throws IOException {
+    Path file = Files.writeString(folder.resolve("taken"), "mine");
+    for (Path out : List.of(file, file.resolve("below"))) {
+      Cli compare = Cli.run(words(out, 1, 1));
+      assertEquals(2, compare.exit(), compare.err());
+      assertTrue(compare.err().startsWith("error: --out '" + out + "' "), compare.err());
+    }
+    assertEquals("mine", Files.readString(file));
+  }
+
   private static Object[] words(Path out, int steps, int repeats, Object... more) {
     return Stream.concat(
             Stream.of(

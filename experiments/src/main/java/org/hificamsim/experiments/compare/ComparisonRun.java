@@ -1,7 +1,6 @@
 package org.hificamsim.experiments.compare;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.experiments.output.OutputFolder;
@@ -36,7 +35,6 @@ public final class ComparisonRun {
    * @return one result per plan, then those of the optima that had to be added
    */
   public List<CaseResult> execute(List<RunPlan> plans, Path out, Extras extras) throws IOException {
-    Files.createDirectories(out);
     try (OutputFolder folder = new OutputFolder(out);
         Journal journal = new Journal(out, resume)) {
       List<CaseResult> all = comparison.run(Comparison.withOptimum(plans), journal);
