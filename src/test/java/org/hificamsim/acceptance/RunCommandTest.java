@@ -128,6 +128,35 @@ class RunCommandTest {
   }
 
   @Test
+  void tellsFaultsOnOneLineWhateverTheWordsHold() {
+    for (String word : List.of("two\nlines", "es\u001b[31mcape")) {
+      for (Cli run :
+          List.of(
+              Cli.run("run", LATTICE, "--policy", word, "--out", folder.resolve("out")),
+              Cli.run("run", LATTICE, "--detection", word, "--out", folder.resolve("out")),
+              Cli.run("run", folder.resolve(word)),
+              Cli.run("validate", folder.resolve(word)))) {
+        assertEquals(2, run.exit(), run.err());
+        assertEquals(1, run.err().lines().count(), run.err());
+        assertFalse(run.err().contains("\u001b"), run.err());
+      }
+    }
+  }
+
+  @Test
+  void warnsOnOneLineWhateverAnAttributeHolds() throws IOException {
+    Path scenario = folder.resolve("own.xml");
+    Files.writeString(
+        scenario,
+        Files.readString(LATTICE).replaceFirst("<camera ", "<camera hue=\"&#x9b;31m&#10;\" "));
+    Cli run = Cli.run("run", scenario, "--steps", 1, "--out", folder);
+    assertEquals(0, run.exit(), run.err());
+    String told = run.err().lines().filter(line -> line.contains("hue=")).findFirst().orElseThrow();
+    assertTrue(told.startsWith("warning: " + scenario + ":"), told);
+    assertFalse(told.contains("\u009b"), told);
+  }
+
+  @Test
   void refusesAnOutputFolderThatIsAFile() throws IOException {
     Path file = Files.writeString(folder.resolve("taken"), "mine");
     Cli run = Cli.run("run", LATTICE, "--steps", 1, "--out", file);
