@@ -149,6 +149,7 @@ class CompareCommandTest {
         "--policies walk | unknown policy 'walk', expected one of zoom-out",
         "--threads -1 | --threads is -1",
         "--repeat 0 | --repeat is 0",
+        "--seed 9223372036854775779 | --seed is 9223372036854775779, expected at most",
       })
   void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
     Path out = folder.resolve("out");
