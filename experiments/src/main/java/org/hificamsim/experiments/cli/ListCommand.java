@@ -35,7 +35,9 @@ final class ListCommand implements Runnable {
         spec.commandLine(), "list what? Expected detections, policies or scenarios");
   }
 
-  @Command(description = "Detection models, with their default threshold.", mixinStandardHelpOptions = true)
+  @Command(
+      description = "Detection models, with their default threshold.",
+      mixinStandardHelpOptions = true)
   void detections() {
     for (Registry.Entry<DetectionModel> entry : Catalogue.load().detections().entries()) {
       DetectionModel model = Catalogue.load().detections().create(entry.name());
@@ -46,7 +48,9 @@ final class ListCommand implements Runnable {
     }
   }
 
-  @Command(description = "Zoom policies, with their options and defaults.", mixinStandardHelpOptions = true)
+  @Command(
+      description = "Zoom policies, with their options and defaults.",
+      mixinStandardHelpOptions = true)
   void policies() {
     Registry<ZoomPolicy> policies = Catalogue.load().policies();
     for (Registry.Entry<ZoomPolicy> entry : policies.entries()) {
@@ -63,7 +67,9 @@ final class ListCommand implements Runnable {
     out().flush();
   }
 
-  @Command(description = "The scenarios that come with the simulator.", mixinStandardHelpOptions = true)
+  @Command(
+      description = "The scenarios that come with the simulator.",
+      mixinStandardHelpOptions = true)
   void scenarios() throws IOException {
     Catalogue catalogue = Catalogue.load();
     for (Path file : scenarioFiles()) {
