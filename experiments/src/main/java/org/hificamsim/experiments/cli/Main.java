@@ -22,6 +22,7 @@ import picocli.CommandLine.Spec;
     subcommands = {
       RunCommand.class,
       CompareCommand.class,
+      PlotCommand.class,
       ValidateCommand.class,
       ListCommand.class
     },
