@@ -19,6 +19,7 @@ public final class CsvTable implements Closeable {
       schema.addColumn(column);
     }
     out = new CsvFactory().createGenerator(writer);
+    out.enable(CsvGenerator.Feature.STRICT_CHECK_FOR_QUOTING);
     out.setSchema(schema.build().withHeader());
   }
 

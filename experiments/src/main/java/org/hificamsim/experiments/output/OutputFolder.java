@@ -5,6 +5,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.OutputStreamWriter;
+import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -13,6 +14,9 @@ import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.InputException;
 
@@ -21,6 +25,8 @@ import org.hificamsim.core.InputException;
  * into place by {@link #commit}. Closed without that, it leaves the folder as it was.
  */
 public final class OutputFolder implements Closeable {
+  private static final Pattern TEMPORARY = Pattern.compile("\\..+-(\\d{1,18})\\.part");
+
   private final Path folder;
   private final Map<String, Path> pending = new LinkedHashMap<>();
 
@@ -41,6 +47,21 @@ public final class OutputFolder implements Closeable {
     }
     if (!Files.isWritable(folder)) {
       throw new InputException("--out '" + folder + "' is not writable, expected a folder that is");
+    }
+    removeLeftovers();
+  }
+
+  /** Removes what processes that were killed have left under temporary names. */
+  private void removeLeftovers() {
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path file : files.toList()) {
+        Matcher name = TEMPORARY.matcher(file.getFileName().toString());
+        if (name.matches() && ProcessHandle.of(Long.parseLong(name.group(1))).isEmpty()) {
+          Files.deleteIfExists(file);
+        }
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 
