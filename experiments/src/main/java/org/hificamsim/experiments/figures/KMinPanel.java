@@ -1,6 +1,11 @@
 package org.hificamsim.experiments.figures;
 
 import java.awt.Color;
+import java.util.Arrays;
+import org.apache.commons.math3.distribution.TDistribution;
+import org.apache.commons.math3.stat.StatUtils;
+import org.hificamsim.experiments.compare.CaseResult;
+import org.hificamsim.experiments.compare.Levels;
 import org.hificamsim.experiments.plot.Curve;
 import org.hificamsim.experiments.plot.Lowess;
 import org.hificamsim.experiments.plot.XyPanel;
@@ -26,6 +31,34 @@ public final class KMinPanel {
   public KMinPanel raw(double[] means, Color color) {
     panel.faint(Curve.of(means).thinned(RAW_POINTS), color);
     return this;
+  }
+
+  /** Adds the 95% interval of a case's mean over its runs; nothing for a single run. */
+  public KMinPanel band(CaseResult one, Color color) {
+    if (one.runs().size() > 1) {
+      panel.band(bound(one, -1), bound(one, 1), color);
+    }
+    return this;
+  }
+
+  private static Curve bound(CaseResult one, int side) {
+    int parts = one.levels()[0].length;
+    int steps = one.plan().steps();
+    double[] x = new double[parts];
+    double[] y = new double[parts];
+    for (int part = 0; part < parts; part++) {
+      int at = part;
+      double[] levels = Arrays.stream(one.levels()).mapToDouble(run -> run[at]).toArray();
+      x[part] = (Levels.start(part, parts, steps) + Levels.start(part + 1, parts, steps) - 1) / 2.0;
+      y[part] = StatUtils.mean(levels) + side * half(levels);
+    }
+    return Lowess.smooth(new Curve(x, y));
+  }
+
+  /** Half of Student's 95% interval. */
+  private static double half(double[] values) {
+    return new TDistribution(values.length - 1).inverseCumulativeProbability(0.975)
+        * Math.sqrt(StatUtils.variance(values) / values.length);
   }
 
   /** Adds the smooth line. */

@@ -22,6 +22,7 @@ public record Figure(
   static final int HEADING = 22;
   static final int NOTE = 16;
   static final int LEGEND = 22;
+  static final int PANEL_TITLE = 20;
   static final int MARGIN = 10;
 
   public Figure {

@@ -9,6 +9,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import org.knowm.xchart.internal.chartpart.Chart;
 
 /** Paints a figure: heading, legend, panels. */
 final class FigurePainter {
@@ -95,8 +96,18 @@ final class FigurePainter {
       place.translate(
           Figure.MARGIN + i % figure.columns() * figure.panelWidth(),
           figure.top() + i / figure.columns() * figure.panelHeight());
-      figure.panels().get(i).paint(place, figure.panelWidth(), figure.panelHeight());
+      panel(place, figure.panels().get(i));
       place.dispose();
     }
+  }
+
+  private void panel(Graphics2D place, Chart<?, ?> panel) {
+    int title = panel.getTitle().isEmpty() ? 0 : Figure.PANEL_TITLE;
+    place.setColor(Palette.BLACK);
+    place.setFont(Fonts.PANEL);
+    int width = Fonts.width(panel.getTitle(), Fonts.PANEL);
+    place.drawString(panel.getTitle(), (figure.panelWidth() - width) / 2, title - 3);
+    place.translate(0, title);
+    panel.paint(place, figure.panelWidth(), figure.panelHeight() - title);
   }
 }

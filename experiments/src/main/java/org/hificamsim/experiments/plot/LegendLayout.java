@@ -1,7 +1,5 @@
 package org.hificamsim.experiments.plot;
 
-import java.awt.Font;
-import java.awt.font.FontRenderContext;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -14,7 +12,6 @@ record LegendLayout(List<Place> places, int rows) {
   static final int MARK = 22;
   private static final int GAP = 6;
   private static final int BETWEEN = 18;
-  private static final FontRenderContext CONTEXT = new FontRenderContext(null, true, true);
 
   /** An entry's left edge, and its row from 0. */
   record Place(LegendEntry entry, int x, int row) {
@@ -28,7 +25,7 @@ record LegendLayout(List<Place> places, int rows) {
     int x = Figure.MARGIN;
     int row = 0;
     for (LegendEntry entry : figure.legend()) {
-      int width = MARK + GAP + width(entry.label(), Fonts.TEXT);
+      int width = MARK + GAP + Fonts.width(entry.label(), Fonts.TEXT);
       if (x > Figure.MARGIN && x + width > figure.width() - Figure.MARGIN) {
         x = Figure.MARGIN;
         row++;
@@ -37,9 +34,5 @@ record LegendLayout(List<Place> places, int rows) {
       x += width + BETWEEN;
     }
     return new LegendLayout(places, places.isEmpty() ? 0 : row + 1);
-  }
-
-  private static int width(String text, Font font) {
-    return (int) Math.ceil(font.getStringBounds(text, CONTEXT).getWidth());
   }
 }

@@ -30,18 +30,12 @@ public final class Palette {
   }
 
   /**
-   * The colour as it looks on white at this strength: opaque, so that SVG and PNG agree.
+   * The colour as seen through.
    *
-   * @param strength 0 for white, 1 for the colour itself
+   * @param strength 0 for nothing, 1 for the colour itself
    */
   public static Color pale(Color color, double strength) {
-    return new Color(
-        mix(color.getRed(), strength),
-        mix(color.getGreen(), strength),
-        mix(color.getBlue(), strength));
-  }
-
-  private static int mix(int channel, double strength) {
-    return (int) Math.round(255 - (255 - channel) * strength);
+    int alpha = (int) Math.round(255 * strength);
+    return new Color(color.getRed(), color.getGreen(), color.getBlue(), alpha);
   }
 }

@@ -14,7 +14,7 @@ final class PanelStyle {
 
   private PanelStyle() {}
 
-  static void apply(AxesChartStyler style, String title, String xTitle, String yTitle) {
+  static void apply(AxesChartStyler style, String xTitle, String yTitle) {
     style.setLocale(Locale.ROOT);
     style.setChartBackgroundColor(Color.WHITE);
     style.setPlotBackgroundColor(Color.WHITE);
@@ -24,15 +24,12 @@ final class PanelStyle {
     style.setPlotContentSize(1);
     style.setPlotMargin(0);
     style.setMarkerSize(MARKER);
-    titles(style, title, xTitle, yTitle);
+    titles(style, xTitle, yTitle);
     grid(style);
   }
 
-  private static void titles(AxesChartStyler style, String title, String xTitle, String yTitle) {
-    style.setChartTitleVisible(!title.isEmpty());
-    style.setChartTitleBoxVisible(false);
-    style.setChartTitleFont(Fonts.PANEL);
-    style.setChartTitlePadding(4);
+  private static void titles(AxesChartStyler style, String xTitle, String yTitle) {
+    style.setChartTitleVisible(false); // the figure draws it, in line with its neighbours
     style.setChartFontColor(Palette.BLACK);
     style.setXAxisTitleVisible(!xTitle.isEmpty());
     style.setYAxisTitleVisible(!yTitle.isEmpty());
@@ -53,10 +50,12 @@ final class PanelStyle {
     style.setYAxisTickMarkSpacingHint(32);
   }
 
-  /** The name of x = 1, 2, 3, ...; nothing in between. */
+  /** The name of x = 1, 2, 3, ...; blanks in between, all different as XChart asks of labels. */
   static String name(List<String> names, double x) {
     int i = (int) Math.round(x) - 1;
     boolean whole = Math.abs(x - Math.rint(x)) < 1e-9;
-    return whole && i >= 0 && i < names.size() ? names.get(i) : " ";
+    return whole && i >= 0 && i < names.size()
+        ? names.get(i)
+        : " ".repeat(1 + (int) Math.abs(2 * x));
   }
 }

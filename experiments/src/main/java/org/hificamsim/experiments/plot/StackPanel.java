@@ -8,6 +8,7 @@ import org.knowm.xchart.CategorySeries;
 /** A panel of stacked bars, one per name. */
 public final class StackPanel {
   private static final double FILL = 0.72;
+  private static final int ROTATION = 30;
 
   private final CategoryChart chart;
   private final List<String> names;
@@ -18,12 +19,13 @@ public final class StackPanel {
     chart = new CategoryChart(400, 300);
     chart.setTitle(title);
     chart.setYAxisTitle(yTitle);
-    PanelStyle.apply(chart.getStyler(), title, "", yTitle);
+    PanelStyle.apply(chart.getStyler(), "", yTitle);
     chart.getStyler().setStacked(true);
     chart.getStyler().setAvailableSpaceFill(FILL);
     chart.getStyler().setPlotGridVerticalLinesVisible(false);
+    chart.getStyler().setXAxisLabelRotation(ROTATION);
     chart.getStyler().setYAxisMin(0.0);
-    chart.getStyler().setYAxisMax(1.0);
+    chart.getStyler().setYAxisMax(1.003);
   }
 
   /** Adds a layer on top of the ones before, one value per name. */

@@ -3,6 +3,7 @@ package org.hificamsim.experiments.plot;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.util.List;
+import org.hificamsim.experiments.run.Estimate;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.XYSeries;
 import org.knowm.xchart.style.markers.Marker;
@@ -16,9 +17,10 @@ public final class XyPanel {
   private static final BasicStroke DASHED =
       new BasicStroke(
           1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {5, 4}, 0);
-  private static final double PALE = 0.35;
-  private static final double BAND = 0.22;
+  private static final double PALE = 0.38;
+  private static final double BAND = 0.18;
   private static final int NAMES_WIDTH = 240;
+  private static final int ROW_HEIGHT = 20;
 
   /** How far axes reach beyond their ends: XChart leaves out a tick that stands on the very end. */
   private static final double EDGE = 0.003;
@@ -31,7 +33,7 @@ public final class XyPanel {
     chart.setTitle(title);
     chart.setXAxisTitle(xTitle);
     chart.setYAxisTitle(yTitle);
-    PanelStyle.apply(chart.getStyler(), title, xTitle, yTitle);
+    PanelStyle.apply(chart.getStyler(), xTitle, yTitle);
   }
 
   /** Sets the ends of the x axis. */
@@ -56,6 +58,22 @@ public final class XyPanel {
     chart.getStyler().setXAxisTickMarkSpacingHint(NAMES_WIDTH / (names.size() + 1));
     chart.setCustomXAxisTickLabelsFormatter(x -> PanelStyle.name(names, x));
     return this;
+  }
+
+  /** Names y = 1, 2, 3, ..., from the bottom, instead of numbering the axis. */
+  public XyPanel rows(List<String> names) {
+    chart.getStyler().setYAxisMin(0.5);
+    chart.getStyler().setYAxisMax(names.size() + 0.5);
+    chart.getStyler().setYAxisTickMarkSpacingHint(ROW_HEIGHT);
+    chart.setCustomYAxisTickLabelsFormatter(y -> PanelStyle.name(names, y));
+    return this;
+  }
+
+  /** Adds a dot with its interval, along x. */
+  public XyPanel dot(Estimate estimate, double y, Color color) {
+    double[] ends = {estimate.low(), estimate.high()};
+    line(new Curve(ends, new double[] {y, y}), color, INTERVAL);
+    return dots(new Curve(new double[] {estimate.mean()}, new double[] {y}), color);
   }
 
   /** Adds a thin pale line: the raw values beneath a smooth one. */
@@ -92,7 +110,7 @@ public final class XyPanel {
     XYSeries series = add(new Curve(x, y), SeriesMarkers.NONE);
     series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.PolygonArea);
     series.setFillColor(Palette.pale(color, BAND));
-    series.setLineColor(Palette.pale(color, BAND));
+    series.setLineColor(Palette.pale(color, 0));
     series.setLineStyle(THIN);
     return this;
   }
