@@ -22,6 +22,8 @@ import picocli.CommandLine.Spec;
     subcommands = {
       RunCommand.class,
       CompareCommand.class,
+      ReproduceCommand.class,
+      SensitivityCommand.class,
       PlotCommand.class,
       ValidateCommand.class,
       ListCommand.class
@@ -55,7 +57,7 @@ public final class Main implements Runnable {
   @Override
   public void run() {
     throw new ParameterException(
-        spec.commandLine(), "no command, expected run, compare, validate or list");
+        spec.commandLine(), "no command, expected run, compare, reproduce, sensitivity, plot, validate or list");
   }
 
   private static int usage(ParameterException fault) {

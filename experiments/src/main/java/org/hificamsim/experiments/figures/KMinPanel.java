@@ -21,10 +21,24 @@ public final class KMinPanel {
   private static final int RAW_POINTS = 250;
 
   private final XyPanel panel;
+  private final int steps;
 
   /** An empty panel whose y axis ends at {@code most}. */
   public KMinPanel(String title, int steps, double most) {
+    this.steps = steps;
     panel = new XyPanel(title, "time (steps)", "k_min (cameras)").x(0, steps).y(0, most);
+  }
+
+  /** Leaves out the axes' titles, for figures of many panels whose note tells them. */
+  public KMinPanel compact() {
+    panel.untitled();
+    return this;
+  }
+
+  /** Adds a dashed horizontal line: a published level. */
+  public KMinPanel level(double value, Color color) {
+    panel.dashed(new Curve(new double[] {0, steps}, new double[] {value, value}), color);
+    return this;
   }
 
   /** Adds the mean beneath; call it for all before the first {@link #smooth}. */

@@ -20,13 +20,14 @@ public final class OverTime {
     double most = ceiling(cases);
     Map<String, List<CaseResult>> detections = CaseGroups.byDetection(cases);
     List<XYChart> panels = new ArrayList<>();
-    detections.forEach((name, group) -> panels.add(panel(name, group, colors, most)));
+    detections.forEach(
+        (name, group) -> panels.add(panel(name, group, colors, most).panel().chart()));
     return new Figure(
         title, note(cases), colors.legend(), panels, Math.min(3, panels.size()), WIDTH, HEIGHT);
   }
 
   /** A panel of cases that differ in their policy. */
-  public static XYChart panel(
+  public static KMinPanel panel(
       String title, List<CaseResult> cases, PolicyColors colors, double most) {
     KMinPanel panel = new KMinPanel(title, cases.get(0).plan().steps(), most);
     cases.forEach(one -> panel.band(one, colors.of(one.plan().policy())));
@@ -39,7 +40,7 @@ public final class OverTime {
         panel.smooth(one.meanKMin(), colors.of(policy));
       }
     }
-    return panel.panel().chart();
+    return panel;
   }
 
   /** The colours of the cases' policies. */

@@ -47,6 +47,11 @@ public final class PolicyColors {
     return color != null && free.remove(color) ? color : null;
   }
 
+  /** The same colours, for some of the policies. */
+  public PolicyColors(PolicyColors all, List<String> policies) {
+    policies.forEach(policy -> colors.put(policy, all.of(policy)));
+  }
+
   /** The colour of a policy that was given at the start. */
   public Color of(String policy) {
     return colors.get(policy);

@@ -36,6 +36,12 @@ public final class XyPanel {
     PanelStyle.apply(chart.getStyler(), xTitle, yTitle);
   }
 
+  /** Leaves out the axes' titles. */
+  public XyPanel untitled() {
+    chart.getStyler().setAxisTitlesVisible(false);
+    return this;
+  }
+
   /** Sets the ends of the x axis. */
   public XyPanel x(double min, double max) {
     chart.getStyler().setXAxisMin(min - EDGE * (max - min));
@@ -84,6 +90,14 @@ public final class XyPanel {
   /** Adds a thick line. */
   public XyPanel line(Curve curve, Color color) {
     return line(curve, color, THICK);
+  }
+
+  /** Adds a line that is straight from point to point. */
+  public XyPanel straight(Curve curve, Color color) {
+    for (int i = 1; i < curve.size(); i++) {
+      line(curve.piece(i - 1, i), color, THICK);
+    }
+    return this;
   }
 
   /** Adds a dashed line: a reference. */
