@@ -57,7 +57,8 @@ public final class Main implements Runnable {
   @Override
   public void run() {
     throw new ParameterException(
-        spec.commandLine(), "no command, expected run, compare, reproduce, sensitivity, plot, validate or list");
+        spec.commandLine(),
+        "no command, expected run, compare, reproduce, sensitivity, plot, validate or list");
   }
 
   private static int usage(ParameterException fault) {

@@ -52,8 +52,7 @@ final class SensitivityCommand implements Callable<Integer> {
     batch.check(steps, repeats);
     Catalogue catalogue = Catalogue.load();
     Sweeps sweeps =
-        new Sweeps(
-            ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
+        new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
     execute(sweeps, new RunExecutor(catalogue), started);
     spec.commandLine().getOut().println(findings + "files: " + out);
     return 0;

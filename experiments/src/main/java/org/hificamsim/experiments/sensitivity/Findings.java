@@ -13,14 +13,14 @@ final class Findings {
     StringBuilder text =
         new StringBuilder(
             """
-            # Does CamSim's model underestimate?
+# Does CamSim's model underestimate?
 
-            Chapter 8 says so. Here it holds where the hi-fi proportion of the optimum is above CamSim's with
-            its whole 95% interval, by layout and policy; it flips where it is below with its whole interval.
+Chapter 8 says so. Here it holds where the hi-fi proportion of the optimum is above CamSim's with
+its whole 95% interval, by layout and policy; it flips where it is below with its whole interval.
 
-            """);
+""");
     for (Sweep sweep : sweeps) {
-      text.append(paragraph(sweep, gaps.stream().filter(gap -> gap.sweep() == sweep).toList()));
+      text.append(paragraph(sweep, gaps.stream().filter(gap -> gap.isOf(sweep)).toList()));
     }
     return text.toString();
   }
@@ -29,7 +29,8 @@ final class Findings {
     List<Gap> cells = gaps.stream().filter(gap -> !gap.layout().equals(Gap.ALL)).toList();
     return String.format(
         Locale.ROOT,
-        "## %s: the %s%n%nIt holds in %d of %d places. Everywhere at: %s.%n%nFlips: %s.%n%nOpen: %s.%n%n",
+        "## %s: the %s%n%nIt holds in %d of %d places. Everywhere at: %s.%n%nFlips: %s.%n%nOpen:"
+            + " %s.%n%n",
         sweep.parameter(),
         sweep.meaning(),
         count(cells, Gap.Finding.UNDERESTIMATES),
@@ -49,7 +50,7 @@ final class Findings {
             .filter(
                 variant ->
                     cells.stream()
-                        .filter(gap -> gap.variant() == variant)
+                        .filter(gap -> gap.isAt(variant))
                         .allMatch(gap -> gap.finding() == Gap.Finding.UNDERESTIMATES))
             .map(variant -> variant.value() + (variant.standard() ? " (default)" : ""))
             .collect(Collectors.joining(", "));

@@ -26,8 +26,7 @@ final class Gaps {
           sweep
               .policies()
               .forEach(
-                  policy ->
-                      gaps.add(gap(sweep, variant, layout.label(), policy, List.of(layout))));
+                  policy -> gaps.add(gap(sweep, variant, layout.label(), policy, List.of(layout))));
         }
         for (String policy : sweep.policies()) {
           gaps.add(gap(sweep, variant, Gap.ALL, policy, List.of(Layout.values())));
@@ -37,8 +36,7 @@ final class Gaps {
     return gaps;
   }
 
-  private Gap gap(
-      Sweep sweep, Variant variant, String name, String policy, List<Layout> layouts) {
+  private Gap gap(Sweep sweep, Variant variant, String name, String policy, List<Layout> layouts) {
     List<Ratio> hifi = ratios(variant, variant.hifi(), policy, layouts);
     List<Ratio> camsim = ratios(variant, variant.camsim(), policy, layouts);
     int seeds = hifi.get(0).performance().length;

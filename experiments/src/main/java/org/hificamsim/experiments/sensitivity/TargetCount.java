@@ -12,8 +12,8 @@ import org.hificamsim.core.scenario.Waypoint;
 
 /**
  * A scenario with another number of targets: the first ones of the file, then further ones of the
- * same kind. On a script these start on the corners that are free, then halfway between corners;
- * at random, at places drawn once and for all, the same in every run.
+ * same kind. On a script these start on the corners that are free, then halfway between corners; at
+ * random, at places drawn once and for all, the same in every run.
  */
 final class TargetCount {
   private static final long SEED = 71;
@@ -72,8 +72,7 @@ final class TargetCount {
     MovementSpec movement =
         new MovementSpec(
             like.movement().name(), like.movement().mean(), like.movement().std(), path);
-    return target(
-        like, others, path.get(0).x(), path.get(0).y(), like.heading(), movement);
+    return target(like, others, path.get(0).x(), path.get(0).y(), like.heading(), movement);
   }
 
   /** The same way round, from a corner or else the middle of a side where none starts yet. */
@@ -111,14 +110,6 @@ final class TargetCount {
       MovementSpec movement) {
     double features = others.get(others.size() - 1).features() + 1;
     return new TargetSpec(
-        like.origin(),
-        features,
-        x,
-        y,
-        heading,
-        like.speed(),
-        like.size(),
-        movement,
-        like.extras());
+        like.origin(), features, x, y, heading, like.speed(), like.size(), movement, like.extras());
   }
 }
