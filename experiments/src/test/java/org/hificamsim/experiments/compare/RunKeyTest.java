@@ -52,8 +52,7 @@ class RunKeyTest {
 
   @Test
   void differsWithTheSensorOfAModelFileWhereTheMountHeightMakesItCount() throws IOException {
-    assertNotEquals(
-        key(scenario(), model("0.0224"), 0.05), key(scenario(), model("0.0360"), 0.05));
+    assertNotEquals(key(scenario(), model("0.0224"), 0.05), key(scenario(), model("0.0360"), 0.05));
   }
 
   private Scenario scenario() throws IOException {
