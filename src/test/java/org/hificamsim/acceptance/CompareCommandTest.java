@@ -149,6 +149,7 @@ class CompareCommandTest {
         "--policies walk | unknown policy 'walk', expected one of zoom-out",
         "--threads -1 | --threads is -1",
         "--repeat 0 | --repeat is 0",
+        "--seed 9223372036854775779 | --seed is 9223372036854775779, expected at most",
       })
   void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
     Path out = folder.resolve("out");
@@ -162,6 +163,17 @@ class CompareCommandTest {
     assertEquals(1, compare.err().lines().count(), compare.err());
     assertTrue(compare.err().contains(expected), compare.err());
     assertFalse(Files.exists(out));
+  }
+
+  @Test
+  void refusesAnOutputFolderThatIsAFile() throws IOException {
+    Path file = Files.writeString(folder.resolve("taken"), "mine");
+    for (Path out : List.of(file, file.resolve("below"))) {
+      Cli compare = Cli.run(words(out, 1, 1));
+      assertEquals(2, compare.exit(), compare.err());
+      assertTrue(compare.err().startsWith("error: --out '" + out + "' "), compare.err());
+    }
+    assertEquals("mine", Files.readString(file));
   }
 
   private static Object[] words(Path out, int steps, int repeats, Object... more) {

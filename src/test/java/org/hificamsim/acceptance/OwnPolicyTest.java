@@ -1,6 +1,7 @@
 package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
@@ -79,6 +80,24 @@ class OwnPolicyTest {
     String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(2, run.waitFor(), said);
     assertTrue(said.contains("unknown option 'patients=3', expected one of patience"), said);
+  }
+
+  @Test
+  void aServiceWithoutItsClassIsOneErrorLine(@TempDir Path jar) throws Exception {
+    Path services = Files.createDirectories(jar.resolve("META-INF/services"));
+    Files.writeString(services.resolve(ZoomPolicy.class.getName()), "org.example.Missing");
+    Process run =
+        Java.main(
+            System.getProperty("java.class.path") + File.pathSeparator + jar,
+            "run",
+            Cli.scenario("lattice-random"),
+            "--out",
+            jar.resolve("none"));
+    String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(1, run.waitFor(), said);
+    assertEquals(1, said.lines().count(), said);
+    assertTrue(said.startsWith("error: ") && said.contains("org.example.Missing"), said);
+    assertFalse(Files.exists(jar.resolve("none")));
   }
 
   @TestFactory

@@ -25,7 +25,12 @@ public record Place(String file, int line, int column) {
         problem.length() <= LONGEST_PROBLEM
             ? problem
             : problem.substring(0, LONGEST_PROBLEM) + "...";
-    return UNPRINTABLE.matcher(this + ": " + shortened).replaceAll(" ");
+    return printable(this + ": " + shortened);
+  }
+
+  /** A text as one line without control characters, which could speak to the terminal. */
+  public static String printable(String text) {
+    return UNPRINTABLE.matcher(text).replaceAll(" ");
   }
 
   @Override

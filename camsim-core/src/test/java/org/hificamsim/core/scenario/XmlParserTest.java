@@ -141,10 +141,7 @@ class XmlParserTest {
           fault("<r><a>\n</r>".getBytes(StandardCharsets.UTF_8)));
       byte[] bytes = "<r>\n<a x='?'/></r>".getBytes(StandardCharsets.UTF_8);
       bytes[10] = (byte) 0xff;
-      assertEquals(
-          "2:7: not well-formed XML, expected a scenario file: Invalid byte 1 of 1-byte UTF-8"
-              + " sequence.",
-          fault(bytes));
+      assertEquals("2:7: byte 0xFF is not UTF-8, expected text in that encoding", fault(bytes));
     } finally {
       Locale.setDefault(before);
       System.setErr(err);

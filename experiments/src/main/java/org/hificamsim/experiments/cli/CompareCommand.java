@@ -126,6 +126,7 @@ final class CompareCommand implements Callable<Integer> {
   private List<RunPlan> plans(Catalogue catalogue) {
     Numbers.inRange("--steps", steps, 1, MOST_STEPS);
     Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
+    Numbers.seeds(seed, repeats);
     Numbers.inRange("--threads", threads, 0, MOST_THREADS);
     List<DetectionModel> models = new ArrayList<>();
     for (String name : detections.split(",", -1)) {

@@ -27,7 +27,9 @@ final class ListCommand implements Runnable {
         spec.commandLine(), "list what? Expected detections, policies or scenarios");
   }
 
-  @Command(description = "Detection models, with their default threshold.")
+  @Command(
+      description = "Detection models, with their default threshold.",
+      mixinStandardHelpOptions = true)
   void detections() {
     for (Registry.Entry<DetectionModel> entry : Catalogue.load().detections().entries()) {
       DetectionModel model = Catalogue.load().detections().create(entry.name());
@@ -38,7 +40,9 @@ final class ListCommand implements Runnable {
     }
   }
 
-  @Command(description = "Zoom policies, with their options and defaults.")
+  @Command(
+      description = "Zoom policies, with their options and defaults.",
+      mixinStandardHelpOptions = true)
   void policies() {
     Registry<ZoomPolicy> policies = Catalogue.load().policies();
     for (Registry.Entry<ZoomPolicy> entry : policies.entries()) {
@@ -55,7 +59,9 @@ final class ListCommand implements Runnable {
     out().flush();
   }
 
-  @Command(description = "The scenarios that come with the simulator.")
+  @Command(
+      description = "The scenarios that come with the simulator.",
+      mixinStandardHelpOptions = true)
   void scenarios() throws IOException {
     Catalogue catalogue = Catalogue.load();
     for (Path file : ShippedScenarios.files()) {

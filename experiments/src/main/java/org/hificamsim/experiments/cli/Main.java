@@ -2,7 +2,9 @@ package org.hificamsim.experiments.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.ServiceConfigurationError;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.experiments.output.ManifestFile;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -45,13 +47,18 @@ public final class Main implements Runnable {
 
   /** Runs one command. */
   public static int execute(PrintWriter out, PrintWriter err, String... args) {
-    return new CommandLine(new Main())
-        .setOut(out)
-        .setErr(err)
-        .setCaseInsensitiveEnumValuesAllowed(true)
-        .setParameterExceptionHandler((fault, words) -> usage(fault))
-        .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command))
-        .execute(args);
+    CommandLine line =
+        new CommandLine(new Main())
+            .setOut(out)
+            .setErr(err)
+            .setCaseInsensitiveEnumValuesAllowed(true)
+            .setParameterExceptionHandler((fault, words) -> usage(fault))
+            .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command));
+    try {
+      return line.execute(args);
+    } catch (OutOfMemoryError | StackOverflowError | LinkageError | ServiceConfigurationError e) {
+      return failure(e, line);
+    }
   }
 
   @Override
@@ -68,7 +75,7 @@ public final class Main implements Runnable {
     return BAD_INPUT;
   }
 
-  private static int failure(Exception fault, CommandLine command) {
+  private static int failure(Throwable fault, CommandLine command) {
     if (Boolean.getBoolean("hificamsim.debug")) {
       fault.printStackTrace(command.getErr());
     }
@@ -81,7 +88,7 @@ public final class Main implements Runnable {
   }
 
   private static void print(CommandLine command, String message) {
-    command.getErr().println("error: " + message);
+    command.getErr().println("error: " + Place.printable(message));
     command.getErr().flush();
   }
 

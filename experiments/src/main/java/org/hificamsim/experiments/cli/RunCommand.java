@@ -119,6 +119,7 @@ final class RunCommand implements Callable<Integer> {
   private RunPlan plan(Catalogue catalogue) {
     Numbers.inRange("--steps", steps, 1, MOST_STEPS);
     Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
+    Numbers.seeds(seed, repeats);
     if (threshold != null) {
       Numbers.proportion("--threshold", threshold);
     }

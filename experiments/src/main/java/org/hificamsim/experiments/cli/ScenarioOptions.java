@@ -3,6 +3,7 @@ package org.hificamsim.experiments.cli;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
@@ -33,7 +34,7 @@ final class ScenarioOptions {
         ScenarioReader.read(
             file,
             catalogue.movements().names()::contains,
-            warning -> err.println("warning: " + warning));
+            warning -> err.println("warning: " + Place.printable(warning)));
     if (newOrder != null) {
       scenario = scenario.withOrder(newOrder);
     }

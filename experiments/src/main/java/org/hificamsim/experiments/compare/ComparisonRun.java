@@ -1,7 +1,6 @@
 package org.hificamsim.experiments.compare;
 
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.experiments.output.OutputFolder;
@@ -48,7 +47,6 @@ public final class ComparisonRun {
   /** Runs all plans and writes the extras alone. */
   public List<CaseResult> executeWithoutTables(List<RunPlan> plans, Path out, Extras extras)
       throws IOException {
-    Files.createDirectories(out);
     try (OutputFolder folder = new OutputFolder(out);
         Journal journal = new Journal(out, resume)) {
       List<CaseResult> all = comparison.run(Comparison.withOptimum(plans), journal);

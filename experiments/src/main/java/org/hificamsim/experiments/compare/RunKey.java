@@ -13,8 +13,9 @@ import org.hificamsim.experiments.run.RunPlan;
 /**
  * What a run's result depends on, as a digest: two runs with the same key give the same result.
  *
- * <p>A detection model is known by its values on a fixed grid, so that an edited model file, or a
- * user's changed jar, is another model.
+ * <p>A detection model is known by its values on a fixed grid at the scenario's mount height, so
+ * that an edited model file, or a user's changed jar, is another model. A policy is known by its
+ * name and options alone.
  */
 final class RunKey {
   private RunKey() {}
@@ -29,15 +30,15 @@ final class RunKey {
             ScenarioWriter.write(plan.scenario()),
             plan.policy(),
             String.valueOf(plan.steps()),
-            values(plan.detection()));
+            values(plan.detection(), plan.scenario().mountHeight().orElse(Double.NaN)));
     return HexFormat.of().formatHex(digest().digest(all.getBytes(StandardCharsets.UTF_8)));
   }
 
-  private static String values(Detection detection) {
+  private static String values(Detection detection, double mountHeight) {
     StringBuilder values = new StringBuilder(detection.model().name());
     values.append(' ').append(detection.threshold());
     for (double radius = 1; radius <= 16; radius *= 2) {
-      ZoomLevel zoom = new ZoomLevel(radius, 1, 16, Double.NaN, 2 * Math.PI);
+      ZoomLevel zoom = new ZoomLevel(radius, 1, 16, mountHeight, 2 * Math.PI);
       for (double distance = 0; distance <= radius; distance += radius / 8) {
         values.append(' ').append(detection.model().confidence(0.5, distance, 0.25, zoom));
       }

@@ -6,6 +6,7 @@ import java.util.function.IntFunction;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
 import org.hificamsim.experiments.catalogue.Catalogue;
@@ -38,6 +39,9 @@ public final class RunExecutor {
     List<StepListener> all = new ArrayList<>(listeners);
     all.add(0, coverage);
     ZoomPolicy policy = catalogue.policies().create(plan.policy());
+    if (policy instanceof HindsightZoomPolicy hindsight) {
+      rehearse(plan, run, hindsight);
+    }
     simulation(plan, run, policy, all).run(plan.steps());
     return RunResult.of(run, plan.seed(run), coverage, policy.messages());
   }
@@ -49,6 +53,12 @@ public final class RunExecutor {
    */
   public void check(RunPlan plan) {
     simulation(plan, 0, catalogue.policies().create(plan.policy()), List.of());
+  }
+
+  private void rehearse(RunPlan plan, int run, HindsightZoomPolicy policy) {
+    StepListener rehearsal = (network, coverage) -> policy.rehearse(network);
+    ZoomPolicy widest = catalogue.policies().create("zoom-out");
+    simulation(plan, run, widest, List.of(rehearsal)).run(plan.steps());
   }
 
   private Simulation simulation(
