@@ -14,6 +14,7 @@ import org.hificamsim.experiments.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.Comparison;
 import org.hificamsim.experiments.compare.ComparisonRun;
+import org.hificamsim.experiments.figures.ComparisonFigures;
 import org.hificamsim.experiments.output.ManifestFile;
 import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
@@ -107,12 +108,14 @@ final class CompareCommand implements Callable<Integer> {
           .execute(
               plans,
               out,
-              (folder, results) ->
-                  ManifestFile.write(
-                      folder.open("manifest.json"),
-                      spec.commandLine().getParent().getParseResult().originalArgs(),
-                      started,
-                      (long) runs * steps));
+              (folder, results) -> {
+                ComparisonFigures.write(folder, results);
+                ManifestFile.write(
+                    folder.open("manifest.json"),
+                    spec.commandLine().getParent().getParseResult().originalArgs(),
+                    started,
+                    (long) runs * steps);
+              });
     }
   }
 

@@ -2,13 +2,8 @@ package org.hificamsim.experiments.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
-import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
@@ -24,9 +19,6 @@ import picocli.CommandLine.Spec;
     description = "Lists detection models, policies or scenarios.",
     mixinStandardHelpOptions = true)
 final class ListCommand implements Runnable {
-  /** Where the launcher says the project is; the working directory otherwise. */
-  private static final Path HOME = Path.of(System.getProperty("hificamsim.root", ""));
-
   @Spec private CommandSpec spec;
 
   @Override
@@ -72,24 +64,11 @@ final class ListCommand implements Runnable {
       mixinStandardHelpOptions = true)
   void scenarios() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    for (Path file : scenarioFiles()) {
+    for (Path file : ShippedScenarios.files()) {
       line(
           file.toString(),
           Descriptions.of(
               ScenarioReader.read(file, catalogue.movements().names()::contains, warning -> {})));
-    }
-  }
-
-  private static List<Path> scenarioFiles() throws IOException {
-    Path folder = HOME.resolve("scenarios");
-    if (!Files.isDirectory(folder)) {
-      throw new InputException("no folder '" + folder + "', expected to run in the project");
-    }
-    try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .filter(file -> file.toString().endsWith(".xml"))
-          .sorted()
-          .collect(Collectors.toList());
     }
   }
 

@@ -24,6 +24,9 @@ import picocli.CommandLine.Spec;
     subcommands = {
       RunCommand.class,
       CompareCommand.class,
+      ReproduceCommand.class,
+      SensitivityCommand.class,
+      PlotCommand.class,
       ValidateCommand.class,
       ListCommand.class
     },
@@ -61,7 +64,8 @@ public final class Main implements Runnable {
   @Override
   public void run() {
     throw new ParameterException(
-        spec.commandLine(), "no command, expected run, compare, validate or list");
+        spec.commandLine(),
+        "no command, expected run, compare, reproduce, sensitivity, plot, validate or list");
   }
 
   private static int usage(ParameterException fault) {

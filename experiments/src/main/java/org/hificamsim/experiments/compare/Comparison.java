@@ -122,6 +122,7 @@ public final class Comparison {
     private final String key;
     private final Outcome[] outcomes;
     private final double[] settling;
+    private final double[][] levels;
     private final long[] sums;
 
     CaseUnderWay(RunPlan plan) {
@@ -129,6 +130,7 @@ public final class Comparison {
       this.key = RunKey.of(plan);
       this.outcomes = new Outcome[plan.repeats()];
       this.settling = new double[plan.repeats()];
+      this.levels = new double[plan.repeats()][];
       this.sums = new long[plan.steps()];
     }
 
@@ -157,6 +159,7 @@ public final class Comparison {
         sums[step] += outcome.kMin()[step];
       }
       settling[repeat] = Settling.of(outcome.kMin());
+      levels[repeat] = Levels.of(outcome.kMin());
       outcomes[repeat] = new Outcome(outcome.result().asRun(repeat), new int[0]);
     }
 
@@ -170,7 +173,10 @@ public final class Comparison {
                 settling[repeat]));
       }
       return new CaseResult(
-          plan, runs, Arrays.stream(sums).mapToDouble(sum -> sum / (double) runs.size()).toArray());
+          plan,
+          runs,
+          Arrays.stream(sums).mapToDouble(sum -> sum / (double) runs.size()).toArray(),
+          levels);
     }
   }
 }

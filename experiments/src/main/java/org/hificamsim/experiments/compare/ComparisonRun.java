@@ -35,10 +35,21 @@ public final class ComparisonRun {
    * @return one result per plan, then those of the optima that had to be added
    */
   public List<CaseResult> execute(List<RunPlan> plans, Path out, Extras extras) throws IOException {
+    return executeWithoutTables(
+        plans,
+        out,
+        (folder, all) -> {
+          new ResultFiles(folder).write(all.subList(0, plans.size()), all);
+          extras.write(folder, all);
+        });
+  }
+
+  /** Runs all plans and writes the extras alone. */
+  public List<CaseResult> executeWithoutTables(List<RunPlan> plans, Path out, Extras extras)
+      throws IOException {
     try (OutputFolder folder = new OutputFolder(out);
         Journal journal = new Journal(out, resume)) {
       List<CaseResult> all = comparison.run(Comparison.withOptimum(plans), journal);
-      new ResultFiles(folder).write(all.subList(0, plans.size()), all);
       extras.write(folder, all);
       folder.commit(List.of());
       journal.finish();
