@@ -1,6 +1,7 @@
 package org.hificamsim.experiments.cli;
 
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ServiceConfigurationError;
 import org.hificamsim.core.InputException;
@@ -82,6 +83,9 @@ public final class Main implements Runnable {
     if (fault instanceof InputException) {
       print(command, fault.getMessage());
       return BAD_INPUT;
+    }
+    if (fault instanceof UncheckedIOException io) {
+      return failure(io.getCause(), command);
     }
     print(command, oneLine(fault.getClass().getSimpleName() + ": " + fault.getMessage()));
     return FAILURE;
