@@ -41,8 +41,7 @@ class CamSimNetworkTraceTest {
   @CsvSource(delimiter = '|', textBlock = RUNS)
   void confidencesEqualTheRecordedOnes(String trace, String scenario, String options) {
     Map<Key, Double> ours = new HashMap<>();
-    RecordedRun.of(scenario, options)
-        .run((world, network) -> addConfidences(world, network, ours));
+    RecordedRun.of(scenario, options).run((world, network) -> addConfidences(world, network, ours));
     assertEqualTo(trace + ".confidences.csv", ours);
   }
 
@@ -79,8 +78,6 @@ class CamSimNetworkTraceTest {
 
   private static Key key(World world, Network network, int camera, int target) {
     return new Key(
-        (int) network.figures().step(),
-        world.cameras().name(camera),
-        world.targets().name(target));
+        (int) network.figures().step(), world.cameras().name(camera), world.targets().name(target));
   }
 }

@@ -79,9 +79,7 @@ public final class AgentSetups {
   }
 
   private boolean frozen(int comm, Optional<String> custom) {
-    boolean byPolicy =
-        comm == FIX
-            || (comm == CUSTOM && custom.map(OLD_FIX::equals).orElse(false));
+    boolean byPolicy = comm == FIX || (comm == CUSTOM && custom.map(OLD_FIX::equals).orElse(false));
     return byPolicy || (!settings.has(Quirk.Q5) && graphIsStatic);
   }
 

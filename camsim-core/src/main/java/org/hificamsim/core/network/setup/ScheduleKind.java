@@ -23,11 +23,11 @@ public enum ScheduleKind implements Named {
       "epics.ai.dynamicZoom.NewActiveBCBanditRange");
 
   private final String shortName;
-  private final List<String> classNames;
+  private final String classNames;
 
   ScheduleKind(String shortName, String... classNames) {
     this.shortName = shortName;
-    this.classNames = List.of(classNames);
+    this.classNames = String.join(" ", classNames);
   }
 
   @Override
@@ -37,12 +37,12 @@ public enum ScheduleKind implements Named {
 
   @Override
   public List<String> classNames() {
-    return classNames;
+    return List.of(classNames.split(" "));
   }
 
   /** The current class's canonical name, as CamSim's saved scenarios have it. */
   public String canonicalName() {
-    return classNames.get(0).replace('$', '.');
+    return classNames().get(0).replace('$', '.');
   }
 
   /** Whether targets are advertised in every step. */

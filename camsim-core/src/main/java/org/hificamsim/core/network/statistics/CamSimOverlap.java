@@ -1,11 +1,40 @@
 package org.hificamsim.core.network.statistics;
 
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.World;
+
 /**
  * CamSim's overlap of two cameras (section 10.2, quirk Q11): two circle segments, opening angles
- * ignored, right for some positions only; kept for its numbers. {@code ExactOverlap} is right.
+ * ignored, right for some positions only; kept for its numbers. {@link ExactOverlap} is right.
  */
-final class CamSimOverlap {
-  private CamSimOverlap() {}
+final class CamSimOverlap implements OverlapTable.Pair {
+  private final Cameras cameras;
+  private final Field field;
+
+  CamSimOverlap(World world) {
+    cameras = world.cameras();
+    field = world.scenario().field();
+  }
+
+  @Override
+  public double overlap(int first, int second) {
+    return of(x(first), y(first), range(first), x(second), y(second), range(second));
+  }
+
+  /** From the left border, as CamSim counts. */
+  private double x(int camera) {
+    return cameras.x(camera) - field.minX();
+  }
+
+  /** From the top, as CamSim counts. */
+  private double y(int camera) {
+    return (field.minY() + cameras.y(camera)) * -1;
+  }
+
+  private double range(int camera) {
+    return cameras.zoom(camera, cameras.level(camera)).radius();
+  }
 
   /** In square metres, of the camera at (x1, y1) with range a and a later one with range b. */
   static double of(double x1, double y1, double a, double x2, double y2, double b) {

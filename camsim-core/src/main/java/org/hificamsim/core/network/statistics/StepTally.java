@@ -24,7 +24,7 @@ public final class StepTally {
 
   public StepTally(World world, CameraFigures figures, Sightings sightings, MessageQueue queue) {
     this.targets = world.targets();
-    this.overlaps = new OverlapTable(world);
+    this.overlaps = new OverlapTable(world, new CamSimOverlap(world));
     this.figures = figures;
     this.sightings = sightings;
     this.queue = queue;
