@@ -1,6 +1,7 @@
 package org.hificamsim.core.network;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.network.agent.Agent;
 import org.hificamsim.core.network.auction.Trader;
@@ -50,7 +51,7 @@ final class AgentFactory {
         new InitialLinks(
             names,
             settings.graph() == GraphUse.IGNORED
-                ? java.util.Optional.empty()
+                ? Optional.empty()
                 : world.scenario().visionGraph());
     fromFile = world.scenario().cameras().size();
   }

@@ -52,7 +52,7 @@ final class CameraErrors {
     int camera = random.nextInt(cameras);
     int duration = random.nextInt(DURATIONS);
     if (!forEver[camera]) {
-      stepsLeft[camera] = duration;
+      stepsLeft[camera] = duration - 1; // this step's count is over
       world.switchCamera(camera, duration == 0);
     }
     if (random.nextInt(PERCENT) > resetLevel) {
@@ -62,7 +62,7 @@ final class CameraErrors {
 
   private void countDown(int cameras) {
     for (int camera = 0; camera < cameras; camera++) {
-      if (!world.cameras().online(camera) && !forEver[camera] && stepsLeft[camera]-- == 0) {
+      if (!world.cameras().online(camera) && !forEver[camera] && stepsLeft[camera]-- <= 0) {
         world.switchCamera(camera, true);
       }
     }

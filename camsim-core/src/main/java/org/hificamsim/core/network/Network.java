@@ -1,12 +1,15 @@
 package org.hificamsim.core.network;
 
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.network.agent.Agent;
 import org.hificamsim.core.network.agent.Searches;
 import org.hificamsim.core.network.message.MessageKind;
 import org.hificamsim.core.network.message.MessageQueue;
+import org.hificamsim.core.network.message.Receiver;
 import org.hificamsim.core.network.setup.NetworkSettings;
 import org.hificamsim.core.network.setup.Quirk;
 import org.hificamsim.core.network.setup.ScheduleKind;
@@ -29,6 +32,7 @@ public final class Network implements Cooperation, WorldObserver {
   private final Cameras cameras;
   private final Sightings sightings;
   private final MessageQueue queue = new MessageQueue();
+  private final Receiver receiver = this::receive;
   private final CameraErrors errors;
   private final CameraFigures figures;
   private final StepTally tally;
@@ -62,7 +66,7 @@ public final class Network implements Cooperation, WorldObserver {
     schedules = new ScheduleKind[cameras.count()];
     BidderHashes hashes = new BidderHashes(cameras, sightings, agents, schedules);
     double[] features = new double[world.targets().count()];
-    java.util.Arrays.setAll(features, target -> world.targetSpec(target).features());
+    Arrays.setAll(features, target -> world.targetSpec(target).features());
     around =
         new Agent.Surroundings(
             cameras,
@@ -94,13 +98,13 @@ public final class Network implements Cooperation, WorldObserver {
     for (int camera = 0; camera < added; camera++) {
       if (cameras.online(camera)) {
         members[camera].trader().advertise();
-        queue.deliver(this::receive);
+        queue.deliver(receiver);
       }
     }
     for (int camera = 0; camera < added; camera++) {
       if (cameras.online(camera)) {
         members[camera].trader().bid(sightings.visible(camera));
-        queue.deliver(this::receive);
+        queue.deliver(receiver);
       }
     }
     for (int camera = 0; camera < added; camera++) {
@@ -134,7 +138,7 @@ public final class Network implements Cooperation, WorldObserver {
     double earned = switching ? figures.utility(agent) + agent.received() - agent.paid() : 0;
     int sent = agent.sent();
     member.trader().settle();
-    queue.deliver(this::receive);
+    queue.deliver(receiver);
     figures.measure(agent);
     if (member.zooming() != null) {
       member.zooming().updated(agent, figures);
@@ -161,7 +165,7 @@ public final class Network implements Cooperation, WorldObserver {
     if (agents[camera] == null) {
       return List.of();
     }
-    return java.util.stream.IntStream.range(0, agents[camera].owned().size())
+    return IntStream.range(0, agents[camera].owned().size())
         .mapToObj(agents[camera].owned()::get)
         .toList();
   }

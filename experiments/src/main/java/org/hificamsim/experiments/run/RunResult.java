@@ -21,7 +21,8 @@ public record RunResult(
     double covered1,
     double coveredK,
     double meanK) {
-  static RunResult of(int run, long seed, RunCoverage coverage) {
+  /** The result of a repeat whose coverage has been added up. */
+  public static RunResult of(int run, long seed, RunCoverage coverage) {
     return new RunResult(
         run,
         seed,

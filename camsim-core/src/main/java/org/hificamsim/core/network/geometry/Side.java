@@ -62,5 +62,4 @@ record Side(double fromX, double fromY, double directionX, double directionY, do
       cuts.add(((px - fromX) * dy - (py - fromY) * dx) / across / length);
     }
   }
-
 }
