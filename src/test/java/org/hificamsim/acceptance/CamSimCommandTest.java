@@ -89,7 +89,8 @@ class CamSimCommandTest {
     Path extra = folder.resolve("extra.csv");
     Path coverage = folder.resolve("coverage");
     Cli run =
-        camsim("-t 40 -a active -c 0 --extra-out " + extra + " --coverage-out " + coverage, SCENARIO);
+        camsim(
+            "-t 40 -a active -c 0 --extra-out " + extra + " --coverage-out " + coverage, SCENARIO);
     assertEquals(0, run.exit(), run.err());
     assertEquals(plain, lines("o.csv"));
     assertEquals("time;cameras_seeing;overlap_area;handovers", lines("extra.csv").get(0));

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import org.hificamsim.core.network.setup.Quirk;
 import org.junit.jupiter.api.Test;
 
@@ -133,8 +132,7 @@ class QuirkTest {
 
   @Test
   void q9ATargetExactlyOnTheCameraIsInvisible() {
-    SmallNetwork network =
-        new SmallNetwork().camera("A", 0, 0, 10, ACTIVE).still("1", 0, 0).run(1);
+    SmallNetwork network = new SmallNetwork().camera("A", 0, 0, 10, ACTIVE).still("1", 0, 0).run(1);
     assertEquals("", network.owners("1.0"));
   }
 
@@ -200,22 +198,19 @@ class QuirkTest {
 
   @Test
   void q19ATieGoesToTheFirstByHashCodeOrElseByList() {
-    int others = 0;
-    for (String name : List.of("C", "D", "E", "F", "G", "H", "I", "J")) {
-      assertEquals("B", tie(name).without(Quirk.Q19).run(2).owners("1.0"));
-      others += tie(name).run(2).owners("1.0").equals(name) ? 1 : 0;
-    }
-    assertTrue(others > 0 && others < 8, others + " ties went to the camera later in the list");
+    assertEquals("I", tie("I", "H").without(Quirk.Q19).run(2).owners("1.0"));
+    assertEquals("H", tie("I", "H").run(2).owners("1.0"), "bucket 3 comes before bucket 6");
   }
 
-  private static SmallNetwork tie(String rival) {
+  private static SmallNetwork tie(String first, String second) {
     return new SmallNetwork()
         .camera("A", 20, 0, 15, ACTIVE)
-        .camera("B", 8, 1, 10, ACTIVE)
-        .camera(rival, 8, -1, 10, ACTIVE)
+        .camera(first, 8, 1, 10, ACTIVE)
+        .camera(second, 8, -1, 10, ACTIVE)
         .still("1", 17, 0)
-        .event("timestep='1' participant='camera' event='change' name='A' x='-40' y='-40'"
-            + " heading='-1' viewing_angle='-1' range='-1'");
+        .event(
+            "timestep='1' participant='camera' event='change' name='A' x='-40' y='-40'"
+                + " heading='-1' viewing_angle='-1' range='-1'");
   }
 
   @Test

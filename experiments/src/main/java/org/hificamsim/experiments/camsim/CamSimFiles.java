@@ -41,8 +41,7 @@ public final class CamSimFiles implements Closeable {
    *
    * @throws org.hificamsim.core.InputException when one of them cannot be made
    */
-  public CamSimFiles(Places places, RunPlan plan, World world, Network network)
-      throws IOException {
+  public CamSimFiles(Places places, RunPlan plan, World world, Network network) throws IOException {
     this.plan = plan;
     summary = new SummaryRows(places.summary().orElse(SummaryRows.beside(places.output())));
     listeners.add((view, measured) -> sums.add(network.figures()));
