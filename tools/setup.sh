@@ -52,7 +52,7 @@ install_missing() {
     say "installing $missing"
     log=$(mktemp)
     # shellcheck disable=SC2086 # several packages, several words
-    if ! { $as_root apt-get update &&
+    if ! { $as_root apt-get update || true # one dead source need not stop the rest
         $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
             install -y --no-install-recommends $missing; } >"$log" 2>&1 </dev/null; then
         cat "$log" >&2

@@ -99,6 +99,7 @@ class RunCommandTest {
         "--steps abc | 'abc'",
         "--repeat 0 | --repeat is 0",
         "--seed x | 'x'",
+        "--seed 9223372036854775807 --repeat 2 | --seed is 9223372036854775807, expected at most",
         "--threshold 1.5 | --threshold is 1.5, expected a number from 0 to 1",
         "--threshold NaN | --threshold is NaN",
         "--detection hifi:orb-cubic | unknown detection 'hifi:orb-cubic', expected one of camsim",
@@ -125,6 +126,35 @@ class RunCommandTest {
     assertTrue(run.err().contains(expected), run.err());
     assertEquals("", run.out());
     assertFalse(Files.exists(out));
+  }
+
+  @Test
+  void tellsFaultsOnOneLineWhateverTheWordsHold() {
+    for (String word : List.of("two\nlines", "es\u001b[31mcape")) {
+      for (Cli run :
+          List.of(
+              Cli.run("run", LATTICE, "--policy", word, "--out", folder.resolve("out")),
+              Cli.run("run", LATTICE, "--detection", word, "--out", folder.resolve("out")),
+              Cli.run("run", folder.resolve(word)),
+              Cli.run("validate", folder.resolve(word)))) {
+        assertEquals(2, run.exit(), run.err());
+        assertEquals(1, run.err().lines().count(), run.err());
+        assertFalse(run.err().contains("\u001b"), run.err());
+      }
+    }
+  }
+
+  @Test
+  void warnsOnOneLineWhateverAnAttributeHolds() throws IOException {
+    Path scenario = folder.resolve("own.xml");
+    Files.writeString(
+        scenario,
+        Files.readString(LATTICE).replaceFirst("<camera ", "<camera hue=\"&#x9b;31m&#10;\" "));
+    Cli run = Cli.run("run", scenario, "--steps", 1, "--out", folder);
+    assertEquals(0, run.exit(), run.err());
+    String told = run.err().lines().filter(line -> line.contains("hue=")).findFirst().orElseThrow();
+    assertTrue(told.startsWith("warning: " + scenario + ":"), told);
+    assertFalse(told.contains("\u009b"), told);
   }
 
   @Test

@@ -84,6 +84,17 @@ class ValidateAndListTest {
   }
 
   @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "run", "compare", "validate", "list", "list detections", "list policies", "list scenarios"
+      })
+  void everyCommandHasHelp(String words) {
+    Cli help = Cli.run((Object[]) (words + " --help").split(" "));
+    assertEquals(0, help.exit(), help.err());
+    assertTrue(help.out().startsWith("Usage: hificamsim " + words), help.out());
+  }
+
+  @ParameterizedTest
   @ValueSource(strings = {"", "list", "walk", "list nothing", "run"})
   void wrongCommandsAreOneErrorLineAndExitCode2(String words) {
     Cli wrong = words.isEmpty() ? Cli.run() : Cli.run((Object[]) words.split(" "));

@@ -1,11 +1,18 @@
 package org.hificamsim.agents;
 
 import org.hificamsim.agents.bandit.EpsilonGreedyZoomPolicy;
+import org.hificamsim.agents.bandit.SoftmaxZoomPolicy;
+import org.hificamsim.agents.bandit.Ucb1ZoomPolicy;
 import org.hificamsim.agents.baseline.FixedZoomPolicy;
 import org.hificamsim.agents.baseline.RandomZoomPolicy;
 import org.hificamsim.agents.baseline.ZoomInPolicy;
 import org.hificamsim.agents.baseline.ZoomOutPolicy;
+import org.hificamsim.agents.hindsight.BestFixedZoomPolicy;
+import org.hificamsim.agents.optimal.OneHopZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalZoomPolicy;
+import org.hificamsim.agents.temporal.QLearningZoomPolicy;
+import org.hificamsim.agents.temporal.SarsaZoomPolicy;
+import org.hificamsim.agents.voting.QbSarsaZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 
@@ -26,8 +33,36 @@ public final class CoveragePolicies {
             "the exactly best k_min of each step, with global knowledge",
             OptimalZoomPolicy::new)
         .register(
+            OneHopZoomPolicy.NAME,
+            "the exactly best k_min when each camera moves at most one level, global knowledge",
+            OneHopZoomPolicy::from)
+        .register(
+            BestFixedZoomPolicy.NAME,
+            "the best constant configuration of the very run, in hindsight",
+            BestFixedZoomPolicy::from)
+        .register(
             EpsilonGreedyZoomPolicy.NAME,
             "bandit: the level with the best average count, sometimes another",
-            EpsilonGreedyZoomPolicy::from);
+            EpsilonGreedyZoomPolicy::from)
+        .register(
+            Ucb1ZoomPolicy.NAME,
+            "bandit: the level with the best upper confidence bound",
+            Ucb1ZoomPolicy::from)
+        .register(
+            SoftmaxZoomPolicy.NAME,
+            "bandit: levels drawn the more often, the better their average count",
+            SoftmaxZoomPolicy::from)
+        .register(
+            SarsaZoomPolicy.NAME,
+            "on-policy temporal-difference learning of each camera on its own",
+            SarsaZoomPolicy::from)
+        .register(
+            QLearningZoomPolicy.NAME,
+            "off-policy temporal-difference learning of each camera on its own",
+            QLearningZoomPolicy::from)
+        .register(
+            QbSarsaZoomPolicy.NAME,
+            "SARSA that follows the majority vote of the nearest cameras",
+            QbSarsaZoomPolicy::from);
   }
 }

@@ -8,6 +8,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
 import java.util.function.DoublePredicate;
+import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 
@@ -18,6 +19,11 @@ import org.hificamsim.core.Spelling;
  * the value and what was expected.
  */
 final class Attributes {
+  /** Characters of a value that an error line shows. */
+  static final int MOST_QUOTED = 60;
+
+  private static final Pattern XML_OWN = Pattern.compile("xmlns(:.*)?|xml:.*|xsi:.*");
+
   private final XmlElement element;
   private final Map<String, String> rest;
 
@@ -59,8 +65,9 @@ final class Attributes {
     return text == null ? OptionalInt.empty() : OptionalInt.of(parse(name, text, least, most));
   }
 
-  String text(String name) {
-    return required(name, "a name");
+  /** Any text, even none. */
+  String text(String name, String expected) {
+    return required(name, expected);
   }
 
   Optional<String> optionalText(String name) {
@@ -75,31 +82,36 @@ final class Attributes {
     }
     Class<E> type = defaultValue.getDeclaringClass();
     return Spelling.find(type, text)
-        .orElseThrow(() -> invalid(name, text, "one of " + Spelling.all(type)));
+        .orElseThrow(() -> invalid(name, "one of " + Spelling.all(type)));
   }
 
-  /** What nobody read; each is a warning but for those that are {@code known} to be of no use. */
+  /**
+   * What nobody read; each is a warning but for those that are {@code known} to be of no use, and
+   * for XML's own: names with a prefix belong to others and are left out.
+   */
   Map<String, String> leftOver(Consumer<String> warnings, String... known) {
-    for (String name : rest.keySet()) {
-      if (!Arrays.asList(known).contains(name)) {
+    rest.keySet().removeIf(XML_OWN.asMatchPredicate());
+    for (Map.Entry<String, String> one : rest.entrySet()) {
+      if (!Arrays.asList(known).contains(one.getKey())) {
         warnings.accept(
-            element.place(name)
+            element.place(one.getKey())
                 + ": unknown attribute "
-                + name
+                + one.getKey()
                 + "=\""
-                + rest.get(name)
+                + XmlText.shortened(one.getValue(), MOST_QUOTED)
                 + "\" of <"
                 + element.name()
-                + ">, kept but ignored");
+                + ">, ignored");
       }
     }
+    rest.keySet().removeIf(name -> name.contains(":"));
     Map<String, String> kept = Map.copyOf(rest);
     rest.clear();
     return kept;
   }
 
   /** An error about one attribute's value. */
-  InputException invalid(String name, String value, String expected) {
+  InputException invalid(String name, String expected) {
     return element
         .place(name)
         .error(
@@ -108,7 +120,7 @@ final class Attributes {
                 + "> "
                 + name
                 + " is '"
-                + shortened(value)
+                + XmlText.shortened(element.attributes().getOrDefault(name, ""), MOST_QUOTED)
                 + "', expected "
                 + expected);
   }
@@ -132,7 +144,7 @@ final class Attributes {
     } catch (NumberFormatException e) {
       // told below
     }
-    throw invalid(name, text, expected);
+    throw invalid(name, expected);
   }
 
   private int parse(String name, String text, int least, int most) {
@@ -144,17 +156,12 @@ final class Attributes {
     } catch (NumberFormatException e) {
       // told below
     }
-    throw invalid(name, text, wholeNumber(least, most));
+    throw invalid(name, wholeNumber(least, most));
   }
 
   private static String wholeNumber(int least, int most) {
     return most == Integer.MAX_VALUE
         ? "a whole number of " + least + " or more"
         : "a whole number from " + least + " to " + most;
-  }
-
-  private static String shortened(String value) {
-    String flat = value.replaceAll("\\s+", " ");
-    return flat.length() > 60 ? flat.substring(0, 60) + "..." : flat;
   }
 }

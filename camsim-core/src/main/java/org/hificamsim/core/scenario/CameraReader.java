@@ -5,11 +5,12 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
+import java.util.function.DoublePredicate;
 
 /** Reads cameras, from their own element or from an event that adds one. */
 final class CameraReader {
-  static final String ANGLE = "degrees above 0 and at most 360";
-  static final String RANGE = "a number of 0 or more (m)";
+  private static final String ANGLE = "degrees above 0 and at most 360";
+  private static final String RANGE = "a number of 0 or more (m)";
 
   private final Field field;
   private final Consumer<String> warnings;
@@ -26,12 +27,12 @@ final class CameraReader {
 
   /** The camera of an element, some of whose attributes have been read already. */
   CameraSpec camera(XmlElement element, Attributes attributes) {
-    String name = attributes.text("name");
+    String name = attributes.text("name", "a name that no other camera has");
     if (!names.add(name)) {
-      throw attributes.invalid("name", name, "a camera name that is not taken");
+      throw attributes.invalid("name", "a camera name that is not taken");
     }
-    double x = coordinate(attributes, "x", field.minX(), field.maxX());
-    double y = coordinate(attributes, "y", field.minY(), field.maxY());
+    double x = attributes.number("x", inField(field.minX(), field.maxX()), field::containsX);
+    double y = attributes.number("y", inField(field.minY(), field.maxY()), field::containsY);
     double heading = attributes.number("heading");
     double angle = attributes.number("viewing_angle", ANGLE, value -> value > 0 && value <= 360);
     double range = attributes.number("range", RANGE, value -> value >= 0);
@@ -47,16 +48,31 @@ final class CameraReader {
         attributes.leftOver(warnings, "min_zoom", "max_zoom", "zoom_steps"));
   }
 
+  /** An event that changes a camera, some of whose attributes have been read already. */
+  ScenarioEvent.ChangeCamera change(Attributes attributes, int step) {
+    return new ScenarioEvent.ChangeCamera(
+        step,
+        attributes.text("name", "the name of a camera"),
+        changed(attributes, "x", inField(field.minX(), field.maxX()), field::containsX),
+        changed(attributes, "y", inField(field.minY(), field.maxY()), field::containsY),
+        attributes.number("heading"),
+        changed(attributes, "viewing_angle", ANGLE, value -> value > 0 && value <= 360),
+        changed(attributes, "range", RANGE, value -> value >= 0));
+  }
+
+  private static double changed(
+      Attributes attributes, String name, String expected, DoublePredicate valid) {
+    return attributes.number(
+        name, expected + ", or -1 to leave it", value -> value == -1 || valid.test(value));
+  }
+
   /** Whether a camera of this name has been read. */
   boolean knows(String name) {
     return names.contains(name);
   }
 
-  private static double coordinate(Attributes attributes, String name, double least, double most) {
-    return attributes.number(
-        name,
-        "a number inside the field, " + least + " to " + most,
-        value -> value >= least && value <= most);
+  private static String inField(double least, double most) {
+    return "a number inside the field, " + least + " to " + most;
   }
 
   private static AgentSpec agent(Attributes attributes) {

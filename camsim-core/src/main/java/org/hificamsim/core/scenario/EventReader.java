@@ -27,22 +27,22 @@ final class EventReader {
   }
 
   private record Placed(ScenarioEvent event, XmlElement element) {
-    InputException invalidName(String name, String expected) {
-      return new Attributes(element).invalid("name", name, expected);
+    InputException invalidName(String expected) {
+      return new Attributes(element).invalid("name", expected);
     }
   }
 
   private Placed event(XmlElement element) {
     Attributes attributes = new Attributes(element);
     int step = attributes.integer("timestep", 0, Integer.MAX_VALUE);
-    String participant = attributes.text("participant");
-    String kind = attributes.text("event");
+    String participant = attributes.text("participant", "camera, object or grc");
+    String kind = attributes.text("event", "add, change or error");
     ScenarioEvent event =
         switch (participant) {
           case "camera" -> cameraEvent(element, attributes, step, kind);
           case "object" -> targetEvent(element, attributes, step, kind);
           case "grc" -> registrationEvent(attributes, step, kind);
-          default -> throw attributes.invalid("participant", participant, "camera, object or grc");
+          default -> throw attributes.invalid("participant", "camera, object or grc");
         };
     attributes.leftOver(warnings, "name");
     return new Placed(event, element);
@@ -52,29 +52,14 @@ final class EventReader {
       XmlElement element, Attributes attributes, int step, String kind) {
     return switch (kind) {
       case "add" -> new ScenarioEvent.AddCamera(step, cameras.camera(element, attributes));
-      case "change" -> change(attributes, step);
+      case "change" -> cameras.change(attributes, step);
       case "error" ->
           new ScenarioEvent.FailCamera(
-              step, attributes.text("name"), attributes.integer("duration", -1, Integer.MAX_VALUE));
-      default -> throw attributes.invalid("event", kind, "add, change or error");
+              step,
+              attributes.text("name", "the name of a camera"),
+              attributes.integer("duration", -1, Integer.MAX_VALUE));
+      default -> throw attributes.invalid("event", "add, change or error");
     };
-  }
-
-  private static ScenarioEvent change(Attributes attributes, int step) {
-    return new ScenarioEvent.ChangeCamera(
-        step,
-        attributes.text("name"),
-        attributes.number("x"),
-        attributes.number("y"),
-        attributes.number("heading"),
-        attributes.number(
-            "viewing_angle",
-            CameraReader.ANGLE + ", or -1 to leave it",
-            value -> value == -1 || (value > 0 && value <= 360)),
-        attributes.number(
-            "range",
-            CameraReader.RANGE + ", or -1 to leave it",
-            value -> value == -1 || value >= 0));
   }
 
   private ScenarioEvent targetEvent(
@@ -89,13 +74,13 @@ final class EventReader {
         yield new ScenarioEvent.AddTarget(step, targets.added(element, attributes, identity));
       }
       case "error" -> new ScenarioEvent.RemoveTarget(step, identity);
-      default -> throw attributes.invalid("event", kind, "add or error");
+      default -> throw attributes.invalid("event", "add or error");
     };
   }
 
   private static ScenarioEvent registrationEvent(Attributes attributes, int step, String kind) {
     if (!kind.equals("error")) {
-      throw attributes.invalid("event", kind, "error");
+      throw attributes.invalid("event", "error");
     }
     return new ScenarioEvent.FailRegistration(
         step, attributes.integer("duration", -1, Integer.MAX_VALUE));
@@ -106,7 +91,7 @@ final class EventReader {
     for (Placed one : inTime(placed)) {
       if (one.event() instanceof ScenarioEvent.AddTarget add
           && !present.add(add.target().features())) {
-        throw one.invalidName(add.target().name(), "features that no object present has");
+        throw one.invalidName("features that no object present has");
       }
       if (one.event() instanceof ScenarioEvent.RemoveTarget remove
           && !present.remove(remove.features())) {
@@ -128,7 +113,7 @@ final class EventReader {
               ? change.camera()
               : one.event() instanceof ScenarioEvent.FailCamera fail ? fail.camera() : null;
       if (name != null && !cameras.knows(name)) {
-        throw one.invalidName(name, "the name of a camera");
+        throw one.invalidName("the name of a camera");
       }
     }
   }

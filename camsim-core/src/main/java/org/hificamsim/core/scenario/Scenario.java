@@ -82,6 +82,24 @@ public record Scenario(
         extras);
   }
 
+  /** The same world under another name with other targets and events. */
+  public Scenario with(
+      String newName, List<TargetSpec> newTargets, List<ScenarioEvent> newEvents) {
+    return new Scenario(
+        newName,
+        field,
+        order,
+        headings,
+        threshold,
+        mountHeight,
+        zooms,
+        cameras,
+        newTargets,
+        newEvents,
+        visionGraph,
+        extras);
+  }
+
   /** The same scenario with every target, now or later, under one movement. */
   public Scenario withMovement(String movement) {
     return withTargets(target -> target.withMovement(movement));

@@ -37,6 +37,9 @@ public final class ScenarioReader {
           "graphnode",
           "neighbour");
 
+  private static final Set<String> WITHOUT_ATTRIBUTES =
+      Set.of("cameras", "zoom", "objects", "events");
+
   private final Path path;
   private final XmlElement root;
   private final Predicate<String> movements;
@@ -136,12 +139,10 @@ public final class ScenarioReader {
             attributes.number("min_y"),
             attributes.number("max_y"));
     if (!(field.width() > 0)) {
-      throw new Attributes(simulation)
-          .invalid("max_x", Double.toString(field.maxX()), "more than min_x, " + field.minX());
+      throw new Attributes(simulation).invalid("max_x", "more than min_x, " + field.minX());
     }
     if (!(field.height() > 0)) {
-      throw new Attributes(simulation)
-          .invalid("max_y", Double.toString(field.maxY()), "more than min_y, " + field.minY());
+      throw new Attributes(simulation).invalid("max_y", "more than min_y, " + field.minY());
     }
     return field;
   }
@@ -154,31 +155,40 @@ public final class ScenarioReader {
     Map<String, List<String>> neighbours = new LinkedHashMap<>();
     Set<String> seen = new HashSet<>();
     for (XmlElement node : root.all("graphnode")) {
-      String camera = new Attributes(node).text("name");
+      String camera = nameOf(node);
       if (!seen.add(camera)) {
         warnings.accept(
             node.place("name")
                 + ": a second <graphnode> for '"
-                + camera
+                + XmlText.shortened(camera, Attributes.MOST_QUOTED)
                 + "', the last one counts");
         neighbours.remove(camera);
       }
-      neighbours.put(
-          camera,
-          node.all("neighbour").stream()
-              .map(neighbour -> new Attributes(neighbour).text("name"))
-              .toList());
+      neighbours.put(camera, node.all("neighbour").stream().map(this::nameOf).toList());
     }
-    String isStatic = new Attributes(graphs.get(0)).optionalText("static").orElse("false");
+    Attributes attributes = new Attributes(graphs.get(0));
+    String isStatic = attributes.optionalText("static").orElse("false");
+    attributes.leftOver(warnings);
     return Optional.of(new VisionGraph(Boolean.parseBoolean(isStatic), neighbours));
   }
 
+  private String nameOf(XmlElement element) {
+    Attributes attributes = new Attributes(element);
+    String name = attributes.text("name", "the name of a camera");
+    attributes.leftOver(warnings);
+    return name;
+  }
+
   private void warnAboutUnknownElements() {
+    new Attributes(root).leftOver(warnings);
     root.below()
         .filter(element -> !ELEMENTS.contains(element.name()))
         .forEach(
             element ->
                 warnings.accept(
                     element.place() + ": unknown element <" + element.name() + ">, ignored"));
+    root.below()
+        .filter(element -> WITHOUT_ATTRIBUTES.contains(element.name()))
+        .forEach(element -> new Attributes(element).leftOver(warnings));
   }
 }

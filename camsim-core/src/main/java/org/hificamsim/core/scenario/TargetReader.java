@@ -79,12 +79,16 @@ final class TargetReader {
     if (!movements.test(spec.shortName())) {
       throw attributes.invalid(
           origin == TargetSpec.Origin.EVENT ? "fqName" : "move",
-          movement,
           "a movement such as Straight, Waypoints, Brownian, DirectedBrownian, or one in a jar");
     }
     boolean onPath = spec.shortName().equals("Waypoints");
-    if (onPath && spec.waypoints().isEmpty()) {
-      throw element.place().error("movement Waypoints without <waypoint>, expected at least two");
+    if (spec.waypoints().isEmpty() && (onPath || spec.shortName().equals("Scripted"))) {
+      throw element
+          .place()
+          .error(
+              "movement "
+                  + spec.shortName()
+                  + " without <waypoint>, expected at least two of them");
     }
     if (origin == TargetSpec.Origin.EVENT && movement.isEmpty() && onPath) {
       x = spec.waypoints().get(0).x();
@@ -108,8 +112,7 @@ final class TargetReader {
   private double identity(Attributes attributes) {
     double identity = attributes.number("features");
     if (!features.add(identity)) {
-      throw attributes.invalid(
-          "features", Double.toString(identity), "features that no other object has");
+      throw attributes.invalid("features", "features that no other object has");
     }
     return identity;
   }

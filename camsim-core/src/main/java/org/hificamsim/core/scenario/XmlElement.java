@@ -1,10 +1,12 @@
 package org.hificamsim.core.scenario;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.hificamsim.core.Place;
 
 /** An element of a scenario file, which knows where it stands. */
 final class XmlElement {
@@ -12,9 +14,9 @@ final class XmlElement {
   private final int endLine;
   private final int endColumn;
   private final String name;
-  private final Map<String, String> attributes = new LinkedHashMap<>();
-  private final List<XmlElement> children = new ArrayList<>();
-  private final StringBuilder text = new StringBuilder();
+  private final Map<String, String> attributes = new LinkedHashMap<>(0);
+  private final List<XmlElement> children = new ArrayList<>(0);
+  private StringBuilder text;
 
   /**
    * @param endLine where the start tag ends, as the parser tells it
@@ -26,6 +28,17 @@ final class XmlElement {
     this.endColumn = endColumn;
   }
 
+  void add(XmlElement child) {
+    children.add(child);
+  }
+
+  void append(char[] characters, int start, int length) {
+    if (text == null) {
+      text = new StringBuilder(0);
+    }
+    text.append(characters, start, length);
+  }
+
   String name() {
     return name;
   }
@@ -35,11 +48,12 @@ final class XmlElement {
   }
 
   List<XmlElement> children() {
-    return children;
+    return Collections.unmodifiableList(children);
   }
 
-  StringBuilder text() {
-    return text;
+  /** The text directly inside, as it stands. */
+  String text() {
+    return text == null ? "" : text.toString();
   }
 
   /** Where the start tag begins. */

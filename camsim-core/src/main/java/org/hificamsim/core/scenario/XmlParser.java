@@ -1,37 +1,61 @@
 package org.hificamsim.core.scenario;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import javax.xml.stream.Location;
-import javax.xml.stream.XMLInputFactory;
-import javax.xml.stream.XMLStreamConstants;
-import javax.xml.stream.XMLStreamException;
-import javax.xml.stream.XMLStreamReader;
+import java.util.Locale;
+import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.parsers.SAXParserFactory;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.Locator;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+import org.xml.sax.XMLReader;
+import org.xml.sax.helpers.DefaultHandler;
 
 /**
  * Reads XML that nobody vouches for: no document types, no entities but the five of XML itself,
  * bounded size and depth.
+ *
+ * <p>Namespaces are not looked at: {@code a:camera} is a name like any other. The JDK's SAX parser
+ * rather than its StAX one, which tells some faults on standard error, others as message keys, and
+ * all in the machine's language.
  */
-final class XmlParser {
+final class XmlParser extends DefaultHandler {
   /** Bytes; a scenario of 100,000 cameras takes about 12 million. */
   static final int MOST_BYTES = 64 << 20;
 
   /** Elements inside each other; a real scenario has six. */
   static final int MOST_DEPTH = 32;
 
+  /** Elements and attributes; a scenario of 100,000 cameras has about a million. */
+  static final int MOST_PARTS = 4_000_000;
+
+  private static final String FEATURES = "http://apache.org/xml/features/";
+
+  // Parts of the parser's messages.
+  private static final String NO_DOCTYPE = "disallow-doctype-decl";
+  private static final String CUT_OFF = "must start and end within the same entity";
+  private static final int MOST_WORDS = 300;
+
   private final String file;
   private final XmlText text;
+  private final Deque<XmlElement> open = new ArrayDeque<>();
+  private XmlElement root;
+  private Locator locator;
+  private int parts;
 
-  private XmlParser(String file, byte[] bytes) {
+  private XmlParser(String file, String content) {
     this.file = file;
-    this.text = new XmlText(file, bytes);
+    this.text = new XmlText(file, content);
   }
 
   /**
@@ -40,15 +64,18 @@ final class XmlParser {
    * @throws InputException when the file cannot be read, is too big, or is not plain XML
    */
   static XmlElement parse(Path path) {
-    byte[] bytes = bytes(path);
-    return new XmlParser(path.toString(), bytes).parse(bytes);
+    String content = XmlDecoder.decode(path.toString(), bytes(path));
+    return new XmlParser(path.toString(), content).parse(content);
   }
 
   private static byte[] bytes(Path path) {
     Place start = new Place(path.toString(), 1, 1);
+    if (Files.isDirectory(path)) {
+      throw start.error("is a folder, expected a scenario file (XML)");
+    }
     try (InputStream in = Files.newInputStream(path)) {
-      byte[] bytes = in.readNBytes(MOST_BYTES + 1);
-      if (bytes.length > MOST_BYTES) {
+      byte[] bytes = Files.size(path) > MOST_BYTES ? null : in.readNBytes(MOST_BYTES + 1);
+      if (bytes == null || bytes.length > MOST_BYTES) {
         throw start.error("the file is too big, expected at most " + MOST_BYTES + " bytes");
       }
       return bytes;
@@ -56,110 +83,111 @@ final class XmlParser {
       throw new InputException(start + ": no such file, expected a scenario file (XML)", e);
     } catch (IOException e) {
       throw new InputException(
-          start + ": cannot be read, expected a scenario file (XML): " + e.getMessage(), e);
+          start
+              + ": cannot be read ("
+              + e.getClass().getSimpleName()
+              + "), expected a scenario file (XML)",
+          e);
     }
   }
 
-  private XmlElement parse(byte[] bytes) {
-    XMLStreamReader reader = null;
+  private XmlElement parse(String content) {
     try {
-      reader = factory().createXMLStreamReader(new ByteArrayInputStream(bytes));
-      String declared = reader.getCharacterEncodingScheme();
-      text.encoding(declared != null ? declared : reader.getEncoding());
-      return tree(reader);
-    } catch (XMLStreamException e) {
-      throw new InputException(place(e.getLocation()) + ": " + reason(e), e);
-    } catch (InputException e) {
-      throw e;
-    } catch (RuntimeException e) {
-      // The JDK's parser lets some encoding faults through as unchecked exceptions.
-      Location location = reader == null ? null : reader.getLocation();
-      throw new InputException(
-          place(location) + ": not well-formed XML: " + oneLine(String.valueOf(e.getMessage())), e);
+      reader().parse(new InputSource(new StringReader(content)));
+      return root;
+    } catch (SAXParseException e) {
+      throw new InputException(fault(e).getMessage(), e);
+    } catch (SAXException | ParserConfigurationException | IOException e) {
+      throw new IllegalStateException("the JDK's own XML parser knows these settings", e);
     }
   }
 
-  private XmlElement tree(XMLStreamReader reader) throws XMLStreamException {
-    XmlElement root = null;
-    Deque<XmlElement> open = new ArrayDeque<>();
-    while (reader.hasNext()) {
-      switch (reader.next()) {
-        case XMLStreamConstants.START_ELEMENT -> {
-          XmlElement element = element(reader);
-          if (open.size() >= MOST_DEPTH) {
-            throw element
-                .place()
-                .error(
-                    "<"
-                        + element.name()
-                        + "> is nested too deep, expected at most "
-                        + MOST_DEPTH
-                        + " levels");
-          }
-          if (root == null) {
-            root = element;
-          } else {
-            open.getLast().children().add(element);
-          }
-          open.addLast(element);
-        }
-        case XMLStreamConstants.END_ELEMENT -> open.removeLast();
-        case XMLStreamConstants.CHARACTERS, XMLStreamConstants.CDATA -> {
-          if (!reader.isWhiteSpace()) {
-            open.getLast().text().append(reader.getText());
-          }
-        }
-        case XMLStreamConstants.DTD ->
-            throw place(reader.getLocation())
-                .error("a document type declaration, expected a scenario without one");
-        case XMLStreamConstants.ENTITY_REFERENCE ->
-            throw place(reader.getLocation())
-                .error("entity &" + reader.getLocalName() + ";, expected none but XML's own five");
-        default -> {
-          // comments and processing instructions say nothing
-        }
-      }
-    }
-    return root;
+  private XMLReader reader() throws ParserConfigurationException, SAXException {
+    SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
+    factory.setFeature(FEATURES + NO_DOCTYPE, true);
+    factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
+    factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
+    factory.setFeature(FEATURES + "nonvalidating/load-external-dtd", false);
+    XMLReader reader = factory.newSAXParser().getXMLReader();
+    reader.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
+    reader.setContentHandler(this);
+    reader.setErrorHandler(this);
+    reader.setEntityResolver(this);
+    return reader;
   }
 
-  private XmlElement element(XMLStreamReader reader) {
-    Location end = reader.getLocation();
+  @Override
+  public void setDocumentLocator(Locator newLocator) {
+    locator = newLocator;
+  }
+
+  @Override
+  public void startElement(String uri, String local, String name, Attributes attributes) {
     XmlElement element =
-        new XmlElement(text, reader.getLocalName(), end.getLineNumber(), end.getColumnNumber());
-    for (int i = 0; i < reader.getAttributeCount(); i++) {
-      element.attributes().put(reader.getAttributeLocalName(i), reader.getAttributeValue(i));
+        new XmlElement(text, name, locator.getLineNumber(), locator.getColumnNumber());
+    for (int i = 0; i < attributes.getLength(); i++) {
+      element.attributes().put(attributes.getQName(i), attributes.getValue(i));
     }
-    return element;
+    checkSize(element);
+    if (root == null) {
+      root = element;
+    } else {
+      open.getLast().add(element);
+    }
+    open.addLast(element);
   }
 
-  private Place place(Location location) {
-    return location == null || location.getLineNumber() < 1
-        ? new Place(file, 1, 1)
-        : new Place(file, location.getLineNumber(), Math.max(1, location.getColumnNumber()));
+  private void checkSize(XmlElement element) {
+    if (open.size() >= MOST_DEPTH) {
+      throw element
+          .place()
+          .error(
+              "<"
+                  + element.name()
+                  + "> is nested too deep, expected at most "
+                  + MOST_DEPTH
+                  + " levels");
+    }
+    parts += 1 + element.attributes().size();
+    if (parts > MOST_PARTS) {
+      throw element
+          .place()
+          .error("the file is too big, expected at most " + MOST_PARTS + " elements, attributes");
+    }
   }
 
-  /** The parser's own words, without its place prefix. */
-  private static String reason(XMLStreamException e) {
-    String message = oneLine(String.valueOf(e.getMessage()));
-    int at = message.indexOf("Message: ");
-    return "not well-formed XML: " + (at < 0 ? message : message.substring(at + 9));
+  @Override
+  public void endElement(String uri, String local, String name) {
+    open.removeLast();
   }
 
-  private static String oneLine(String message) {
-    String flat = message.replaceAll("\\s+", " ").strip();
-    return flat.length() > 300 ? flat.substring(0, 300) : flat;
+  @Override
+  public void characters(char[] characters, int start, int length) {
+    open.getLast().append(characters, start, length);
   }
 
-  private static XMLInputFactory factory() {
-    XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
-    factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
-    factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
-    factory.setProperty(XMLInputFactory.IS_REPLACING_ENTITY_REFERENCES, false);
-    factory.setXMLResolver(
-        (publicId, systemId, base, namespace) -> {
-          throw new XMLStreamException("external entity " + systemId + ", expected none");
-        });
-    return factory;
+  @Override
+  public InputSource resolveEntity(String publicId, String systemId) throws SAXException {
+    throw new SAXParseException("external entity " + systemId + ", expected none", locator);
+  }
+
+  @Override
+  public void fatalError(SAXParseException e) throws SAXException {
+    throw e;
+  }
+
+  private InputException fault(SAXParseException e) {
+    String words = String.valueOf(e.getMessage());
+    if (words.contains(NO_DOCTYPE)) {
+      return text.tag(e.getLineNumber(), e.getColumnNumber())
+          .error("a document type declaration (<!DOCTYPE), expected a scenario without one");
+    }
+    Place place = new Place(file, e.getLineNumber(), e.getColumnNumber());
+    if (words.contains(CUT_OFF) && !open.isEmpty()) {
+      String name = open.getLast().name();
+      return place.error("the file ends inside <" + name + ">, expected </" + name + ">");
+    }
+    return place.error(
+        "not well-formed XML, expected a scenario file: " + XmlText.shortened(words, MOST_WORDS));
   }
 }

@@ -23,7 +23,7 @@ final class ZoomListReader {
       throw lists.get(1).place().error("a second <zoom>, expected one for all cameras");
     }
     XmlElement list = lists.get(0);
-    String text = list.text().toString().strip();
+    String text = list.text().strip();
     if (text.isEmpty()) {
       throw list.place().error("<zoom> is empty, expected radii such as 2.5 5.0 7.5");
     }
@@ -34,7 +34,7 @@ final class ZoomListReader {
         throw list.place()
             .error(
                 "<zoom> has '"
-                    + item
+                    + XmlText.shortened(item, Attributes.MOST_QUOTED)
                     + "' after "
                     + radii.get(radii.size() - 1)
                     + ", expected rising radii, each once");
@@ -58,6 +58,9 @@ final class ZoomListReader {
       // told below
     }
     throw list.place()
-        .error("<zoom> has '" + item + "', expected radii above 0 (m) between spaces");
+        .error(
+            "<zoom> has '"
+                + XmlText.shortened(item, Attributes.MOST_QUOTED)
+                + "', expected radii above 0 (m) between spaces");
   }
 }

@@ -122,7 +122,7 @@ class CamSimTraceTest {
     Scenario scenario =
         ScenarioReader.read(
             Reference.file("camsim/scenarios/" + file + ".xml"),
-            anyMovement -> true,
+            name -> true,
             new ArrayList<>()::add);
     if (movement != null) {
       scenario = scenario.withMovement(movement);

@@ -76,19 +76,19 @@ class CamSimOutputTest {
     String[] recorded = Reference.rows(FOLDER + summary).get(0);
     long[] handovers = new long[1];
     output.run().run((world, network) -> handovers[0] += network.figures().handovers());
-    assertEquals(Double.parseDouble(recorded[7]), handovers[0]);
+    assertEquals(Double.parseDouble(recorded[7]), (double) handovers[0]);
   }
 
   private static void assertRow(String line, StepFigures ours) {
     double[] recorded = Stream.of(line.split(";")).mapToDouble(Double::parseDouble).toArray();
-    assertEquals(recorded[0], ours.step());
+    assertEquals(recorded[0], (double) ours.step());
     String step = "step " + ours.step() + " ";
     assertEquals(recorded[1], ours.utility(), ABSOLUTE, step + "utility");
-    assertEquals(recorded[2], ours.communication(), step + "communication");
+    assertEquals(recorded[2], (double) ours.communication(), step + "communication");
     assertEquals(0, recorded[3], step + "visible");
     assertEquals(recorded[4], ours.strategyChanges(), step + "strategy");
     assertEquals(recorded[5], ours.banditUtility(), ABSOLUTE, step + "totUtil");
-    assertEquals(recorded[6], ours.attempts(), step + "totComm");
+    assertEquals(recorded[6], (double) ours.attempts(), step + "totComm");
     assertEquals(recorded[7], ours.overlap(), RELATIVE * recorded[7], step + "overlap");
     assertEquals(recorded[8], ours.confidence(), ABSOLUTE, step + "confidence");
     assertEquals(recorded[9], ours.proportion(), ABSOLUTE, step + "proportion");

@@ -15,14 +15,15 @@ public enum Ties {
   /**
    * The level with the largest value.
    *
-   * @param values holds the value of level l at {@code from + l}; none is NaN
+   * @param values holds the value of level l at {@code from + l}; none is NaN, infinities are fine
    * @param levels the number of levels, 1 or more
    */
   public int best(double[] values, int from, int levels) {
     int best = 0;
     for (int level = 1; level < levels; level++) {
-      double difference = values[from + level] - values[from + best];
-      if (difference > 0 || (difference == 0 && this == WIDEST)) {
+      double most = values[from + best];
+      double value = values[from + level];
+      if (value > most || (value == most && this == WIDEST)) {
         best = level;
       }
     }

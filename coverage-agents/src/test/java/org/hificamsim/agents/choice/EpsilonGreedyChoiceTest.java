@@ -58,6 +58,9 @@ class EpsilonGreedyChoiceTest {
     double[] values = {9, 1, 3, 3, 2};
     assertEquals(2, Ties.WIDEST.best(values, 1, 4));
     assertEquals(1, Ties.NARROWEST.best(values, 1, 4));
+    double[] unbounded = {1, Double.POSITIVE_INFINITY, Double.POSITIVE_INFINITY};
+    assertEquals(2, Ties.WIDEST.best(unbounded, 0, 3));
+    assertEquals(1, Ties.NARROWEST.best(unbounded, 0, 3));
   }
 
   private static void assertShares(Exploration exploration, double other, double best) {

@@ -81,7 +81,7 @@ public final class CamSimFiles implements Closeable {
       table.close();
     }
     if (coverage.isPresent()) {
-      coverage.get().commit(command, started);
+      coverage.get().commit(command, started, sums.communication());
     }
     for (OutputFile file : files) {
       file.commit();

@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.network.setup.CamSimDialect;
 import org.hificamsim.core.network.setup.NetworkSettings;
 import org.hificamsim.core.scenario.CameraSpec;
@@ -36,7 +37,9 @@ public final class CamSimScenario {
       PrintWriter err) {
     Scenario scenario =
         ScenarioReader.read(
-                file, catalogue.movements()::knows, warning -> err.println("warning: " + warning))
+                file,
+                catalogue.movements().names()::contains,
+                warning -> err.println("warning: " + Place.printable(warning)))
             .withOrder(StepOrder.CAMSIM);
     warnAboutDefaults(file, scenario, settings, err);
     if (!zooming) {

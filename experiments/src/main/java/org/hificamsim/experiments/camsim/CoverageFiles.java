@@ -33,10 +33,14 @@ public final class CoverageFiles implements Closeable {
     return List.of(coverage, recorder.listener(0));
   }
 
-  /** Moves the files into place, after the run. */
-  public void commit(List<String> command, Instant started) throws IOException {
+  /**
+   * Moves the files into place, after the run.
+   *
+   * @param messages how many StartSearch messages were delivered
+   */
+  public void commit(List<String> command, Instant started, long messages) throws IOException {
     recorder.close();
-    RunResult result = RunResult.of(0, plan.seed(), coverage);
+    RunResult result = RunResult.of(0, plan.seed(), coverage, messages);
     SummaryFile.write(folder.open("summary.json"), plan, List.of(result));
     ManifestFile.write(folder.open("manifest.json"), command, started, plan.steps());
     folder.commit(RunRecorder.RECORDS);

@@ -2,13 +2,8 @@ package org.hificamsim.experiments.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
-import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
@@ -24,9 +19,6 @@ import picocli.CommandLine.Spec;
     description = "Lists detection models, policies or scenarios.",
     mixinStandardHelpOptions = true)
 final class ListCommand implements Runnable {
-  /** Where the launcher says the project is; the working directory otherwise. */
-  private static final Path HOME = Path.of(System.getProperty("hificamsim.root", ""));
-
   @Spec private CommandSpec spec;
 
   @Override
@@ -35,7 +27,9 @@ final class ListCommand implements Runnable {
         spec.commandLine(), "list what? Expected detections, policies or scenarios");
   }
 
-  @Command(description = "Detection models, with their default threshold.")
+  @Command(
+      description = "Detection models, with their default threshold.",
+      mixinStandardHelpOptions = true)
   void detections() {
     for (Registry.Entry<DetectionModel> entry : Catalogue.load().detections().entries()) {
       DetectionModel model = Catalogue.load().detections().create(entry.name());
@@ -46,7 +40,9 @@ final class ListCommand implements Runnable {
     }
   }
 
-  @Command(description = "Zoom policies, with their options and defaults.")
+  @Command(
+      description = "Zoom policies, with their options and defaults.",
+      mixinStandardHelpOptions = true)
   void policies() {
     Registry<ZoomPolicy> policies = Catalogue.load().policies();
     for (Registry.Entry<ZoomPolicy> entry : policies.entries()) {
@@ -63,26 +59,16 @@ final class ListCommand implements Runnable {
     out().flush();
   }
 
-  @Command(description = "The scenarios that come with the simulator.")
+  @Command(
+      description = "The scenarios that come with the simulator.",
+      mixinStandardHelpOptions = true)
   void scenarios() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    for (Path file : scenarioFiles()) {
+    for (Path file : ShippedScenarios.files()) {
       line(
           file.toString(),
-          Descriptions.of(ScenarioReader.read(file, catalogue.movements()::knows, warning -> {})));
-    }
-  }
-
-  private static List<Path> scenarioFiles() throws IOException {
-    Path folder = HOME.resolve("scenarios");
-    if (!Files.isDirectory(folder)) {
-      throw new InputException("no folder '" + folder + "', expected to run in the project");
-    }
-    try (Stream<Path> files = Files.list(folder)) {
-      return files
-          .filter(file -> file.toString().endsWith(".xml"))
-          .sorted()
-          .collect(Collectors.toList());
+          Descriptions.of(
+              ScenarioReader.read(file, catalogue.movements().names()::contains, warning -> {})));
     }
   }
 

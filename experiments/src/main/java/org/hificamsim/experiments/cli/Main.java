@@ -2,7 +2,9 @@ package org.hificamsim.experiments.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.ServiceConfigurationError;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.experiments.output.ManifestFile;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -19,7 +21,16 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "hificamsim",
     description = "Simulates smart-camera networks with detection models fitted to real images.",
-    subcommands = {RunCommand.class, ValidateCommand.class, ListCommand.class, CamSimCommand.class},
+    subcommands = {
+      RunCommand.class,
+      CompareCommand.class,
+      ReproduceCommand.class,
+      SensitivityCommand.class,
+      PlotCommand.class,
+      ValidateCommand.class,
+      ListCommand.class,
+      CamSimCommand.class
+    },
     mixinStandardHelpOptions = true,
     versionProvider = Main.Version.class)
 public final class Main implements Runnable {
@@ -37,19 +48,25 @@ public final class Main implements Runnable {
 
   /** Runs one command. */
   public static int execute(PrintWriter out, PrintWriter err, String... args) {
-    return new CommandLine(new Main())
-        .setOut(out)
-        .setErr(err)
-        .setCaseInsensitiveEnumValuesAllowed(true)
-        .setParameterExceptionHandler((fault, words) -> usage(fault))
-        .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command))
-        .execute(args);
+    CommandLine line =
+        new CommandLine(new Main())
+            .setOut(out)
+            .setErr(err)
+            .setCaseInsensitiveEnumValuesAllowed(true)
+            .setParameterExceptionHandler((fault, words) -> usage(fault))
+            .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command));
+    try {
+      return line.execute(args);
+    } catch (OutOfMemoryError | StackOverflowError | LinkageError | ServiceConfigurationError e) {
+      return failure(e, line);
+    }
   }
 
   @Override
   public void run() {
     throw new ParameterException(
-        spec.commandLine(), "no command, expected run, validate, list or camsim");
+        spec.commandLine(),
+        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list or camsim");
   }
 
   private static int usage(ParameterException fault) {
@@ -59,7 +76,7 @@ public final class Main implements Runnable {
     return BAD_INPUT;
   }
 
-  private static int failure(Exception fault, CommandLine command) {
+  private static int failure(Throwable fault, CommandLine command) {
     if (Boolean.getBoolean("hificamsim.debug")) {
       fault.printStackTrace(command.getErr());
     }
@@ -72,7 +89,7 @@ public final class Main implements Runnable {
   }
 
   private static void print(CommandLine command, String message) {
-    command.getErr().println("error: " + message);
+    command.getErr().println("error: " + Place.printable(message));
     command.getErr().flush();
   }
 

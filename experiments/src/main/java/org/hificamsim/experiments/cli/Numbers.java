@@ -18,6 +18,17 @@ final class Numbers {
   }
 
   /**
+   * @throws InputException when the last repeat's seed would be beyond the largest whole number
+   */
+  static void seeds(long seed, int repeats) {
+    if (seed > Long.MAX_VALUE - (repeats - 1)) {
+      throw new InputException(
+          "--seed is %d, expected at most %d for %d repeats"
+              .formatted(seed, Long.MAX_VALUE - (repeats - 1), repeats));
+    }
+  }
+
+  /**
    * @throws InputException naming the option when the value is no number in [0, 1]
    */
   static double proportion(String option, double value) {

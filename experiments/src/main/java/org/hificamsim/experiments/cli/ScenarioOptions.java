@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.NetworkParts;
@@ -33,7 +34,9 @@ final class ScenarioOptions {
     Headings newHeadings = choice(Headings.class, "--headings", headings);
     Scenario scenario =
         ScenarioReader.read(
-            file, catalogue.movements()::knows, warning -> err.println("warning: " + warning));
+            file,
+            catalogue.movements().names()::contains,
+            warning -> err.println("warning: " + Place.printable(warning)));
     warnAboutNetwork(file, scenario, err);
     if (newOrder != null) {
       scenario = scenario.withOrder(newOrder);

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.experiments.catalogue.Catalogue;
@@ -42,11 +43,13 @@ final class ValidateCommand implements Callable<Integer> {
     try {
       Scenario scenario =
           ScenarioReader.read(
-              file, catalogue.movements()::knows, line -> err.println("warning: " + line));
+              file,
+              catalogue.movements().names()::contains,
+              line -> err.println("warning: " + Place.printable(line)));
       out.println(file + ": ok, " + Descriptions.of(scenario));
       return 0;
     } catch (InputException e) {
-      err.println("error: " + e.getMessage());
+      err.println("error: " + Place.printable(e.getMessage()));
       return BAD_INPUT;
     }
   }

@@ -35,8 +35,7 @@ public final class OutputFile implements Closeable {
     }
     temporary =
         folder.resolve(
-            ".%s-%d-%x.part"
-                .formatted(path.getFileName(), ProcessHandle.current().pid(), System.nanoTime()));
+            ".%s-%d.part".formatted(path.getFileName(), ProcessHandle.current().pid()));
   }
 
   /** A writer (UTF-8); the caller closes it before {@link #commit}. */

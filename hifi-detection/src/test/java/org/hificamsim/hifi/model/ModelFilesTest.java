@@ -10,6 +10,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.HiFiDetection;
@@ -105,6 +108,28 @@ class ModelFilesTest {
     ModelFiles.write(named("m", new LinearAbstraction(1, 2, 3, 4)), file);
     assertEquals("m", ModelFiles.read(file).name());
     assertEquals(List.of("m.json"), names());
+  }
+
+  @Test
+  void readerFindsAWholeModelAtAnyTimeWhileItIsRewritten() throws Exception {
+    Path file = folder.resolve("m.json");
+    HiFiDetection model = named("m", new LinearAbstraction(1, 2, 3, 4));
+    ModelFiles.write(model, file);
+    AtomicBoolean done = new AtomicBoolean();
+    CompletableFuture<Integer> reader =
+        CompletableFuture.supplyAsync(
+            () -> {
+              int read = 0;
+              for (; !done.get() || read == 0; read++) {
+                assertEquals(model, ModelFiles.read(file));
+              }
+              return read;
+            });
+    for (int i = 0; i < 100 && !reader.isDone(); i++) {
+      ModelFiles.write(model, file);
+    }
+    done.set(true);
+    assertTrue(reader.get(10, TimeUnit.SECONDS) > 0);
   }
 
   @Test

@@ -1,0 +1,85 @@
+package org.hificamsim.agents.bandit;
+
+import java.util.SplittableRandom;
+import org.hificamsim.agents.choice.CameraRandoms;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * The softmax bandit: each camera draws its level with probability proportional to {@code
+ * exp(average / temperature)}, the average being of numbers of detected targets.
+ */
+public final class SoftmaxZoomPolicy implements ZoomPolicy {
+  public static final String NAME = "softmax";
+
+  private final double temperature;
+  private ArmAverages arms;
+  private double[] weights;
+  private SplittableRandom[] randoms;
+
+  /**
+   * @param temperature in targets, above 0: the smaller, the closer to always taking the best level
+   */
+  public SoftmaxZoomPolicy(double temperature) {
+    this.temperature = temperature;
+  }
+
+  /** The policy with its option; the default temperature is CamSim's. */
+  public static SoftmaxZoomPolicy from(Options options) {
+    return new SoftmaxZoomPolicy(
+        options.number("temperature", 0.1, 1e-6, 1e6, "in targets; smaller is greedier"));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    arms = new ArmAverages(network);
+    weights = new double[arms.means().length];
+    randoms = CameraRandoms.split(network, random);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] levels) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        double sum = weigh(arms.offset(camera), network.levels(camera));
+        double drawn = randoms[camera].nextDouble() * sum;
+        levels[camera] = levelAt(drawn, arms.offset(camera), network.levels(camera));
+      }
+    }
+  }
+
+  @Override
+  public void learn(NetworkView network) {
+    arms.learn(network);
+  }
+
+  /** Weighs relative to the largest average, whose weight is 1: nothing overflows. */
+  private double weigh(int offset, int levels) {
+    double most = 0;
+    for (int arm = offset; arm < offset + levels; arm++) {
+      most = Math.max(most, arms.means()[arm]);
+    }
+    double sum = 0;
+    for (int arm = offset; arm < offset + levels; arm++) {
+      weights[arm] = StrictMath.exp((arms.means()[arm] - most) / temperature);
+      sum += weights[arm];
+    }
+    return sum;
+  }
+
+  private int levelAt(double drawn, int offset, int levels) {
+    double left = drawn;
+    int level = 0;
+    while (level < levels - 1 && left >= weights[offset + level]) {
+      left -= weights[offset + level];
+      level++;
+    }
+    return level;
+  }
+}

@@ -1,0 +1,63 @@
+package org.hificamsim.agents.optimal;
+
+import java.util.SplittableRandom;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * The configuration with the best k_min (Eq 7.1) among those in which no camera moves by more than
+ * one level: section 7.4.1's "reachable from the current zoom level", found exactly at each step.
+ *
+ * <p>Which of several best configurations is taken decides what can be reached next. It is the one
+ * in which camera 0 is at the level that the option {@code ties} prefers, then camera 1, and so on;
+ * the widest by default. With no target present the levels stay.
+ */
+public final class OneHopZoomPolicy implements ZoomPolicy {
+  public static final String NAME = "one-hop";
+
+  private final Preference preference;
+  private CandidateLevels candidates;
+  private ConfigurationSearch search;
+
+  /**
+   * @param preference what decides between configurations with the same k_min
+   */
+  public OneHopZoomPolicy(Preference preference) {
+    this.preference = preference;
+  }
+
+  /** The policy with its option {@code ties}. */
+  public static OneHopZoomPolicy from(Options options) {
+    return new OneHopZoomPolicy(
+        options.choice(
+            "ties",
+            Preference.WIDEST,
+            "of equal k_min: widest, narrowest, most-targets-then-widest,"
+                + " most-targets-then-narrowest"));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    candidates = new CandidateLevels(network);
+    search = new ConfigurationSearch(network, preference);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] levels) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      candidates.clear(camera);
+      int lowest = Math.max(0, network.level(camera) - 1);
+      int highest = Math.min(network.levels(camera) - 1, network.level(camera) + 1);
+      for (int i = 0; i <= highest - lowest; i++) {
+        candidates.add(camera, preference.widest() ? highest - i : lowest + i);
+      }
+    }
+    search.decide(network, candidates, levels);
+  }
+}

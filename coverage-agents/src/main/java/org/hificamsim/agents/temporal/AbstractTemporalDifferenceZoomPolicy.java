@@ -1,0 +1,94 @@
+package org.hificamsim.agents.temporal;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/**
+ * Temporal-difference learning (section 7.4.4, Eqs 7.5 and 7.6): state, choice, reward and update,
+ * common to its variants.
+ *
+ * <p>At each decision every online camera first chooses its next level from the values as they
+ * stand; then all update the value of the level chosen the time before. Its reward is the one for
+ * the count that it led to; crediting an action with the change of the step after would teach
+ * nothing. A camera that was offline in between starts afresh with what it had learned. A variant
+ * says what the state that was reached is worth ({@link #successor}), and may say what exploiting
+ * means ({@link #exploit}).
+ */
+public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy {
+  private static final int NONE = -1;
+
+  private final TemporalDifferenceSettings settings;
+  private final EpsilonGreedyChoice choice;
+  private ActionValues values;
+  private int[] rows;
+  private int[] entries;
+  private int[] counts;
+
+  protected AbstractTemporalDifferenceZoomPolicy(
+      TemporalDifferenceSettings settings, EpsilonGreedyChoice choice) {
+    this.settings = settings;
+    this.choice = choice;
+  }
+
+  /**
+   * The value of the state that was reached, which the discount factor multiplies in Eq 7.6.
+   *
+   * @param row row of that state
+   * @param levels number of actions in it
+   * @param action the action chosen in it
+   */
+  protected abstract double successor(ActionValues table, int row, int levels, int action);
+
+  /** The level that the camera takes when it does not explore: its best known one. */
+  protected int exploit(NetworkView network, int camera, int row) {
+    return values.best(row, network.levels(camera));
+  }
+
+  /** All cameras' tables; null before {@link #begin}. */
+  public final ActionValues values() {
+    return values;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    values = new ActionValues(network, settings);
+    choice.begin(network, random);
+    rows = new int[network.cameras()];
+    entries = new int[network.cameras()];
+    counts = new int[network.cameras()];
+    Arrays.fill(entries, NONE);
+  }
+
+  @Override
+  public final void decide(NetworkView network, int[] levels) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        rows[camera] = values.row(network, camera);
+        int best = exploit(network, camera, rows[camera]);
+        levels[camera] = choice.choose(camera, network.levels(camera), best);
+      }
+    }
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        update(network, camera, levels[camera]);
+      } else {
+        entries[camera] = NONE;
+      }
+    }
+  }
+
+  private void update(NetworkView network, int camera, int action) {
+    int row = rows[camera];
+    int detected = network.detected(camera);
+    if (entries[camera] != NONE) {
+      double reward = settings.lambda() * settings.reward().reward(counts[camera], detected);
+      double reached = successor(values, row, network.levels(camera), action);
+      values.learn(entries[camera], settings.alpha(), reward + settings.gamma() * reached);
+    }
+    entries[camera] = row + action;
+    counts[camera] = detected;
+  }
+}

@@ -1,0 +1,30 @@
+package org.hificamsim.agents.temporal;
+
+import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.core.registry.Options;
+
+/** Q-learning, the off-policy variant that section 7.4.4 sets SARSA against. */
+public final class QLearningZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
+  public static final String NAME = "q-learning";
+
+  public QLearningZoomPolicy(TemporalDifferenceSettings settings, EpsilonGreedyChoice choice) {
+    super(settings, choice);
+  }
+
+  /** The policy with its options. */
+  public static QLearningZoomPolicy from(Options options) {
+    return new QLearningZoomPolicy(
+        TemporalDifferenceSettings.from(options), EpsilonGreedyChoice.from(options));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  /** The value of the best action there, whichever is chosen. */
+  @Override
+  protected double successor(ActionValues table, int row, int levels, int action) {
+    return table.value(row, table.best(row, levels));
+  }
+}

@@ -1,0 +1,58 @@
+package org.hificamsim.agents.bandit;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hificamsim.agents.choice.Ties;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.junit.jupiter.api.Test;
+
+class Ucb1ZoomPolicyTest {
+  private final ToyNetwork network = new ToyNetwork(4, 3).see(0, 0, 0).see(0, 1, 0, 1, 2);
+
+  @Test
+  void usesEveryLevelOnceBeforeItCompares() {
+    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(1, Ties.WIDEST), 1);
+    int[] order = new int[3];
+    for (int step = 0; step < 3; step++) {
+      network.step(policy);
+      order[step] = network.level(0);
+    }
+    assertArrayEquals(new int[] {2, 1, 0}, order);
+  }
+
+  @Test
+  void withoutExplorationStaysAtTheBestAverage() {
+    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(0, Ties.WIDEST), 1);
+    for (int step = 0; step < 50; step++) {
+      network.step(policy);
+      assertTrue(step < 3 || network.level(0) == 1);
+    }
+  }
+
+  @Test
+  void decidesByTheUpperConfidenceBound() {
+    double c = 0.7;
+    double[] means = {0.25, 0.75, 0};
+    int[] pulls = {1, 1, 1};
+    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(c, Ties.WIDEST), 1);
+    for (int step = 0; step < 3; step++) {
+      network.step(policy);
+    }
+    for (int n = 3; n < 500; n++) {
+      int best = 2;
+      for (int level = 1; level >= 0; level--) {
+        best = bound(c, means, pulls, n, level) > bound(c, means, pulls, n, best) ? level : best;
+      }
+      network.step(policy);
+      assertEquals(best, network.level(0), "decision " + n);
+      pulls[best]++;
+    }
+    assertTrue(pulls[1] > 300, "used the best level " + pulls[1] + " times");
+  }
+
+  private static double bound(double c, double[] means, int[] pulls, int n, int level) {
+    return means[level] + c * Math.sqrt(StrictMath.log(n) / pulls[level]);
+  }
+}

@@ -1,0 +1,71 @@
+package org.hificamsim.agents.optimal;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hificamsim.agents.toy.GeometricNetwork;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.junit.jupiter.api.Test;
+
+class OneHopZoomPolicyTest {
+  @Test
+  void reachesTheBestOfAllReachableConfigurations() {
+    for (Preference preference : Preference.values()) {
+      for (int world = 0; world < 400; world++) {
+        compare(
+            GeometricNetwork.random(
+                new GeometricNetwork.Kind(6, -5, 3, 2, false, true, 10, 16), world),
+            preference);
+      }
+    }
+  }
+
+  @Test
+  void staysWideOrGoesWiderWhereNothingIsGained() {
+    ToyNetwork network = new ToyNetwork(1, 4, 4);
+    network.setLevel(0, 1);
+    network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST), 1));
+    assertArrayEquals(new int[] {2, 3}, network.currentLevels());
+  }
+
+  @Test
+  void canBeToldToKeepDetectionsWhereNothingIsGained() {
+    ToyNetwork network = new ToyNetwork(2, 4).see(0, 1, 0).see(0, 0, 0);
+    network.setLevel(0, 1);
+    Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
+    network.decide(network.begin(new OneHopZoomPolicy(preference), 1));
+    assertEquals(1, network.level(0));
+  }
+
+  @Test
+  void keepsTheLevelsWhileNoTargetIsPresent() {
+    ToyNetwork network = new ToyNetwork(1, 4);
+    network.setLevel(0, 1);
+    network.showTarget(0, false);
+    network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST), 1));
+    assertEquals(1, network.level(0));
+  }
+
+  private static void compare(GeometricNetwork network, Preference preference) {
+    OneHopZoomPolicy policy = network.begin(new OneHopZoomPolicy(preference), 1);
+    for (int step = 0; step < 4; step++) {
+      int[] before = network.currentLevels();
+      int[] lowest = new int[before.length];
+      int[] highest = new int[before.length];
+      for (int camera = 0; camera < before.length; camera++) {
+        lowest[camera] = Math.max(0, before[camera] - 1);
+        highest[camera] = Math.min(network.levels(camera) - 1, before[camera] + 1);
+      }
+      network.decide(policy);
+      network.observe();
+      int found = network.kMin();
+      for (int camera = 0; camera < before.length; camera++) {
+        assertTrue(Math.abs(network.level(camera) - before[camera]) <= 1);
+      }
+      assertEquals(BestConfiguration.kMin(network, lowest, highest), found);
+      network.scatter();
+      network.disturb();
+    }
+  }
+}

@@ -1,0 +1,178 @@
+package org.hificamsim.agents.temporal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.hificamsim.agents.CoveragePolicies;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Registry;
+import org.junit.jupiter.api.Test;
+
+class TemporalDifferenceZoomPolicyTest {
+  private static final List<String> BOTH = List.of("sarsa", "q-learning");
+
+  private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
+
+  /** Two levels; the narrow one detects two targets, the wide one (the start) none. */
+  private final ToyNetwork network = new ToyNetwork(2, 2).see(0, 0, 0, 1);
+
+  @Test
+  void creditsTheActionThatLedToTheNewCount() {
+    for (String name : BOTH) {
+      AbstractTemporalDifferenceZoomPolicy policy =
+          begun(name + ":epsilon=0,alpha=0.5,gamma=0,ties=narrowest");
+      start();
+      network.step(policy);
+      assertEquals(0, network.level(0));
+      network.decide(policy);
+      ActionValues values = policy.values();
+      assertEquals(1, values.value(values.row(0, 1, 0), 0), "half of the two targets gained");
+      assertEquals(0, values.value(values.row(0, 0, 2), 0));
+    }
+  }
+
+  @Test
+  void sarsaUpdatesWithTheActionChosenNextByHand() {
+    AbstractTemporalDifferenceZoomPolicy policy =
+        begun("sarsa:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
+    ActionValues values = forcedRound(policy);
+    assertEquals(1 + 0.25 * 3, values.value(values.row(0, 1, 0), 0), 1e-12);
+  }
+
+  @Test
+  void qLearningUpdatesWithTheBestActionByHand() {
+    AbstractTemporalDifferenceZoomPolicy policy =
+        begun("q-learning:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
+    ActionValues values = forcedRound(policy);
+    assertEquals(1 + 0.25 * 8, values.value(values.row(0, 1, 0), 0), 1e-12);
+  }
+
+  @Test
+  void bothLearnTheBestLevel() {
+    for (String name : BOTH) {
+      start();
+      AbstractTemporalDifferenceZoomPolicy policy = begun(name);
+      int atBest = 0;
+      for (int step = 0; step < 5_000; step++) {
+        network.step(policy);
+        atBest += network.level(0) == 0 ? 1 : 0;
+      }
+      assertTrue(atBest > 4_200, name + " at the best level in " + atBest + " steps");
+    }
+  }
+
+  @Test
+  void qLearningConvergesToTheValuesOfTheDeterministicCase() {
+    start();
+    AbstractTemporalDifferenceZoomPolicy policy = begun("q-learning:gamma=0.5,epsilon=0.5");
+    for (int step = 0; step < 20_000; step++) {
+      network.step(policy);
+    }
+    ActionValues values = policy.values();
+    int wide = values.row(0, 1, 0);
+    int narrow = values.row(0, 0, 2);
+    assertEquals(2, values.value(wide, 0), 1e-3, "gains two, then stays");
+    assertEquals(1, values.value(wide, 1), 1e-3, "waits one step to gain two");
+    assertEquals(0, values.value(narrow, 0), 1e-3, "stays");
+    assertEquals(-1, values.value(narrow, 1), 1e-3, "loses two, then gains them");
+  }
+
+  @Test
+  void sarsaConvergesToTheValuesOfItsOwnExploringPolicy() {
+    start();
+    AbstractTemporalDifferenceZoomPolicy policy = begun("sarsa:gamma=0.5,epsilon=0.5,alpha=0.002");
+    for (int step = 0; step < 200_000; step++) {
+      network.step(policy);
+    }
+    ActionValues values = policy.values();
+    int wide = values.row(0, 1, 0);
+    int narrow = values.row(0, 0, 2);
+    assertEquals(1.5, values.value(wide, 0), 0.05, "2 + (0 * 0.5 - 2 * 0.5) gamma");
+    assertEquals(0.5, values.value(wide, 1), 0.05);
+    assertEquals(-0.5, values.value(narrow, 0), 0.05);
+    assertEquals(-1.5, values.value(narrow, 1), 0.05);
+  }
+
+  @Test
+  void aCameraThatWasOfflineIsNotCreditedForWhatItMissed() {
+    AbstractTemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,gamma=0,ties=narrowest");
+    start();
+    network.step(policy);
+    network.switchCamera(0, false);
+    network.step(policy);
+    network.switchCamera(0, true);
+    network.step(policy);
+    ActionValues values = policy.values();
+    assertEquals(0, values.value(values.row(0, 1, 0), 0));
+  }
+
+  @Test
+  void stateReadingsTellStatesApartOrNot() {
+    assertStates("sarsa:state=level-count", 6);
+    assertStates("sarsa:state=count", 3);
+    assertStates("sarsa:state=none", 1);
+  }
+
+  @Test
+  void everyActionStartsAtTheInitialValue() {
+    ActionValues values = begun("sarsa:q0=2.5").values();
+    assertEquals(2.5, values.value(values.row(0, 1, 2), 1));
+  }
+
+  @Test
+  void lambdaScalesTheReward() {
+    AbstractTemporalDifferenceZoomPolicy policy =
+        begun("sarsa:lambda=3,epsilon=0,alpha=1,gamma=0,ties=narrowest");
+    start();
+    network.step(policy);
+    network.decide(policy);
+    assertEquals(6, policy.values().value(policy.values().row(0, 1, 0), 0));
+  }
+
+  @Test
+  void tablesTooLargeForTheMachineAreRefused() {
+    ToyNetwork crowd = new ToyNetwork(2_000_000, 12);
+    InputException refused =
+        assertThrows(InputException.class, () -> crowd.begin(registry.create("sarsa"), 1));
+    assertTrue(refused.getMessage().contains("state=none"), refused.getMessage());
+  }
+
+  /** From the wide level to the narrow one, then explores away from it. */
+  private ActionValues forcedRound(AbstractTemporalDifferenceZoomPolicy policy) {
+    ActionValues values = policy.values();
+    int wide = values.row(0, 1, 0);
+    int narrow = values.row(0, 0, 2);
+    values.set(wide, 1, 1);
+    values.set(narrow, 0, 8);
+    values.set(narrow, 1, 3);
+    start();
+    network.step(policy);
+    assertEquals(0, network.level(0), "explores away from the best, which is the wide level");
+    network.decide(policy);
+    assertEquals(1, network.level(0), "explores away from the best, which is the narrow level");
+    return values;
+  }
+
+  private void assertStates(String spec, int states) {
+    ActionValues values = begun(spec).values();
+    long distinct =
+        java.util.stream.IntStream.range(0, 6)
+            .map(i -> values.row(0, i / 3, i % 3))
+            .distinct()
+            .count();
+    assertEquals(states, distinct);
+  }
+
+  private void start() {
+    network.setLevel(0, 1);
+    network.observe();
+  }
+
+  private AbstractTemporalDifferenceZoomPolicy begun(String spec) {
+    return (AbstractTemporalDifferenceZoomPolicy) network.begin(registry.create(spec), 1);
+  }
+}

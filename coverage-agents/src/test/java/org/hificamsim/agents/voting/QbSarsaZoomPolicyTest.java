@@ -1,0 +1,147 @@
+package org.hificamsim.agents.voting;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hificamsim.agents.CoveragePolicies;
+import org.hificamsim.agents.temporal.ActionValues;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Registry;
+import org.junit.jupiter.api.Test;
+
+class QbSarsaZoomPolicyTest {
+  private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
+
+  @Test
+  void neighboursOutvoteTheOwnAction() {
+    ToyNetwork network = new ToyNetwork(1, 3, 3, 3);
+    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:k=2,epsilon=0");
+    prefer(policy, 0, 2, 0);
+    prefer(policy, 1, 2, 1);
+    prefer(policy, 2, 2, 1);
+    network.decide(policy);
+    assertArrayEquals(new int[] {1, 1, 1}, network.currentLevels());
+  }
+
+  @Test
+  void theOwnVoteDecidesADraw() {
+    ToyNetwork network = new ToyNetwork(1, 3, 3);
+    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0");
+    prefer(policy, 0, 2, 0);
+    prefer(policy, 1, 2, 1);
+    network.decide(policy);
+    assertArrayEquals(new int[] {0, 1}, network.currentLevels());
+  }
+
+  @Test
+  void withoutTheOwnVoteTheNeighboursDecide() {
+    ToyNetwork network = new ToyNetwork(1, 3, 3);
+    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
+    prefer(policy, 0, 2, 0);
+    prefer(policy, 1, 2, 1);
+    network.decide(policy);
+    assertArrayEquals(new int[] {1, 0}, network.currentLevels());
+  }
+
+  @Test
+  void neighboursAnswerForTheAskersStateNotTheirOwn() {
+    ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 2, 0);
+    network.observe();
+    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
+    policy.values().set(policy.values().row(1, 2, 1), 0, 1);
+    policy.values().set(policy.values().row(1, 2, 0), 1, 1);
+    network.decide(policy);
+    assertEquals(0, network.level(0), "asked for a count of 1 although it detects none itself");
+  }
+
+  @Test
+  void aNeighbourWithFewerLevelsAbstainsWhereItHasNoSuchState() {
+    ToyNetwork network = new ToyNetwork(1, 3, 2);
+    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
+    prefer(policy, 0, 2, 0);
+    prefer(policy, 1, 1, 1);
+    network.decide(policy);
+    assertEquals(0, network.level(0));
+  }
+
+  @Test
+  void aNeighbourWithMoreLevelsPicksAmongTheAskers() {
+    ToyNetwork network = new ToyNetwork(1, 2, 4);
+    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
+    prefer(policy, 1, 1, 3);
+    policy.values().set(policy.values().row(1, 1, 0), 0, 0.5);
+    network.decide(policy);
+    assertEquals(0, network.level(0));
+  }
+
+  @Test
+  void offlineNeighboursAreNotAsked() {
+    ToyNetwork network = new ToyNetwork(1, 3, 3, 3);
+    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:k=1,epsilon=0,own-vote=no");
+    prefer(policy, 1, 2, 1);
+    prefer(policy, 2, 2, 0);
+    network.switchCamera(1, false);
+    network.decide(policy);
+    assertEquals(0, network.level(0));
+    assertEquals(4, policy.messages());
+  }
+
+  @Test
+  void countsAQueryAndAnAnswerForEachNeighbour() {
+    ToyNetwork network = new ToyNetwork(1, 3, 3, 3, 3, 3, 3);
+    QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:k=4");
+    for (int step = 0; step < 10; step++) {
+      network.step(policy);
+    }
+    assertEquals(10 * 6 * 2 * 4, policy.messages());
+  }
+
+  @Test
+  void withoutNeighboursItIsSarsa() {
+    ToyNetwork alone = learned("qb-sarsa:k=0");
+    ToyNetwork sarsa = learned("sarsa");
+    assertArrayEquals(sarsa.currentLevels(), alone.currentLevels());
+  }
+
+  @Test
+  void learnsTheBestLevelTogether() {
+    ToyNetwork network = world();
+    ZoomPolicy policy = begun(network, "qb-sarsa");
+    int atBest = 0;
+    for (int step = 0; step < 5_000; step++) {
+      network.step(policy);
+      atBest += network.level(2) == 1 ? 1 : 0;
+    }
+    assertTrue(atBest > 3_800, "at the best level in " + atBest + " steps");
+  }
+
+  private ToyNetwork learned(String spec) {
+    ToyNetwork network = world();
+    ZoomPolicy policy = network.begin(registry.create(spec), 5);
+    for (int step = 0; step < 777; step++) {
+      network.step(policy);
+    }
+    return network;
+  }
+
+  /** Five cameras for which the middle of three levels detects most. */
+  private static ToyNetwork world() {
+    ToyNetwork network = new ToyNetwork(3, 3, 3, 3, 3, 3);
+    for (int camera = 0; camera < 5; camera++) {
+      network.see(camera, 1, 0, 1, 2).see(camera, 2, 0);
+    }
+    return network;
+  }
+
+  /** Makes the action the camera's best at that level with nothing detected. */
+  private static void prefer(QbSarsaZoomPolicy policy, int camera, int level, int action) {
+    ActionValues values = policy.values();
+    values.set(values.row(camera, level, 0), action, 1);
+  }
+
+  private QbSarsaZoomPolicy begun(ToyNetwork network, String spec) {
+    return (QbSarsaZoomPolicy) network.begin(registry.create(spec), 1);
+  }
+}

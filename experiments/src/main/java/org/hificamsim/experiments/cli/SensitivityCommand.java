@@ -1,0 +1,81 @@
+package org.hificamsim.experiments.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.hificamsim.experiments.catalogue.Catalogue;
+import org.hificamsim.experiments.compare.Comparison;
+import org.hificamsim.experiments.compare.ComparisonRun;
+import org.hificamsim.experiments.output.ManifestFile;
+import org.hificamsim.experiments.run.RunExecutor;
+import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.experiments.sensitivity.SensitivityFiles;
+import org.hificamsim.experiments.sensitivity.Sweeps;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code hificamsim sensitivity}: what each open parameter does to the conclusion of chapter 8. */
+@Command(
+    name = "sensitivity",
+    description = "Sweeps thresholds, targets, gamma, epsilon, k and the reward around defaults.",
+    mixinStandardHelpOptions = true,
+    showDefaultValues = true)
+final class SensitivityCommand implements Callable<Integer> {
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      defaultValue = "out/sensitivity",
+      description = "Where the files go.")
+  private Path out;
+
+  @Option(names = "--steps", paramLabel = "N", defaultValue = "2000", description = "Steps.")
+  private int steps;
+
+  @Option(names = "--repeat", paramLabel = "N", defaultValue = "10", description = "Seeds.")
+  private int repeats;
+
+  @Mixin private BatchOptions batch;
+
+  @Spec private CommandSpec spec;
+
+  private String findings;
+
+  @Override
+  public Integer call() throws IOException {
+    Instant started = Instant.now();
+    batch.check(steps, repeats);
+    Catalogue catalogue = Catalogue.load();
+    Sweeps sweeps =
+        new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
+    execute(sweeps, new RunExecutor(catalogue), started);
+    spec.commandLine().getOut().println(findings + "files: " + out);
+    return 0;
+  }
+
+  private void execute(Sweeps sweeps, RunExecutor executor, Instant started) throws IOException {
+    List<RunPlan> plans = sweeps.plans(steps, batch.seed(), repeats);
+    int runs = Comparison.withOptimum(plans).size() * repeats;
+    PrintWriter err = spec.commandLine().getErr();
+    try (Progress progress = new Progress("sensitivity", " runs", runs, err)) {
+      Comparison comparison = new Comparison(executor, batch.threads(), progress::advance);
+      new ComparisonRun(comparison, batch.resume())
+          .executeWithoutTables(
+              plans,
+              out,
+              (folder, results) -> {
+                findings = SensitivityFiles.write(folder, sweeps, results);
+                ManifestFile.write(
+                    folder.open("manifest.json"),
+                    spec.commandLine().getParent().getParseResult().originalArgs(),
+                    started,
+                    (long) runs * steps);
+              });
+    }
+  }
+}

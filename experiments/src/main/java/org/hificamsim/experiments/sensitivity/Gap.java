@@ -1,0 +1,46 @@
+package org.hificamsim.experiments.sensitivity;
+
+import org.hificamsim.experiments.run.Estimate;
+
+/**
+ * The conclusion of chapter 8 in one place: hi-fi proportion of the optimum less CamSim's.
+ *
+ * @param layout a layout, or {@code all} for the mean over the three
+ * @param hifi NaN where the optimum is 0 throughout, and so for the others
+ */
+record Gap(
+    Sweep sweep,
+    Variant variant,
+    String layout,
+    String policy,
+    Estimate hifi,
+    Estimate camsim,
+    Estimate difference) {
+  /** All layouts together. */
+  static final String ALL = "all";
+
+  /** What the gap says of the conclusion. */
+  enum Finding {
+    UNDERESTIMATES("underestimates"),
+    OVERESTIMATES("overestimates"),
+    OPEN("open");
+
+    private final String label;
+
+    Finding(String label) {
+      this.label = label;
+    }
+
+    String label() {
+      return label;
+    }
+  }
+
+  /** CamSim's model underestimates, overestimates, or the 95% interval holds 0. */
+  Finding finding() {
+    if (difference.low() > 0) {
+      return Finding.UNDERESTIMATES;
+    }
+    return difference.high() < 0 ? Finding.OVERESTIMATES : Finding.OPEN;
+  }
+}
