@@ -86,7 +86,13 @@ class ValidateAndListTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "run", "compare", "validate", "list", "list detections", "list policies", "list scenarios"
+        "run",
+        "compare",
+        "validate",
+        "list",
+        "list detections",
+        "list policies",
+        "list scenarios"
       })
   void everyCommandHasHelp(String words) {
     Cli help = Cli.run((Object[]) (words + " --help").split(" "));

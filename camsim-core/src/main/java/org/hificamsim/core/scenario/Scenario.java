@@ -83,8 +83,7 @@ public record Scenario(
   }
 
   /** The same world under another name with other targets and events. */
-  public Scenario with(
-      String newName, List<TargetSpec> newTargets, List<ScenarioEvent> newEvents) {
+  public Scenario with(String newName, List<TargetSpec> newTargets, List<ScenarioEvent> newEvents) {
     return new Scenario(
         newName,
         field,

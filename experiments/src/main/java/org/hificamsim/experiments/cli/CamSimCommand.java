@@ -128,7 +128,8 @@ final class CamSimCommand implements Callable<Integer> {
     CamSimFiles.Places places =
         new CamSimFiles.Places(output, Optional.ofNullable(summary), extra(), coverage());
     try (CamSimFiles files = new CamSimFiles(places, plan, world, network);
-        Progress progress = new Progress("camsim " + plan.scenario().name(), " steps", steps, err)) {
+        Progress progress =
+            new Progress("camsim " + plan.scenario().name(), " steps", steps, err)) {
       List<StepListener> listeners = new ArrayList<>(files.listeners());
       listeners.add((view, measured) -> progress.advance());
       new Simulation(world, observed(plan), zooms, network, seed, listeners).run(steps);

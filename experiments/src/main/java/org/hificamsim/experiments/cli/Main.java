@@ -66,7 +66,8 @@ public final class Main implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list or camsim");
+        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list or"
+            + " camsim");
   }
 
   private static int usage(ParameterException fault) {

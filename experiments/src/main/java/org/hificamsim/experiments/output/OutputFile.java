@@ -34,8 +34,7 @@ public final class OutputFile implements Closeable {
           option + " '" + path + "' cannot be made, expected a folder that exists and is writable");
     }
     temporary =
-        folder.resolve(
-            ".%s-%d.part".formatted(path.getFileName(), ProcessHandle.current().pid()));
+        folder.resolve(".%s-%d.part".formatted(path.getFileName(), ProcessHandle.current().pid()));
   }
 
   /** A writer (UTF-8); the caller closes it before {@link #commit}. */
