@@ -44,7 +44,7 @@ final class ProportionFigure {
         panels,
         Math.min(2, panels.size()),
         WIDTH,
-        FRAME + ROW * Math.max(3, figure.policies.size()));
+        FRAME + ROW * Math.max(2, figure.policies.size()));
   }
 
   private List<LegendEntry> legend() {

@@ -19,8 +19,11 @@ public final class XyPanel {
           1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {5, 4}, 0);
   private static final double PALE = 0.38;
   private static final double BAND = 0.18;
-  private static final int NAMES_WIDTH = 240;
-  private static final int ROW_HEIGHT = 20;
+
+  /** About the width of a panel's inside: makes XChart set a tick on each name and none between. */
+  private static final int NAMES_WIDTH = 300;
+
+  private static final int ROW_HEIGHT = 26;
 
   /** How far axes reach beyond their ends: XChart leaves out a tick that stands on the very end. */
   private static final double EDGE = 0.003;
@@ -61,7 +64,7 @@ public final class XyPanel {
     chart.getStyler().setPlotGridVerticalLinesVisible(false);
     chart.getStyler().setXAxisMin(0.5);
     chart.getStyler().setXAxisMax(names.size() + 0.5);
-    chart.getStyler().setXAxisTickMarkSpacingHint(NAMES_WIDTH / (names.size() + 1));
+    chart.getStyler().setXAxisTickMarkSpacingHint(NAMES_WIDTH / names.size());
     chart.setCustomXAxisTickLabelsFormatter(x -> PanelStyle.name(names, x));
     return this;
   }

@@ -25,9 +25,9 @@ final class TableFigure {
         "Random and scripted scenario of a layout together; bars: 95% intervals over seeds.",
         List.of(
             new LegendEntry("hi-fi, ours", color(true), LegendEntry.Mark.DOT),
-            new LegendEntry("hi-fi, published", color(true), LegendEntry.Mark.DIAMOND),
+            new LegendEntry("hi-fi, published", pale(true), LegendEntry.Mark.DIAMOND),
             new LegendEntry("CamSim, ours", color(false), LegendEntry.Mark.DOT),
-            new LegendEntry("CamSim, published", color(false), LegendEntry.Mark.DIAMOND)),
+            new LegendEntry("CamSim, published", pale(false), LegendEntry.Mark.DIAMOND)),
         Published.POLICIES.stream().map(policy -> panel(policy, cells)).toList(),
         Published.POLICIES.size(),
         WIDTH,
@@ -53,11 +53,15 @@ final class TableFigure {
     double x = LAYOUTS.indexOf(published.layout()) + 1 + (published.hifi() ? APART : -APART);
     panel.interval(x - BESIDE, cell.ours().low(), cell.ours().high(), color);
     panel.dots(point(x - BESIDE, cell.ours().mean()), color);
-    panel.diamonds(point(x + BESIDE, published.proportion()), Palette.pale(color, 0.55));
+    panel.diamonds(point(x + BESIDE, published.proportion()), pale(published.hifi()));
   }
 
   private static Curve point(double x, double y) {
     return new Curve(new double[] {x}, new double[] {y});
+  }
+
+  private static Color pale(boolean hifi) {
+    return Palette.pale(color(hifi), 0.55);
   }
 
   private static Color color(boolean hifi) {

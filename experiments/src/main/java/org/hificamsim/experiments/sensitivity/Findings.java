@@ -20,7 +20,7 @@ its whole 95% interval, by layout and policy; it flips where it is below with it
 
 """);
     for (Sweep sweep : sweeps) {
-      text.append(paragraph(sweep, gaps.stream().filter(gap -> gap.sweep() == sweep).toList()));
+      text.append(paragraph(sweep, gaps.stream().filter(gap -> gap.isOf(sweep)).toList()));
     }
     return text.toString();
   }
@@ -50,7 +50,7 @@ its whole 95% interval, by layout and policy; it flips where it is below with it
             .filter(
                 variant ->
                     cells.stream()
-                        .filter(gap -> gap.variant() == variant)
+                        .filter(gap -> gap.isAt(variant))
                         .allMatch(gap -> gap.finding() == Gap.Finding.UNDERESTIMATES))
             .map(variant -> variant.value() + (variant.standard() ? " (default)" : ""))
             .collect(Collectors.joining(", "));

@@ -36,6 +36,19 @@ record Gap(
     }
   }
 
+  boolean isOf(Sweep other) {
+    return sweep.parameter().equals(other.parameter());
+  }
+
+  boolean isAt(Variant other) {
+    return variant.value().equals(other.value());
+  }
+
+  /** The place of the value in its sweep, from 0. */
+  int place() {
+    return sweep.variants().stream().map(Variant::value).toList().indexOf(variant.value());
+  }
+
   /** CamSim's model underestimates, overestimates, or the 95% interval holds 0. */
   Finding finding() {
     if (difference.low() > 0) {

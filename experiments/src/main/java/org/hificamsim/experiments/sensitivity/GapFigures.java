@@ -17,7 +17,7 @@ import org.knowm.xchart.XYChart;
 
 /** A picture per parameter, and one of all. */
 final class GapFigures {
-  private static final int WIDTH = 330;
+  private static final int WIDTH = 400;
   private static final int HEIGHT = 270;
   private static final double ROOM = 1.1;
   private static final String NOTE =
@@ -39,7 +39,7 @@ final class GapFigures {
   }
 
   private Figure byLayout(Sweep sweep) {
-    List<Gap> own = gaps.stream().filter(gap -> gap.sweep() == sweep).toList();
+    List<Gap> own = gaps.stream().filter(gap -> gap.isOf(sweep)).toList();
     return new Figure(
         "What the " + sweep.meaning() + " does to the conclusion of chapter 8",
         NOTE,
@@ -89,7 +89,7 @@ final class GapFigures {
     return gaps.stream()
         .filter(
             gap ->
-                gap.sweep() == sweep
+                gap.isOf(sweep)
                     && gap.layout().equals(layout)
                     && gap.policy().equals(policy)
                     && !Double.isNaN(gap.difference().mean()))
@@ -101,9 +101,7 @@ final class GapFigures {
       return;
     }
     double[] x =
-        own.stream()
-            .mapToDouble(gap -> gap.sweep().variants().indexOf(gap.variant()) + 1)
-            .toArray();
+        own.stream().mapToDouble(gap -> gap.place() + 1).toArray();
     double[] low = own.stream().mapToDouble(gap -> gap.difference().low()).toArray();
     double[] mean = own.stream().mapToDouble(gap -> gap.difference().mean()).toArray();
     double[] high = own.stream().mapToDouble(gap -> gap.difference().high()).toArray();

@@ -45,7 +45,7 @@ public final class SensitivityFiles {
         table.row(
             gap.sweep().parameter(),
             gap.variant().value(),
-            gap.variant().standard(),
+            gap.variant().standard() ? "true" : "false",
             gap.layout(),
             gap.policy(),
             gap.hifi().mean(),

@@ -50,11 +50,11 @@ public final class Sweeps {
         new Sweep(
             "threshold-hifi",
             "detection threshold of " + hifi.name(),
-            thresholds(hifi, 0.03, 0.035, 0.04, 0.0441, 0.05, 0.06, 0.08)),
+            thresholds(hifi, 0.03, 0.04, 0.0441, 0.05, 0.06, 0.08)),
         new Sweep(
             "threshold-camsim",
             "detection threshold of " + camsim.name(),
-            thresholds(camsim, 0.15, 0.25, 0.3, 0.35, 0.4, 0.45, 0.55)),
+            thresholds(camsim, 0.15, 0.25, 0.35, 0.45, 0.55)),
         new Sweep("targets", "number of targets", targets(1, 2, 3, 4, 5, 6, 8)),
         new Sweep(
             "gamma",
@@ -101,8 +101,8 @@ public final class Sweeps {
               String.valueOf(threshold),
               standard,
               scenarios,
-              model == hifi ? changed : Detection.of(hifi),
-              model == camsim ? changed : Detection.of(camsim),
+              model.name().equals(hifi.name()) ? changed : Detection.of(hifi),
+              model.name().equals(camsim.name()) ? changed : Detection.of(camsim),
               specs(ALL, "")));
     }
     return variants;
