@@ -119,7 +119,8 @@ public final class DetectionExperiment {
             camsim.banditParameters(),
             camsim.historicalParameters(),
             camsim.quirks());
-    PrintWriter nowhere = new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+    PrintWriter nowhere =
+        new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
     Scenario scenario = CamSimScenario.read(file, null, false, settings, catalogue, nowhere);
     World world = new World(scenario, catalogue.movements(), seed);
     Detection model = Detection.of(catalogue.detection(detection));
@@ -138,7 +139,9 @@ public final class DetectionExperiment {
 
   /** The file's name with its folder, which in CamSim's collection tells files apart. */
   private static String name(Path file) {
-    return file.getName(file.getNameCount() - 2) + "/" + file.getFileName().toString().replace(".xml", "");
+    return file.getName(file.getNameCount() - 2)
+        + "/"
+        + file.getFileName().toString().replace(".xml", "");
   }
 
   private static void table(OutputFolder folder, List<Outcome> outcomes) throws IOException {

@@ -100,8 +100,7 @@ final class GapFigures {
     if (own.isEmpty()) {
       return;
     }
-    double[] x =
-        own.stream().mapToDouble(gap -> gap.place() + 1).toArray();
+    double[] x = own.stream().mapToDouble(gap -> gap.place() + 1).toArray();
     double[] low = own.stream().mapToDouble(gap -> gap.difference().low()).toArray();
     double[] mean = own.stream().mapToDouble(gap -> gap.difference().mean()).toArray();
     double[] high = own.stream().mapToDouble(gap -> gap.difference().high()).toArray();
