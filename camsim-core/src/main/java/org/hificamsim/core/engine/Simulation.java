@@ -12,30 +12,45 @@ import org.hificamsim.core.world.World;
 /**
  * A run of one scenario under one detection model and one zoom policy, step by step.
  *
- * <p>A step is: events, (move), decide, apply zooms, observe, reward, measure, record, (move);
- * targets move where the scenario's {@link StepOrder} says. Equal arguments give equal runs.
+ * <p>A step is: events, (move), decide, apply zooms, observe, cooperate, reward, measure, record,
+ * (move); targets move where the scenario's {@link StepOrder} says. Equal arguments give equal
+ * runs.
  */
 public final class Simulation {
   private final World world;
   private final StepOrder order;
   private final ZoomPolicy policy;
+  private final Cooperation cooperation;
   private final StepListener[] listeners;
   private final ObservedNetwork network;
   private final StepCoverage coverage = new StepCoverage();
   private final int[] levels;
   private long step;
 
-  /**
-   * @param seed seeds the policy's generator; the world has been seeded on its own
-   * @param listeners called in this order
-   */
+  /** A run of cameras that work each for itself. */
   public Simulation(
       World world,
       Detection detection,
       ZoomPolicy policy,
       long seed,
       List<? extends StepListener> listeners) {
+    this(world, detection, policy, Cooperation.NONE, seed, listeners);
+  }
+
+  /**
+   * @param cooperation what the cameras do together
+   * @param seed seeds the policy's generator; world and cooperation have been seeded on their own
+   * @param listeners called in this order
+   */
+  public Simulation(
+      World world,
+      Detection detection,
+      ZoomPolicy policy,
+      Cooperation cooperation,
+      long seed,
+      List<? extends StepListener> listeners) {
     this.world = world;
+    this.cooperation = cooperation;
     this.order = world.scenario().order();
     this.policy = policy;
     this.listeners = listeners.toArray(StepListener[]::new);
@@ -64,8 +79,10 @@ public final class Simulation {
     if (order == StepOrder.CAMSIM) {
       world.moveTargets();
     }
+    cooperation.prepare();
     decide();
     network.observe();
+    cooperation.cooperate();
     policy.learn(network);
     coverage.measure(network);
     for (StepListener listener : listeners) {

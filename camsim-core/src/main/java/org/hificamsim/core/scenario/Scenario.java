@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.UnaryOperator;
 
 /**
  * A scenario: the field, the cameras, the targets, and what happens when.
@@ -100,6 +101,11 @@ public record Scenario(
 
   /** The same scenario with every target, now or later, under one movement. */
   public Scenario withMovement(String movement) {
+    return withTargets(target -> target.withMovement(movement));
+  }
+
+  /** The same scenario with every target, now or later, changed. */
+  public Scenario withTargets(UnaryOperator<TargetSpec> change) {
     return new Scenario(
         name,
         field,
@@ -109,15 +115,32 @@ public record Scenario(
         mountHeight,
         zooms,
         cameras,
-        targets.stream().map(target -> target.withMovement(movement)).toList(),
-        events.stream().map(event -> withMovement(event, movement)).toList(),
+        targets.stream().map(change).toList(),
+        events.stream().map(event -> withTarget(event, change)).toList(),
         visionGraph,
         extras);
   }
 
-  private static ScenarioEvent withMovement(ScenarioEvent event, String movement) {
+  /** The same scenario without its zoom list: each camera has its range alone, as in CamSim. */
+  public Scenario withoutZooms() {
+    return new Scenario(
+        name,
+        field,
+        order,
+        headings,
+        threshold,
+        mountHeight,
+        List.of(),
+        cameras,
+        targets,
+        events,
+        visionGraph,
+        extras);
+  }
+
+  private static ScenarioEvent withTarget(ScenarioEvent event, UnaryOperator<TargetSpec> change) {
     return event instanceof ScenarioEvent.AddTarget add
-        ? new ScenarioEvent.AddTarget(add.step(), add.target().withMovement(movement))
+        ? new ScenarioEvent.AddTarget(add.step(), change.apply(add.target()))
         : event;
   }
 }

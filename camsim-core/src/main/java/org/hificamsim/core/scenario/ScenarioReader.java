@@ -18,7 +18,7 @@ import java.util.function.Predicate;
  *
  * <p>Elements are found by name at any depth, as CamSim does. Whatever is malformed, out of range
  * or contradictory is an {@link org.hificamsim.core.InputException} with its place; what is merely
- * odd, unknown, or kept without being simulated is a warning.
+ * odd or unknown is a warning.
  */
 public final class ScenarioReader {
   private static final Set<String> ELEMENTS =
@@ -111,7 +111,6 @@ public final class ScenarioReader {
             events,
             visionGraph(),
             attributes.leftOver(warnings));
-    warnAboutNetwork(scenario);
     return scenario;
   }
 
@@ -195,40 +194,5 @@ public final class ScenarioReader {
     root.below()
         .filter(element -> WITHOUT_ATTRIBUTES.contains(element.name()))
         .forEach(element -> new Attributes(element).leftOver(warnings));
-  }
-
-  /** One line for all that belongs to CamSim's network of agents. */
-  private void warnAboutNetwork(Scenario scenario) {
-    List<String> carried = new ArrayList<>();
-    List<AgentSpec> agents = new ArrayList<>();
-    scenario.cameras().forEach(camera -> agents.add(camera.agent()));
-    for (ScenarioEvent event : scenario.events()) {
-      if (event instanceof ScenarioEvent.AddCamera add) {
-        agents.add(add.camera().agent());
-      }
-    }
-    addIf(carried, agents.stream().anyMatch(a -> a.algorithm().isPresent()), "ai_algorithm");
-    addIf(carried, agents.stream().anyMatch(a -> a.comm().isPresent()), "comm");
-    addIf(carried, agents.stream().anyMatch(a -> a.customComm().isPresent()), "customcom");
-    addIf(carried, agents.stream().anyMatch(a -> a.limit() != 0), "limit");
-    addIf(carried, agents.stream().anyMatch(a -> a.bandit().isPresent()), "bandit");
-    addIf(carried, scenario.visionGraph().isPresent(), "visiongraph");
-    addIf(
-        carried,
-        scenario.events().stream().anyMatch(ScenarioEvent.FailRegistration.class::isInstance),
-        "grc events");
-    if (!carried.isEmpty()) {
-      warnings.accept(
-          root.place()
-              + ": CamSim's network ("
-              + String.join(", ", carried)
-              + ") is kept but not simulated: no auctions, messages or handovers");
-    }
-  }
-
-  private static void addIf(List<String> list, boolean condition, String item) {
-    if (condition) {
-      list.add(item);
-    }
   }
 }

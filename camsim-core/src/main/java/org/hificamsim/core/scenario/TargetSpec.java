@@ -42,6 +42,11 @@ public record TargetSpec(
     return Double.toString(features);
   }
 
+  /** The same target at another speed. */
+  public TargetSpec withSpeed(double newSpeed) {
+    return new TargetSpec(origin, features, x, y, heading, newSpeed, size, movement, extras);
+  }
+
   /** The same target under another movement. */
   public TargetSpec withMovement(String name) {
     return new TargetSpec(

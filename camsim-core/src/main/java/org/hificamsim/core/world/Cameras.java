@@ -11,6 +11,7 @@ public final class Cameras {
   private final String[] names;
   private final double[] x;
   private final double[] y;
+  private final double[] heading;
   private final double[] headingX;
   private final double[] headingY;
   private final ZoomLevel[][] zooms;
@@ -22,6 +23,7 @@ public final class Cameras {
     names = new String[count];
     x = new double[count];
     y = new double[count];
+    heading = new double[count];
     headingX = new double[count];
     headingY = new double[count];
     zooms = new ZoomLevel[count][];
@@ -42,11 +44,12 @@ public final class Cameras {
   }
 
   /**
-   * @param heading radians
+   * @param newHeading radians
    */
-  void face(int camera, double heading) {
-    headingX[camera] = Math.sin(heading);
-    headingY[camera] = Math.cos(heading);
+  void face(int camera, double newHeading) {
+    heading[camera] = newHeading;
+    headingX[camera] = Math.sin(newHeading);
+    headingY[camera] = Math.cos(newHeading);
     revision++;
   }
 
@@ -87,6 +90,11 @@ public final class Cameras {
   /** Metres. */
   public double y(int camera) {
     return y[camera];
+  }
+
+  /** Radians, 0 is +y and pi/2 is +x; not normalised. */
+  public double heading(int camera) {
+    return heading[camera];
   }
 
   /** The x component of the unit vector along the heading. */

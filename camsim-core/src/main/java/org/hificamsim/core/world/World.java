@@ -25,6 +25,7 @@ public final class World {
   private final Movement[] movements;
   private final ScenarioEvent[] events;
   private final RandomStreams random;
+  private WorldObserver observer = WorldObserver.NONE;
   private int nextEvent;
   private int nextCamera;
   private int nextTarget;
@@ -62,6 +63,36 @@ public final class World {
     return targets;
   }
 
+  /** How the scenario describes a camera, also one that is yet to be added. */
+  public CameraSpec cameraSpec(int camera) {
+    return cameraSpecs.get(camera);
+  }
+
+  /** How the scenario describes a target, also one that is yet to appear. */
+  public TargetSpec targetSpec(int target) {
+    return targetSpecs.get(target);
+  }
+
+  /** Has the events of the steps to come told to one observer, as they fire. */
+  public void observe(WorldObserver newObserver) {
+    observer = newObserver;
+  }
+
+  /** Switches a camera off or on again, outside any event. */
+  public void switchCamera(int camera, boolean on) {
+    cameras.switchTo(camera, on);
+  }
+
+  /**
+   * Gives a camera another range; one with a zoom list keeps its levels.
+   *
+   * @param range metres
+   */
+  public void reach(int camera, double range) {
+    double angle = cameras.zoom(camera, 0).viewingAngle();
+    cameras.refit(camera, ZoomLevels.of(scenario, range, angle));
+  }
+
   /** Fires the events of this step. */
   public void fireEvents(long step) {
     while (nextEvent < events.length && events[nextEvent].step() <= step) {
@@ -80,24 +111,24 @@ public final class World {
 
   private void fire(ScenarioEvent event) {
     if (event instanceof ScenarioEvent.AddCamera) {
-      addCamera();
+      observer.cameraAdded(addCamera());
     } else if (event instanceof ScenarioEvent.ChangeCamera change) {
       changeCamera(change);
     } else if (event instanceof ScenarioEvent.FailCamera fail) {
       failCamera(fail);
     } else if (event instanceof ScenarioEvent.AddTarget) {
-      addTarget();
+      observer.targetAppeared(addTarget());
     } else if (event instanceof ScenarioEvent.RemoveTarget remove) {
       removeTarget(remove.features());
     }
   }
 
-  private void addCamera() {
+  private int addCamera() {
     CameraSpec spec = cameraSpecs.get(nextCamera);
     cameras.place(nextCamera, spec.x(), spec.y());
     cameras.face(nextCamera, Math.toRadians(spec.heading()));
     cameras.switchTo(nextCamera, true);
-    nextCamera++;
+    return nextCamera++;
   }
 
   private void changeCamera(ScenarioEvent.ChangeCamera change) {
@@ -126,6 +157,7 @@ public final class World {
     int camera = onlineCamera(fail.camera());
     if (camera >= 0 && fail.duration() != 0) {
       cameras.switchTo(camera, false);
+      observer.cameraFailed(camera, fail.duration());
     }
   }
 
@@ -138,18 +170,19 @@ public final class World {
     return -1;
   }
 
-  private void addTarget() {
+  private int addTarget() {
     TargetSpec spec = targetSpecs.get(nextTarget);
     double heading = scenario.headings().radians(spec.heading());
     targets.appear(nextTarget, spec.x(), spec.y(), heading, spec.speed());
     movements[nextTarget].start(nextTarget, targets, spec);
-    nextTarget++;
+    return nextTarget++;
   }
 
   private void removeTarget(double features) {
     for (int target = 0; target < targets.count(); target++) {
       if (targets.present(target) && targetSpecs.get(target).features() == features) {
         targets.disappear(target);
+        observer.targetVanished(target);
         return;
       }
     }

@@ -4,7 +4,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /** Every camera at its widest level. */
-final class WidestPolicy implements ZoomPolicy {
+public final class WidestPolicy implements ZoomPolicy {
   @Override
   public String name() {
     return "widest";

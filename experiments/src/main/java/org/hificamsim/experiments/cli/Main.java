@@ -29,7 +29,8 @@ import picocli.CommandLine.Spec;
       SensitivityCommand.class,
       PlotCommand.class,
       ValidateCommand.class,
-      ListCommand.class
+      ListCommand.class,
+      CamSimCommand.class
     },
     mixinStandardHelpOptions = true,
     versionProvider = Main.Version.class)
@@ -66,7 +67,8 @@ public final class Main implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "no command, expected run, compare, reproduce, sensitivity, plot, validate or list");
+        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list or"
+            + " camsim");
   }
 
   private static int usage(ParameterException fault) {

@@ -2,10 +2,12 @@ package org.hificamsim.experiments.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
@@ -35,6 +37,7 @@ final class ScenarioOptions {
             file,
             catalogue.movements().names()::contains,
             warning -> err.println("warning: " + Place.printable(warning)));
+    warnAboutNetwork(file, scenario, err);
     if (newOrder != null) {
       scenario = scenario.withOrder(newOrder);
     }
@@ -42,6 +45,15 @@ final class ScenarioOptions {
       scenario = scenario.withHeadings(newHeadings);
     }
     return scenario;
+  }
+
+  private static void warnAboutNetwork(Path file, Scenario scenario, PrintWriter err) {
+    List<String> parts = NetworkParts.of(scenario);
+    if (!parts.isEmpty()) {
+      err.println(
+          "warning: %s: CamSim's network (%s) is kept but not simulated here; 'hificamsim camsim' does"
+              .formatted(file, String.join(", ", parts)));
+    }
   }
 
   private static <E extends Enum<E>> E choice(Class<E> type, String option, String text) {

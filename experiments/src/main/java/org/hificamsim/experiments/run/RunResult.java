@@ -27,7 +27,8 @@ public record RunResult(
     long detections,
     long zoomChanges,
     long messages) {
-  static RunResult of(int run, long seed, RunCoverage coverage, long messages) {
+  /** The result of a repeat whose coverage has been added up. */
+  public static RunResult of(int run, long seed, RunCoverage coverage, long messages) {
     return new RunResult(
         run,
         seed,

@@ -1,0 +1,2 @@
+/** Communication policies: which cameras hear of a target for sale. */
+package org.hificamsim.core.network.communication;

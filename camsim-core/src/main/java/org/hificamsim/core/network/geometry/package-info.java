@@ -1,0 +1,2 @@
+/** Exact areas of fields of view. */
+package org.hificamsim.core.network.geometry;

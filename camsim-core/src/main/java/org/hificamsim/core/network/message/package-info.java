@@ -1,0 +1,2 @@
+/** Messages between cameras, as a queue. */
+package org.hificamsim.core.network.message;

@@ -1,0 +1,23 @@
+package org.hificamsim.core.world;
+
+/** Is told what events change in a world, in the order in which they fire. */
+public interface WorldObserver {
+  /** Takes no notice. */
+  WorldObserver NONE = new WorldObserver() {};
+
+  /** A camera was added. */
+  default void cameraAdded(int camera) {}
+
+  /**
+   * A camera was switched off.
+   *
+   * @param duration steps, above 0; -1 for ever
+   */
+  default void cameraFailed(int camera, int duration) {}
+
+  /** A target appeared. */
+  default void targetAppeared(int target) {}
+
+  /** A target disappeared. */
+  default void targetVanished(int target) {}
+}

@@ -1,0 +1,211 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** {@code camsim}: CamSim's command line, its files, and what is ours on top. */
+class CamSimCommandTest {
+  private static final Path SCENARIO = Cli.scenario("tutorial-camsim");
+  private static final String HEADER =
+      "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;proportion";
+
+  @TempDir Path folder;
+
+  private Cli camsim(String options, Path scenario) {
+    List<Object> words = new ArrayList<>(List.of("camsim"));
+    if (!options.isBlank()) {
+      words.addAll(List.of(options.strip().split("\\s+")));
+    }
+    words.addAll(List.of("-o", folder.resolve("o.csv"), scenario));
+    return Cli.run(words.toArray());
+  }
+
+  private List<String> lines(String file) throws IOException {
+    return Files.readAllLines(folder.resolve(file));
+  }
+
+  @Test
+  void writesCamSimsTableAndASummaryBesideIt() throws IOException {
+    Cli run = camsim("-t 30 -s 4 --no-gui", SCENARIO);
+    assertEquals(0, run.exit(), run.err());
+    List<String> rows = lines("o.csv");
+    assertEquals(HEADER, rows.get(0));
+    assertEquals(31, rows.size());
+    assertTrue(rows.get(30).startsWith("29;"), rows.get(30));
+    assertTrue(lines("summary.csv").get(0).startsWith("SEED,TIME,GLOBAL_UTILITY,"));
+    assertTrue(lines("summary.csv").get(1).startsWith("4,30,0.0,"));
+    camsim("-t 10", SCENARIO);
+    assertEquals(3, lines("summary.csv").size(), "one header, two runs");
+  }
+
+  @Test
+  void leavesNothingButItsFiles() throws IOException {
+    camsim("-t 5", SCENARIO);
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(
+          List.of("o.csv", "summary.csv"),
+          files.map(file -> file.getFileName().toString()).sorted().toList());
+    }
+  }
+
+  @Test
+  void saysNothingOfANetworkThatIsNotSimulatedWhereRunDoes() {
+    assertFalse(camsim("-t 5", SCENARIO).err().contains("not simulated"));
+    Cli run = Cli.run("run", SCENARIO, "--steps", 5, "--out", folder);
+    assertTrue(run.err().contains("not simulated"), run.err());
+  }
+
+  @Test
+  void theSummaryFileAndTheParametersCountAsTheirHelpSays() throws IOException {
+    Path parameters = folder.resolve("p.properties");
+    Files.writeString(parameters, "epsilon = 0.9\nINTERVAL=3\nHistEnabled=false\n");
+    String options = "-a active -b EpsilonGreedy -t 200 -f " + folder.resolve("sums.csv");
+    camsim(options, SCENARIO);
+    List<String> plain = lines("o.csv");
+    assertEquals(2, lines("sums.csv").size());
+    camsim(options + " -p " + parameters, SCENARIO);
+    assertNotEquals(plain, lines("o.csv"));
+    assertFalse(Files.exists(folder.resolve("summary.csv")));
+  }
+
+  @Test
+  void ourTablesLeaveCamSimsAsTheyAre() throws IOException {
+    camsim("-t 40 -a active -c 0", SCENARIO);
+    List<String> plain = lines("o.csv");
+    Path extra = folder.resolve("extra.csv");
+    Path coverage = folder.resolve("coverage");
+    Cli run =
+        camsim(
+            "-t 40 -a active -c 0 --extra-out " + extra + " --coverage-out " + coverage, SCENARIO);
+    assertEquals(0, run.exit(), run.err());
+    assertEquals(plain, lines("o.csv"));
+    assertEquals("time;cameras_seeing;overlap_area;handovers", lines("extra.csv").get(0));
+    assertEquals(41, lines("extra.csv").size());
+    assertEquals(41, Files.readAllLines(coverage.resolve("steps.csv")).size());
+    assertTrue(Files.exists(coverage.resolve("summary.json")));
+  }
+
+  @Test
+  void theDetectionModelReachesBidsAndUtility() throws IOException {
+    camsim("-t 50 -a active -c 0", SCENARIO);
+    List<String> plain = lines("o.csv");
+    Cli run = camsim("-t 50 -a active -c 0 --detection hifi:orb-lin", SCENARIO);
+    assertEquals(0, run.exit(), run.err());
+    assertNotEquals(plain, lines("o.csv"));
+  }
+
+  @Test
+  void aFileOfTheCoverageStudyRunsWithItsRangesOrWithAPolicyOverItsZooms() throws IOException {
+    Path lattice = Cli.scenario("lattice-random");
+    assertEquals(0, camsim("-t 20 -a active -c 0", lattice).exit());
+    List<String> plain = lines("o.csv");
+    Cli zooming = camsim("-t 20 -a active -c 0 --policy zoom-in", lattice);
+    assertEquals(0, zooming.exit(), zooming.err());
+    assertNotEquals(plain, lines("o.csv"));
+  }
+
+  @Test
+  void theSameCommandWritesTheSameBytes() throws IOException {
+    String options = "-t 100 -a HistActive -c 1 -e 5 -s 3";
+    camsim(options, SCENARIO);
+    List<String> first = lines("o.csv");
+    camsim(options, SCENARIO);
+    assertEquals(first, lines("o.csv"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "-t -1 | -t is -1, expected a whole number from 0",
+        "-s 4294967296 | '4294967296'",
+        "-v 3 | -v is 3, expected one of -1, 0, 1, 2",
+        "-c 5 | -c is 5, expected a whole number from 0 to 4",
+        "-c 4 | comm 4 without the class of its policy",
+        "-c 4 -u Whisper | 'Whisper', expected one of Broadcast, Smooth, Step, Fix",
+        "-a epics.ai.Nobody | ai_algorithm is 'epics.ai.Nobody', expected one of Active",
+        "-b Gambler | bandit is 'Gambler', expected one of EpsilonGreedy",
+        "-a BanditZoom | without a bandit",
+        "-m epics.movement.Teleport | unknown movement",
+        "-p missing.properties | missing.properties: cannot be read",
+        "--quirks Q99 | names 'Q99'",
+        "--detection nobody | unknown detection 'nobody'",
+        "--policy nobody | unknown policy 'nobody'",
+        "--threshold 2 | --threshold is 2.0",
+        "-f /no/such/folder/s.csv | summary file",
+        "--extra-out /no/such/folder/x.csv | --extra-out",
+      })
+  void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected)
+      throws IOException {
+    Cli run = camsim(options, SCENARIO);
+    assertEquals(2, run.exit(), run.err());
+    List<String> errors = run.err().lines().filter(line -> !line.startsWith("warning")).toList();
+    assertEquals(1, errors.size(), run.err());
+    assertTrue(errors.get(0).startsWith("error: ") && errors.get(0).contains(expected), run.err());
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(0, files.count());
+    }
+  }
+
+  @Test
+  void aParameterFileWithAnUnknownKeyIsRefused() throws IOException {
+    Path parameters = Files.writeString(folder.resolve("p.properties"), "Speed=1\n");
+    Cli run = camsim("-p " + parameters, SCENARIO);
+    assertEquals(2, run.exit());
+    assertTrue(run.err().contains("unknown key 'Speed', expected one of Pre"), run.err());
+  }
+
+  @Test
+  void refusesNoScenarioAndTwo() {
+    assertEquals(2, Cli.run("camsim").exit());
+    assertEquals(2, Cli.run("camsim", SCENARIO, SCENARIO).exit());
+    assertEquals(0, Cli.run("camsim", "-h").exit());
+  }
+
+  @Test
+  void allOfCamSimsFilesRunAThousandStepsWithoutAnyOption() throws IOException {
+    Path scenarios = Cli.reference("camsim/scenarios");
+    assumeTrue(Files.isDirectory(scenarios), "no reference data: skipped");
+    try (Stream<Path> files = Files.walk(scenarios)) {
+      List<Path> all = files.filter(file -> file.toString().endsWith(".xml")).toList();
+      assertEquals(49, all.size());
+      for (Path file : all) {
+        assertEquals(0, Cli.run("validate", file).exit(), file.toString());
+        Cli run = camsim("-t 1000", file);
+        assertEquals(0, run.exit(), file + ": " + run.err());
+        assertEquals(1001, lines("o.csv").size());
+      }
+    }
+  }
+
+  @Test
+  void recordedOutputsComeOutOfTheCommandLineUnchanged() throws IOException {
+    Path outputs = Cli.reference("camsim/outputs");
+    assumeTrue(Files.isDirectory(outputs), "no reference data: skipped");
+    int compared = 0;
+    for (String line : Files.readAllLines(outputs.resolve("index.csv"))) {
+      String[] cells = line.split(",");
+      if (cells[0].startsWith("SASO-scenario") || cells[0].startsWith("custom-")) {
+        Cli run = camsim(cells[2], Cli.reference("camsim/scenarios").resolve(cells[1]));
+        assertEquals(0, run.exit(), run.err());
+        assertEquals(Files.readAllLines(outputs.resolve(cells[0])), lines("o.csv"), cells[0]);
+        compared++;
+      }
+    }
+    assertEquals(17, compared);
+  }
+}
