@@ -117,6 +117,11 @@ public final class JsonObject implements JsonValue {
         .toArray(double[][]::new);
   }
 
+  /** A list of exactly {@code count} finite numbers in [{@code least}, {@code most}]. */
+  public double[] numbers(String key, int count, double least, double most) {
+    return row(key, take(key, "a list of " + count + " numbers"), count, least, most);
+  }
+
   private static double[] row(String key, JsonValue row, int columns, double least, double most) {
     if (!(row instanceof Items cells) || cells.values().size() != columns) {
       throw row.place()
