@@ -7,6 +7,7 @@ import org.hificamsim.agents.baseline.FixedZoomPolicy;
 import org.hificamsim.agents.baseline.RandomZoomPolicy;
 import org.hificamsim.agents.baseline.ZoomInPolicy;
 import org.hificamsim.agents.baseline.ZoomOutPolicy;
+import org.hificamsim.agents.hindsight.BestFixedZoomPolicy;
 import org.hificamsim.agents.optimal.OneHopZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalZoomPolicy;
 import org.hificamsim.agents.temporal.QLearningZoomPolicy;
@@ -35,6 +36,10 @@ public final class CoveragePolicies {
             OneHopZoomPolicy.NAME,
             "the exactly best k_min when each camera moves at most one level, global knowledge",
             OneHopZoomPolicy::from)
+        .register(
+            BestFixedZoomPolicy.NAME,
+            "the best constant configuration of the very run, in hindsight",
+            BestFixedZoomPolicy::from)
         .register(
             EpsilonGreedyZoomPolicy.NAME,
             "bandit: the level with the best average count, sometimes another",

@@ -21,13 +21,14 @@ import org.junit.jupiter.api.DynamicTest;
  * @param policies makes a new instance for each run
  * @param global whether the policy is an upper bound that may use global knowledge
  */
-record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) {
+public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) {
   private static final int STEPS = 300;
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
   private static final GeometricNetwork.Kind MIXED =
       new GeometricNetwork.Kind(6, -5, 7, 2, false, true, 20, 15);
 
-  Stream<DynamicTest> tests() {
+  /** The tests, each named after what it asserts. */
+  public Stream<DynamicTest> tests() {
     return Stream.of(
         dynamicTest("hasTheSameNameInEveryInstance", this::hasTheSameNameInEveryInstance),
         dynamicTest("choosesLevelsThatTheCameraHas", this::choosesLevelsThatTheCameraHas),

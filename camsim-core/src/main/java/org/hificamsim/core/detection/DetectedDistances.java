@@ -49,8 +49,8 @@ public final class DetectedDistances {
       ends[count++] = 0;
     }
     for (int i = 1; i <= SAMPLES + 1; i++) {
-      // The last sample lies beyond the radius, where nothing is detected: it closes the set.
-      double distance = i > SAMPLES ? zoom.radius() + 1 : zoom.radius() * i / SAMPLES;
+      // The last sample lies beyond any radius, where nothing is detected: it closes the set.
+      double distance = i > SAMPLES ? Double.POSITIVE_INFINITY : zoom.radius() * i / SAMPLES;
       double squared = distance * distance;
       if (probe.detects(squared) != inside) {
         ends = count == ends.length ? Arrays.copyOf(ends, 2 * count) : ends;

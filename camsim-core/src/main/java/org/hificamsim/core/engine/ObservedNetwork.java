@@ -143,7 +143,7 @@ final class ObservedNetwork implements NetworkView {
   @Override
   public double confidence(int camera, int target) {
     int level = cameras.level(camera);
-    if (!view.contains(camera, level, target)) {
+    if (!targets.present(target) || !view.contains(camera, level, target)) {
       return 0;
     }
     double distance = Math.sqrt(view.squaredDistance(camera, target));

@@ -3,7 +3,10 @@ package org.hificamsim.core.engine;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 
-/** The coverage of a whole run, added up step by step (section 7.1, Eq 7.2; Figure 7.9). */
+/**
+ * The coverage of a whole run, added up step by step (section 7.1, Eq 7.2; Figure 7.9), and how
+ * often cameras changed their zoom for it.
+ */
 public final class RunCoverage implements StepListener {
   private long steps;
   private long performance;
@@ -13,6 +16,13 @@ public final class RunCoverage implements StepListener {
   private long coveredMore;
   private double sumOfMeans;
   private long detections;
+  private long zoomChanges;
+  private int[] levels;
+
+  @Override
+  public void started(NetworkView network) {
+    levels = new int[network.cameras()];
+  }
 
   @Override
   public void stepped(NetworkView network, StepCoverage coverage) {
@@ -24,6 +34,17 @@ public final class RunCoverage implements StepListener {
     coveredMore += coverage.coveredK();
     sumOfMeans += coverage.meanK();
     detections += coverage.detections();
+    countZoomChanges(network);
+  }
+
+  private void countZoomChanges(NetworkView network) {
+    for (int camera = 0; camera < levels.length; camera++) {
+      int level = network.level(camera);
+      if (steps > 1 && level != levels[camera]) {
+        zoomChanges++;
+      }
+      levels[camera] = level;
+    }
   }
 
   public long steps() {
@@ -63,6 +84,11 @@ public final class RunCoverage implements StepListener {
   /** The number of detections: one for each camera, target and step. */
   public long detections() {
     return detections;
+  }
+
+  /** How often a camera's level differed from the one of the step before. */
+  public long zoomChanges() {
+    return zoomChanges;
   }
 
   private double share(long count) {

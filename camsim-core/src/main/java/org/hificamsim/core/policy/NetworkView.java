@@ -58,7 +58,7 @@ public interface NetworkView {
 
   /**
    * The detection model's confidence for the target where both are now, at the camera's current
-   * level, in [0, 1]; 0 outside the field of view.
+   * level, in [0, 1]; 0 outside the field of view, or when the target is not present.
    */
   double confidence(int camera, int target);
 

@@ -37,4 +37,9 @@ public interface ZoomPolicy {
 
   /** Called once per step after the observation under the levels just chosen. */
   default void learn(NetworkView network) {}
+
+  /** The number of messages that the cameras have sent each other so far. */
+  default long messages() {
+    return 0;
+  }
 }

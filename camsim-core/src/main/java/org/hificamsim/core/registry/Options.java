@@ -69,7 +69,7 @@ public final class Options {
     }
     try {
       double value = Double.parseDouble(text);
-      if (value >= least && value <= most) {
+      if (Double.isFinite(value) && value >= least && value <= most) {
         return value;
       }
     } catch (NumberFormatException e) {

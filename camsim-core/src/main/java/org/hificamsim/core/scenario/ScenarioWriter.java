@@ -1,14 +1,12 @@
 package org.hificamsim.core.scenario;
 
-import java.io.StringWriter;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import javax.xml.stream.XMLOutputFactory;
-import javax.xml.stream.XMLStreamException;
-import javax.xml.stream.XMLStreamWriter;
 import org.hificamsim.core.Spelling;
 
 /**
@@ -16,29 +14,20 @@ import org.hificamsim.core.Spelling;
  * layout of an original file are not kept.
  */
 public final class ScenarioWriter {
-  private final XMLStreamWriter out;
-  private int depth;
+  private final StringBuilder out = new StringBuilder();
+  private final Deque<String> open = new ArrayDeque<>();
 
-  private ScenarioWriter(XMLStreamWriter out) {
-    this.out = out;
-  }
+  private ScenarioWriter() {}
 
   /** The scenario as an XML document. */
   public static String write(Scenario scenario) {
-    StringWriter text = new StringWriter();
-    try {
-      XMLStreamWriter out = XMLOutputFactory.newDefaultFactory().createXMLStreamWriter(text);
-      out.writeStartDocument("UTF-8", "1.0");
-      new ScenarioWriter(out).scenario(scenario);
-      out.writeEndDocument();
-      out.close();
-    } catch (XMLStreamException e) {
-      throw new IllegalStateException("a string takes any text", e);
-    }
-    return text.append("\n").toString();
+    ScenarioWriter writer = new ScenarioWriter();
+    writer.out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+    writer.scenario(scenario);
+    return writer.out.append("\n").toString();
   }
 
-  private void scenario(Scenario scenario) throws XMLStreamException {
+  private void scenario(Scenario scenario) {
     Map<String, Object> attributes = new LinkedHashMap<>();
     attributes.put("min_x", scenario.field().minX());
     attributes.put("max_x", scenario.field().maxX());
@@ -54,10 +43,9 @@ public final class ScenarioWriter {
     open("cameras", Map.of());
     if (!scenario.zooms().isEmpty()) {
       indent();
-      out.writeStartElement("zoom");
-      out.writeCharacters(
-          scenario.zooms().stream().map(String::valueOf).collect(Collectors.joining(" ")));
-      out.writeEndElement();
+      out.append("<zoom>")
+          .append(scenario.zooms().stream().map(String::valueOf).collect(Collectors.joining(" ")))
+          .append("</zoom>");
     }
     for (CameraSpec camera : scenario.cameras()) {
       empty("camera", camera(camera));
@@ -96,7 +84,7 @@ public final class ScenarioWriter {
     return attributes;
   }
 
-  private void target(TargetSpec target) throws XMLStreamException {
+  private void target(TargetSpec target) {
     Map<String, Object> attributes = new LinkedHashMap<>();
     attributes.put("features", target.features());
     if (target.origin() == TargetSpec.Origin.OBJECT_WITH_WAYPOINTS) {
@@ -122,7 +110,7 @@ public final class ScenarioWriter {
     attributes.putAll(new TreeMap<>(target.extras()));
   }
 
-  private void events(List<ScenarioEvent> events) throws XMLStreamException {
+  private void events(List<ScenarioEvent> events) {
     if (events.isEmpty()) {
       return;
     }
@@ -175,7 +163,7 @@ public final class ScenarioWriter {
     attributes.put("range", change.range());
   }
 
-  private void visionGraph(VisionGraph graph) throws XMLStreamException {
+  private void visionGraph(VisionGraph graph) {
     open("visiongraph", Map.of("static", graph.isStatic()));
     for (Map.Entry<String, List<String>> node : graph.neighbours().entrySet()) {
       open("graphnode", Map.of("name", node.getKey()));
@@ -187,8 +175,8 @@ public final class ScenarioWriter {
     close();
   }
 
-  private void withWaypoints(String name, Map<String, Object> attributes, List<Waypoint> waypoints)
-      throws XMLStreamException {
+  private void withWaypoints(
+      String name, Map<String, Object> attributes, List<Waypoint> waypoints) {
     if (waypoints.isEmpty()) {
       empty(name, attributes);
       return;
@@ -203,32 +191,44 @@ public final class ScenarioWriter {
     close();
   }
 
-  private void open(String name, Map<String, Object> attributes) throws XMLStreamException {
+  private void open(String name, Map<String, Object> attributes) {
+    tag(name, attributes, ">");
+    open.addLast(name);
+  }
+
+  private void empty(String name, Map<String, Object> attributes) {
+    tag(name, attributes, "/>");
+  }
+
+  private void close() {
+    String name = open.removeLast();
     indent();
-    out.writeStartElement(name);
-    attributes(attributes);
-    depth++;
+    out.append("</").append(name).append('>');
   }
 
-  private void empty(String name, Map<String, Object> attributes) throws XMLStreamException {
+  private void tag(String name, Map<String, Object> attributes, String end) {
     indent();
-    out.writeEmptyElement(name);
-    attributes(attributes);
+    out.append('<').append(name);
+    attributes.forEach(
+        (key, value) ->
+            out.append(' ').append(key).append("=\"").append(escaped(value)).append('"'));
+    out.append(end);
   }
 
-  private void close() throws XMLStreamException {
-    depth--;
-    indent();
-    out.writeEndElement();
+  /** A value between double quotes; tabs and line ends would be read as spaces if left as is. */
+  private static String escaped(Object value) {
+    return value
+        .toString()
+        .replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;")
+        .replace("\t", "&#9;")
+        .replace("\n", "&#10;")
+        .replace("\r", "&#13;");
   }
 
-  private void attributes(Map<String, Object> attributes) throws XMLStreamException {
-    for (Map.Entry<String, Object> attribute : attributes.entrySet()) {
-      out.writeAttribute(attribute.getKey(), attribute.getValue().toString());
-    }
-  }
-
-  private void indent() throws XMLStreamException {
-    out.writeCharacters("\n" + "  ".repeat(depth));
+  private void indent() {
+    out.append('\n').append("  ".repeat(open.size()));
   }
 }

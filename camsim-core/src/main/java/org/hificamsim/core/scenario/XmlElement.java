@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.hificamsim.core.Place;
 
 /** An element of a scenario file, which knows where it stands. */
 final class XmlElement {

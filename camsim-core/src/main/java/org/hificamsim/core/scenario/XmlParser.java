@@ -1,8 +1,8 @@
 package org.hificamsim.core.scenario;
 
-import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -12,13 +12,13 @@ import java.util.Locale;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParserFactory;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
 import org.xml.sax.XMLReader;
-import org.xml.sax.ext.Locator2;
 import org.xml.sax.helpers.DefaultHandler;
 
 /**
@@ -40,7 +40,11 @@ final class XmlParser extends DefaultHandler {
   static final int MOST_PARTS = 4_000_000;
 
   private static final String FEATURES = "http://apache.org/xml/features/";
+
+  // Parts of the parser's messages.
   private static final String NO_DOCTYPE = "disallow-doctype-decl";
+  private static final String CUT_OFF = "must start and end within the same entity";
+  private static final int MOST_WORDS = 300;
 
   private final String file;
   private final XmlText text;
@@ -49,9 +53,9 @@ final class XmlParser extends DefaultHandler {
   private Locator locator;
   private int parts;
 
-  private XmlParser(String file, byte[] bytes) {
+  private XmlParser(String file, String content) {
     this.file = file;
-    this.text = new XmlText(file, bytes);
+    this.text = new XmlText(file, content);
   }
 
   /**
@@ -60,8 +64,8 @@ final class XmlParser extends DefaultHandler {
    * @throws InputException when the file cannot be read, is too big, or is not plain XML
    */
   static XmlElement parse(Path path) {
-    byte[] bytes = bytes(path);
-    return new XmlParser(path.toString(), bytes).parse(bytes);
+    String content = XmlDecoder.decode(path.toString(), bytes(path));
+    return new XmlParser(path.toString(), content).parse(content);
   }
 
   private static byte[] bytes(Path path) {
@@ -87,16 +91,13 @@ final class XmlParser extends DefaultHandler {
     }
   }
 
-  private XmlElement parse(byte[] bytes) {
+  private XmlElement parse(String content) {
     try {
-      reader().parse(new InputSource(new ByteArrayInputStream(bytes)));
+      reader().parse(new InputSource(new StringReader(content)));
       return root;
     } catch (SAXParseException e) {
       throw new InputException(fault(e).getMessage(), e);
-    } catch (IOException e) {
-      // An encoding that does not exist, or bytes that are not in it.
-      throw new InputException(here().error(notWellFormed(e)).getMessage(), e);
-    } catch (SAXException | ParserConfigurationException e) {
+    } catch (SAXException | ParserConfigurationException | IOException e) {
       throw new IllegalStateException("the JDK's own XML parser knows these settings", e);
     }
   }
@@ -122,7 +123,6 @@ final class XmlParser extends DefaultHandler {
 
   @Override
   public void startElement(String uri, String local, String name, Attributes attributes) {
-    text.encoding(((Locator2) locator).getEncoding());
     XmlElement element =
         new XmlElement(text, name, locator.getLineNumber(), locator.getColumnNumber());
     for (int i = 0; i < attributes.getLength(); i++) {
@@ -177,29 +177,17 @@ final class XmlParser extends DefaultHandler {
   }
 
   private InputException fault(SAXParseException e) {
-    text.encoding(((Locator2) locator).getEncoding());
-    boolean doctype = String.valueOf(e.getMessage()).contains(NO_DOCTYPE);
-    if (doctype) {
+    String words = String.valueOf(e.getMessage());
+    if (words.contains(NO_DOCTYPE)) {
       return text.tag(e.getLineNumber(), e.getColumnNumber())
           .error("a document type declaration (<!DOCTYPE), expected a scenario without one");
     }
-    return place(e.getLineNumber(), e.getColumnNumber()).error(notWellFormed(e));
-  }
-
-  private Place here() {
-    return locator == null
-        ? place(1, 1)
-        : place(locator.getLineNumber(), locator.getColumnNumber());
-  }
-
-  private Place place(int line, int column) {
-    return new Place(file, Math.max(1, line), Math.max(1, column));
-  }
-
-  /** The parser's own words. */
-  private static String notWellFormed(Exception e) {
-    String words = XmlText.shortened(String.valueOf(e.getMessage()), 300);
-    String what = e instanceof IOException ? "cannot be decoded: " : "";
-    return "not well-formed XML, expected a scenario file: " + what + words;
+    Place place = new Place(file, e.getLineNumber(), e.getColumnNumber());
+    if (words.contains(CUT_OFF) && !open.isEmpty()) {
+      String name = open.getLast().name();
+      return place.error("the file ends inside <" + name + ">, expected </" + name + ">");
+    }
+    return place.error(
+        "not well-formed XML, expected a scenario file: " + XmlText.shortened(words, MOST_WORDS));
   }
 }

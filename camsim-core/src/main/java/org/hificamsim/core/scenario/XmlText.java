@@ -1,8 +1,7 @@
 package org.hificamsim.core.scenario;
 
-import java.nio.charset.Charset;
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import org.hificamsim.core.Place;
 
 /**
  * The characters of a scenario file, for finding places.
@@ -12,27 +11,18 @@ import java.util.Arrays;
  */
 final class XmlText {
   private final String file;
-  private final byte[] bytes;
-  private Charset charset = StandardCharsets.UTF_8;
-  private String text;
+  private final String text;
   private int[] lines;
 
-  XmlText(String file, byte[] bytes) {
+  XmlText(String file, String text) {
     this.file = file;
-    this.bytes = bytes;
+    this.text = text;
   }
 
   /** A value as error lines quote it: on one line, and not too long. */
   static String shortened(String value, int most) {
     String flat = value.substring(0, Math.min(value.length(), most + 1)).replaceAll("\\s+", " ");
     return value.length() > most ? flat.substring(0, Math.min(flat.length(), most)) + "..." : flat;
-  }
-
-  /** The encoding that the parser found. */
-  void encoding(String encoding) {
-    if (encoding != null && Charset.isSupported(encoding)) {
-      charset = Charset.forName(encoding);
-    }
   }
 
   Place tag(int endLine, int endColumn) {
@@ -42,8 +32,8 @@ final class XmlText {
   Place attribute(int endLine, int endColumn, String name) {
     int start = tagStart(endLine, endColumn);
     char quote = 0;
-    for (int i = start; i < text().length(); i++) {
-      char c = text().charAt(i);
+    for (int i = start; i < text.length(); i++) {
+      char c = text.charAt(i);
       if (quote != 0) {
         quote = c == quote ? 0 : quote;
       } else if (c == '"' || c == '\'') {
@@ -58,22 +48,23 @@ final class XmlText {
   }
 
   private boolean startsAttribute(int at, String name) {
-    if (!text().startsWith(name, at)) {
+    if (!text.startsWith(name, at)) {
       return false;
     }
     int i = at + name.length();
-    while (i < text().length() && Character.isWhitespace(text().charAt(i))) {
+    while (i < text.length() && Character.isWhitespace(text.charAt(i))) {
       i++;
     }
-    return i < text().length() && text().charAt(i) == '=';
+    return i < text.length() && text.charAt(i) == '=';
   }
 
   private int tagStart(int endLine, int endColumn) {
     int line = Math.min(endLine, lines().length) - 1;
-    return Math.max(0, text().lastIndexOf('<', Math.max(0, lines()[line] + endColumn - 2)));
+    return Math.max(0, text.lastIndexOf('<', Math.max(0, lines()[line] + endColumn - 2)));
   }
 
-  private Place at(int offset) {
+  /** The place of a character, from 0; at most the text's length. */
+  Place at(int offset) {
     int found = Arrays.binarySearch(lines(), offset);
     int line = found >= 0 ? found : -found - 2;
     return new Place(file, line + 1, offset - lines()[line] + 1);
@@ -84,7 +75,7 @@ final class XmlText {
     if (lines == null) {
       int[] starts = new int[16];
       int count = 1;
-      for (int i = 0; i < text().length(); i++) {
+      for (int i = 0; i < text.length(); i++) {
         if (endsLine(i)) {
           starts = count == starts.length ? Arrays.copyOf(starts, 2 * count) : starts;
           starts[count++] = i + 1;
@@ -96,17 +87,7 @@ final class XmlText {
   }
 
   private boolean endsLine(int i) {
-    char c = text().charAt(i);
-    return c == '\n' || (c == '\r' && (i + 1 == text().length() || text().charAt(i + 1) != '\n'));
-  }
-
-  private String text() {
-    if (text == null) {
-      text = new String(bytes, charset);
-      if (text.startsWith("\uFEFF")) {
-        text = text.substring(1);
-      }
-    }
-    return text;
+    char c = text.charAt(i);
+    return c == '\n' || (c == '\r' && (i + 1 == text.length() || text.charAt(i + 1) != '\n'));
   }
 }

@@ -1,39 +1,36 @@
 package org.hificamsim.agents.search;
 
 /**
- * What a search tries next: the set that helps the unsatisfied targets most against what its camera
- * could do instead, for the target with the least slack.
+ * What a search tries next: for the unsatisfied target with the least slack, the set that holds it
+ * and whose camera would lose most weight ({@link Weights}) by doing without it.
  */
 final class Branching {
-  /** Urgency of a target without slack. */
-  private static final long MOST_URGENT = 1 << 20;
+  private static final int NONE = -1;
 
   private final CoverageProblem problem;
-  private final Domains domains;
-  private final long[] urgency;
+  private final Remaining remaining;
+  private final Supply supply;
+  private final Weights weights;
 
   Branching(CoverageProblem problem, Domains domains) {
     this.problem = problem;
-    this.domains = domains;
-    urgency = new long[problem.mostTargets()];
+    remaining = domains.remaining();
+    supply = domains.supply();
+    weights = domains.weights();
   }
 
-  /**
-   * The next set to try; -1 when no target of the part is unsatisfied.
-   *
-   * @param parts the part to which each target belongs
-   */
-  int next(int[] parts, int part) {
+  /** The next set to try; -1 when every target of the part is satisfied. */
+  int next(Parts parts, int part) {
     int target = tightest(parts, part);
-    return target < 0 ? -1 : mostTelling(target);
+    return target == NONE ? NONE : mostTelling(target);
   }
 
-  private int tightest(int[] parts, int part) {
-    int tightest = -1;
+  private int tightest(Parts parts, int part) {
+    int tightest = NONE;
     for (int target = 0; target < problem.targets(); target++) {
-      int lack = domains.lack(target);
-      urgency[target] = lack > 0 ? MOST_URGENT / (domains.slack(target) + 1) : 0;
-      if (lack > 0 && parts[target] == part && (tightest < 0 || tighter(target, tightest))) {
+      if (parts.of(target) == part
+          && supply.lack(target) > 0
+          && (tightest == NONE || tighter(target, tightest))) {
         tightest = target;
       }
     }
@@ -41,32 +38,21 @@ final class Branching {
   }
 
   private boolean tighter(int target, int than) {
-    int difference = domains.slack(target) - domains.slack(than);
-    return difference < 0 || (difference == 0 && domains.lack(target) > domains.lack(than));
+    int difference = supply.slack(target) - supply.slack(than);
+    return difference < 0 || (difference == 0 && supply.lack(target) > supply.lack(than));
   }
 
   private int mostTelling(int target) {
-    int chosen = -1;
+    int chosen = NONE;
     long most = Long.MIN_VALUE;
-    for (int i = 0; i < domains.openCameras(); i++) {
-      int camera = domains.openCamera(i);
-      if ((domains.undecided(camera, target >> 6) >>> target & 1) != 0) {
-        int with = -1;
-        long bestWith = -1;
-        long bestWithout = -1;
-        for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
-          if (domains.alive(set)) {
-            long value = value(set);
-            if (!problem.contains(set, target)) {
-              bestWithout = Math.max(bestWithout, value);
-            } else if (value > bestWith) {
-              bestWith = value;
-              with = set;
-            }
-          }
-        }
-        if (bestWith - bestWithout > most) {
-          most = bestWith - bestWithout;
+    for (int i = 0; i < remaining.openCameras(); i++) {
+      int camera = remaining.openCamera(i);
+      if (supply.undecidedOn(camera, target)) {
+        int with = leastLoss(camera, target, true);
+        int without = leastLoss(camera, target, false);
+        long gain = weights.loss(without) - weights.loss(with);
+        if (gain > most) {
+          most = gain;
           chosen = with;
         }
       }
@@ -74,13 +60,16 @@ final class Branching {
     return chosen;
   }
 
-  private long value(int set) {
-    long value = 0;
-    for (int word = 0; word < problem.words(); word++) {
-      for (long bits = problem.mask(set, word); bits != 0; bits &= bits - 1) {
-        value += urgency[(word << 6) + Long.numberOfTrailingZeros(bits)];
+  /** The camera's remaining set of least loss among those that hold the target, or do not. */
+  private int leastLoss(int camera, int target, boolean holding) {
+    int least = NONE;
+    for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
+      if (remaining.has(set)
+          && problem.contains(set, target) == holding
+          && (least == NONE || weights.loss(set) < weights.loss(least))) {
+        least = set;
       }
     }
-    return value;
+    return least;
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.agents.search;
 
+import java.util.Arrays;
+
 /** One set for each camera, and how many cameras thereby cover each target. */
 final class Choice {
   private final CoverageProblem problem;
@@ -12,35 +14,53 @@ final class Choice {
     coverage = new int[problem.mostTargets()];
   }
 
-  /** Every camera's most preferred set. */
-  void preferred() {
-    clear();
+  /** Every camera's most preferred set among those that remain. */
+  void copy(Remaining remaining) {
+    Arrays.fill(coverage, 0, problem.targets(), 0);
     for (int camera = 0; camera < problem.cameras(); camera++) {
-      chosen[camera] = problem.firstSet(camera);
-      count(chosen[camera], 1);
+      give(camera, remaining.first(camera));
     }
   }
 
-  /** Every camera's most preferred set among those that remain. */
-  void copy(Domains domains) {
-    clear();
-    for (int camera = 0; camera < problem.cameras(); camera++) {
-      chosen[camera] = domains.firstAlive(camera);
-      count(chosen[camera], 1);
+  /** The same sets as another choice. */
+  void copy(Choice other) {
+    System.arraycopy(other.chosen, 0, chosen, 0, problem.cameras());
+    System.arraycopy(other.coverage, 0, coverage, 0, problem.targets());
+  }
+
+  /** The same sets as another choice where they remain, else the camera's first that remains. */
+  void adapt(Choice other, Remaining remaining) {
+    copy(other);
+    for (int i = 0; i < remaining.openCameras(); i++) {
+      int camera = remaining.openCamera(i);
+      if (!remaining.has(chosen[camera])) {
+        take(camera);
+        give(camera, remaining.first(camera));
+      }
     }
+  }
+
+  /** Leaves the camera without a set; {@link #of} still tells the one it had. */
+  void take(int camera) {
+    count(chosen[camera], -1);
+  }
+
+  /** Gives a camera without a set one. */
+  void give(int camera, int set) {
+    chosen[camera] = set;
+    count(set, 1);
   }
 
   /** Gives the camera another set unless the coverage of some target fell below {@code least}. */
   boolean replace(int camera, int set, int least) {
     int before = chosen[camera];
-    count(before, -1);
-    count(set, 1);
+    take(camera);
+    give(camera, set);
     if (least() >= least) {
-      chosen[camera] = set;
       return true;
     }
-    count(set, -1);
-    count(before, 1);
+    take(camera);
+    give(camera, before);
     return false;
   }
 
@@ -48,19 +68,17 @@ final class Choice {
     return chosen[camera];
   }
 
-  /** k_min: the coverage of the least covered target. */
+  int coverage(int target) {
+    return coverage[target];
+  }
+
+  /** k_min: the coverage of the least covered target; all cameras when there is no target. */
   int least() {
     int least = problem.cameras();
     for (int target = 0; target < problem.targets(); target++) {
       least = Math.min(least, coverage[target]);
     }
     return least;
-  }
-
-  private void clear() {
-    for (int target = 0; target < problem.targets(); target++) {
-      coverage[target] = 0;
-    }
   }
 
   private void count(int set, int change) {

@@ -1,13 +1,16 @@
 package org.hificamsim.agents.search;
 
+import org.hificamsim.agents.search.FeasibilitySearch.Outcome;
+
 /**
  * Solves {@link CoverageProblem}s exactly: the largest k_min (Eq 7.1) that any choice of one set
  * per camera reaches, with proof, and the choice that the cameras' preferences single out.
  *
- * <p>From an upper bound downwards, each coverage k is tested by a depth-first search with
- * constraint propagation ({@link Domains}); the first that can be met is the optimum. Of all
- * choices that meet it, the result is the one that gives camera 0 its most preferred set, then
- * camera 1, and so on: it depends on the problem alone, not on how the search went. Nothing is
+ * <p>An upper bound, lowered by target weights ({@link WeightTuning}) and by searches that prove a
+ * coverage impossible ({@link FeasibilitySearch}), meets a choice found by {@link LocalSearch} or
+ * by such a search; they take turns with growing effort. Of all choices that reach the optimum, the
+ * result is the one that gives camera 0 its most preferred set, then camera 1, and so on ({@link
+ * PreferredChoice}): it depends on the problem alone, not on how the search went. Nothing is
  * allocated after construction.
  *
  * <p>The effort may be limited. Where the limit ends the search, the result is the best choice
@@ -19,11 +22,19 @@ public final class CoverageSolver {
   /** No limit: every result is proven. */
   public static final long UNLIMITED = Long.MAX_VALUE;
 
-  private final CoverageProblem problem;
+  private static final int ROUNDS = 12;
+  private static final int PASSES = 4;
+  private static final int NODES = 32;
+  private static final int GROWTH = 4;
+  private static final int MOST_HEURISTIC_EFFORT = 1 << 10;
+
   private final long mostNodes;
   private final Domains domains;
-  private final FeasibilitySearch search;
   private final Choice choice;
+  private final LocalSearch local;
+  private final WeightTuning tuning;
+  private final FeasibilitySearch search;
+  private final PreferredChoice preferred;
   private int value;
   private int bound;
 
@@ -32,57 +43,52 @@ public final class CoverageSolver {
    * @param mostNodes number of search nodes after which a call gives up the proof
    */
   public CoverageSolver(CoverageProblem problem, long mostNodes) {
-    this.problem = problem;
     this.mostNodes = mostNodes;
     domains = new Domains(problem);
-    search = new FeasibilitySearch(problem, domains);
     choice = new Choice(problem);
+    local = new LocalSearch(problem, domains.remaining());
+    tuning = new WeightTuning(problem);
+    search = new FeasibilitySearch(problem, domains);
+    preferred = new PreferredChoice(problem, domains, local, search);
   }
 
   /** Solves the problem as it is filled now. */
   public void solve() {
     domains.reset();
-    choice.preferred();
-    search.begin(mostNodes);
+    search.reset();
+    choice.copy(domains.remaining());
     value = choice.least();
     bound = domains.bound();
-    while (bound > value && !reach(bound) && !search.exhausted()) {
-      bound--;
-    }
-    value = choice.least();
-    improve();
-  }
-
-  private boolean reach(int coverage) {
-    domains.undo(0);
-    return domains.require(coverage) && search.satisfy(choice);
-  }
-
-  private void improve() {
-    domains.undo(0);
-    domains.require(value);
-    for (int i = 0; i < domains.openCameras(); i++) {
-      settle(domains.openCamera(i));
+    if (value < bound) {
+      closeGap();
+      preferred.find(value, choice);
     }
   }
 
-  private void settle(int camera) {
-    for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
-      if (domains.alive(set)) {
-        if (set == choice.of(camera) || choice.replace(camera, set, value) || canChoose(set)) {
-          domains.choose(set);
-          return;
-        }
-        domains.remove(set);
+  private void closeGap() {
+    tuning.reset();
+    for (long effort = 1; value < bound && search.nodes() < mostNodes; effort *= GROWTH) {
+      int heuristicEffort = (int) Math.min(effort, MOST_HEURISTIC_EFFORT);
+      domains.weigh(tuning.tune(ROUNDS * heuristicEffort, value + 1));
+      bound = Math.min(bound, domains.bound());
+      if (value < bound) {
+        local.reach(bound, PASSES * heuristicEffort, choice);
+        value = choice.least();
+      }
+      if (value < bound) {
+        decide(Math.min(NODES * effort, mostNodes - search.nodes()));
       }
     }
   }
 
-  private boolean canChoose(int set) {
-    int mark = domains.mark();
-    boolean possible = domains.choose(set) && search.satisfy(choice);
-    domains.undo(mark);
-    return possible;
+  private void decide(long nodes) {
+    Outcome outcome = domains.require(bound) ? search.search(nodes, choice) : Outcome.IMPOSSIBLE;
+    domains.undo(0);
+    switch (outcome) {
+      case FOUND -> value = bound;
+      case IMPOSSIBLE -> bound--;
+      case UNDECIDED -> {}
+    }
   }
 
   /** The number of the set that the camera chooses in the last solution. */

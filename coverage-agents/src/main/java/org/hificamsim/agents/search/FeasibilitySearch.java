@@ -5,11 +5,18 @@ package org.hificamsim.agents.search;
  * ({@link Parts}): each node either gives a camera a set or takes it away.
  */
 final class FeasibilitySearch {
+  /** How a search ended. */
+  enum Outcome {
+    FOUND,
+    IMPOSSIBLE,
+    UNDECIDED
+  }
+
+  private final CoverageProblem problem;
   private final Domains domains;
   private final Branching branching;
   private final Parts parts;
-  private final CoverageProblem problem;
-  private long mostNodes;
+  private long lastNode;
   private long nodes;
 
   FeasibilitySearch(CoverageProblem problem, Domains domains) {
@@ -19,32 +26,38 @@ final class FeasibilitySearch {
     parts = new Parts(problem, domains);
   }
 
-  /** Starts counting nodes. */
-  void begin(long limit) {
-    mostNodes = limit;
+  /** Counts nodes from 0 again. */
+  void reset() {
     nodes = 0;
   }
 
+  /** The number of nodes visited. */
+  long nodes() {
+    return nodes;
+  }
+
   /**
-   * Looks for a choice within what the domains leave, and copies it.
+   * Looks for a choice among what the domains leave and copies it into {@code found}. The domains
+   * are left as the search left them.
    *
-   * @return whether one was found; if not, none exists unless the search is {@link #exhausted}
+   * @param mostNodes number of nodes after which the outcome is undecided
    */
-  boolean satisfy(Choice found) {
+  Outcome search(long mostNodes, Choice found) {
+    lastNode = mostNodes > Long.MAX_VALUE - nodes ? Long.MAX_VALUE : nodes + mostNodes;
     parts.find();
     for (int part = 0; part < problem.targets(); part++) {
-      if (parts.of()[part] == part && !settle(part)) {
-        return false;
+      if (parts.of(part) == part && !settle(part)) {
+        return nodes >= lastNode ? Outcome.UNDECIDED : Outcome.IMPOSSIBLE;
       }
     }
-    found.copy(domains);
-    return true;
+    found.copy(domains.remaining());
+    return Outcome.FOUND;
   }
 
   private boolean settle(int part) {
-    int set = branching.next(parts.of(), part);
+    int set = branching.next(parts, part);
     while (set >= 0) {
-      if (exhausted()) {
+      if (nodes >= lastNode) {
         return false;
       }
       nodes++;
@@ -56,17 +69,8 @@ final class FeasibilitySearch {
       if (!domains.removeWithLesser(set)) {
         return false;
       }
-      set = branching.next(parts.of(), part);
+      set = branching.next(parts, part);
     }
     return true;
-  }
-
-  /** Whether the limit on nodes has been reached. */
-  boolean exhausted() {
-    return nodes >= mostNodes;
-  }
-
-  long nodes() {
-    return nodes;
   }
 }

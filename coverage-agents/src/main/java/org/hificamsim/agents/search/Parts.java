@@ -24,10 +24,10 @@ final class Parts {
   /** Finds the parts; each is named by one of its targets. */
   void find() {
     for (int target = 0; target < problem.targets(); target++) {
-      part[target] = domains.lack(target) > 0 ? target : NONE;
+      part[target] = domains.supply().lack(target) > 0 ? target : NONE;
     }
-    for (int i = 0; i < domains.openCameras(); i++) {
-      join(domains.openCamera(i));
+    for (int i = 0; i < domains.remaining().openCameras(); i++) {
+      join(domains.remaining().openCamera(i));
     }
     for (int target = 0; target < problem.targets(); target++) {
       if (part[target] != NONE) {
@@ -36,15 +36,15 @@ final class Parts {
     }
   }
 
-  /** The part of each target. */
-  int[] of() {
-    return part;
+  /** The part of a target. */
+  int of(int target) {
+    return part[target];
   }
 
   private void join(int camera) {
     int before = NONE;
     for (int word = 0; word < problem.words(); word++) {
-      long bits = domains.undecided(camera, word);
+      long bits = domains.supply().undecided(camera, word);
       for (; bits != 0; bits &= bits - 1) {
         int target = (word << 6) + Long.numberOfTrailingZeros(bits);
         if (part[target] != NONE) {

@@ -46,6 +46,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   }
 
   /** The number of messages sent so far: a query and an answer for each neighbour asked. */
+  @Override
   public long messages() {
     return messages;
   }

@@ -13,27 +13,26 @@ class CoverageSolverTest {
     SplittableRandom random = new SplittableRandom(1);
     for (int trial = 0; trial < 20_000; trial++) {
       int targets = 1 + random.nextInt(7);
-      long[][] sets = randomSets(random, 1 + random.nextInt(7), 4, targets, random.nextDouble());
+      int cameras = 1 + random.nextInt(7);
+      long[][] sets = Problems.random(random, cameras, 4, targets, random.nextDouble());
       CoverageSolver solver = solve(targets, sets);
       Exhaustive best = Exhaustive.solve(targets, sets);
-      assertEquals(best.value(), solver.value(), () -> "trial " + Exhaustive.text(sets));
-      assertArrayEquals(
-          best.choice(), choice(solver, sets), () -> "trial " + Exhaustive.text(sets));
+      assertEquals(best.value(), solver.value(), () -> Exhaustive.text(sets));
+      assertArrayEquals(best.choice(), choice(solver, sets), () -> Exhaustive.text(sets));
       assertTrue(solver.proven());
     }
   }
 
   @Test
-  void findsTheOptimumOfProblemsThatBoundsAloneDoNotSettle() {
+  void findsTheValueAndThePreferredChoiceOfLargerProblems() {
     SplittableRandom random = new SplittableRandom(2);
-    long nodes = 0;
     for (int trial = 0; trial < 300; trial++) {
-      long[][] sets = randomSets(random, 9, 3, 12, 0.4);
+      long[][] sets = Problems.random(random, 9, 3, 12, 0.4);
       CoverageSolver solver = solve(12, sets);
-      nodes += solver.nodes();
-      assertEquals(Exhaustive.solve(12, sets).value(), solver.value());
+      Exhaustive best = Exhaustive.solve(12, sets);
+      assertEquals(best.value(), solver.value());
+      assertArrayEquals(best.choice(), choice(solver, sets));
     }
-    assertTrue(nodes > 900, "searched only " + nodes + " nodes");
   }
 
   @Test
@@ -72,9 +71,10 @@ class CoverageSolverTest {
 
   @Test
   void aTargetOutOfReachLeavesEveryCameraItsPreference() {
-    CoverageSolver solver = solve(2, new long[][] {{0, 1}, {1, 0}});
+    long[][] sets = {{0, 1}, {1, 0}};
+    CoverageSolver solver = solve(2, sets);
     assertEquals(0, solver.value());
-    assertArrayEquals(new int[] {0, 0}, choice(solver, new long[][] {{0, 1}, {1, 0}}));
+    assertArrayEquals(new int[] {0, 0}, choice(solver, sets));
   }
 
   @Test
@@ -84,33 +84,59 @@ class CoverageSolverTest {
     SplittableRandom random = new SplittableRandom(4);
     for (int trial = 0; trial < 2_000; trial++) {
       int targets = random.nextInt(7);
-      long[][] sets = randomSets(random, 1 + random.nextInt(5), 3, targets, 0.5);
-      fill(problem, targets, sets);
+      long[][] sets = Problems.random(random, 1 + random.nextInt(5), 3, targets, 0.5);
+      Problems.fill(problem, targets, sets);
       solver.solve();
-      assertEquals(Exhaustive.solve(targets, sets).value(), solver.value());
+      Exhaustive best = Exhaustive.solve(targets, sets);
+      assertEquals(best.value(), solver.value());
+      assertArrayEquals(best.choice(), choice(solver, sets));
     }
   }
 
+  @Test
+  void aLimitedSearchEnclosesTheOptimumBetweenItsValueAndItsBound() {
+    SplittableRandom random = new SplittableRandom(5);
+    int unproven = 0;
+    for (int trial = 0; trial < 3_000; trial++) {
+      long[][] sets = Problems.random(random, 7, 4, 8, 0.4);
+      CoverageSolver solver = new CoverageSolver(Problems.problem(8, sets), trial % 2);
+      solver.solve();
+      int best = Exhaustive.solve(8, sets).value();
+      assertTrue(solver.value() <= best && best <= solver.bound());
+      assertEquals(solver.value(), Exhaustive.value(8, sets, choice(solver, sets)));
+      assertTrue(solver.nodes() <= 1 + 28L * PreferredChoice.MOST_NODES);
+      unproven += solver.proven() ? 0 : 1;
+    }
+    assertTrue(unproven > 0, "no case in which the limit mattered");
+  }
+
+  @Test
+  void provesANetworkOfTwoHundredCameras() {
+    SplittableRandom random = new SplittableRandom(6);
+    boolean[][][] sets = new boolean[200][5][40];
+    for (boolean[][] camera : sets) {
+      int around = random.nextInt(40);
+      for (boolean[] set : camera) {
+        for (int target = around; target < around + 6; target++) {
+          set[target % 40] = random.nextBoolean();
+        }
+      }
+    }
+    CoverageSolver solver = new CoverageSolver(problem(40, sets), 100_000);
+    solver.solve();
+    assertTrue(solver.proven(), solver.value() + " to " + solver.bound());
+    assertTrue(solver.value() > 10, "covered " + solver.value() + " times");
+  }
+
   private static CoverageSolver solve(int targets, long[][] sets) {
-    CoverageProblem problem = new CoverageProblem(sets.length, 100, targets);
-    fill(problem, targets, sets);
-    CoverageSolver solver = new CoverageSolver(problem, CoverageSolver.UNLIMITED);
+    CoverageSolver solver =
+        new CoverageSolver(Problems.problem(targets, sets), CoverageSolver.UNLIMITED);
     solver.solve();
     return solver;
   }
 
-  private static void fill(CoverageProblem problem, int targets, long[][] sets) {
-    problem.clear(targets);
-    for (long[] camera : sets) {
-      problem.addCamera();
-      for (int set = 0; set < camera.length; set++) {
-        problem.addSet(camera, set);
-      }
-    }
-  }
-
   private static CoverageProblem problem(int targets, boolean[][][] sets) {
-    CoverageProblem problem = new CoverageProblem(sets.length, 100, targets);
+    CoverageProblem problem = new CoverageProblem(sets.length, 1_000, targets);
     problem.clear(targets);
     for (boolean[][] camera : sets) {
       problem.addCamera();
@@ -133,19 +159,5 @@ class CoverageSolverTest {
       first += sets[camera].length;
     }
     return choice;
-  }
-
-  private static long[][] randomSets(
-      SplittableRandom random, int cameras, int most, int targets, double density) {
-    long[][] sets = new long[cameras][];
-    for (int camera = 0; camera < cameras; camera++) {
-      sets[camera] = new long[1 + random.nextInt(most)];
-      for (int set = 0; set < sets[camera].length; set++) {
-        for (int target = 0; target < targets; target++) {
-          sets[camera][set] |= random.nextDouble() < density ? 1L << target : 0;
-        }
-      }
-    }
-    return sets;
   }
 }

@@ -58,7 +58,8 @@ record Exhaustive(int value, int[] choice) {
     return false;
   }
 
-  private static int value(int targets, long[][] sets, int[] choice) {
+  /** The value of one choice. */
+  static int value(int targets, long[][] sets, int[] choice) {
     int least = sets.length;
     for (int target = 0; target < targets; target++) {
       int covered = 0;

@@ -213,6 +213,11 @@ public class ToyNetwork implements NetworkView {
   }
 
   @Override
+  public final double confidence(int camera, int target) {
+    return detects[camera][level[camera]][target] ? 1 : 0;
+  }
+
+  @Override
   public final boolean detects(int camera, int atLevel, int target) {
     globalQueries++;
     return detects[camera][atLevel][target];

@@ -47,7 +47,9 @@ public class StepBenchmark {
     Catalogue catalogue = Catalogue.load();
     Scenario read =
         ScenarioReader.read(
-            Path.of("scenarios", scenario + ".xml"), catalogue.movements()::knows, warning -> {});
+            Path.of("scenarios", scenario + ".xml"),
+            catalogue.movements().names()::contains,
+            warning -> {});
     DetectionModel model = catalogue.detection(detection);
     simulation =
         new Simulation(

@@ -69,7 +69,8 @@ final class ListCommand implements Runnable {
     for (Path file : scenarioFiles()) {
       line(
           file.toString(),
-          Descriptions.of(ScenarioReader.read(file, catalogue.movements()::knows, warning -> {})));
+          Descriptions.of(
+              ScenarioReader.read(file, catalogue.movements().names()::contains, warning -> {})));
     }
   }
 

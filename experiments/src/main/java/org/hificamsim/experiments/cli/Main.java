@@ -19,7 +19,12 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "hificamsim",
     description = "Simulates smart-camera networks with detection models fitted to real images.",
-    subcommands = {RunCommand.class, ValidateCommand.class, ListCommand.class},
+    subcommands = {
+      RunCommand.class,
+      CompareCommand.class,
+      ValidateCommand.class,
+      ListCommand.class
+    },
     mixinStandardHelpOptions = true,
     versionProvider = Main.Version.class)
 public final class Main implements Runnable {
@@ -48,7 +53,8 @@ public final class Main implements Runnable {
 
   @Override
   public void run() {
-    throw new ParameterException(spec.commandLine(), "no command, expected run, validate or list");
+    throw new ParameterException(
+        spec.commandLine(), "no command, expected run, compare, validate or list");
   }
 
   private static int usage(ParameterException fault) {

@@ -12,12 +12,14 @@ import me.tongfei.progressbar.ProgressBarStyle;
  * short runs show nothing.
  */
 final class Progress implements AutoCloseable {
-  private static final long LOOK_EVERY = 1 << 12;
+  private static final long MOST_UNSEEN = 1 << 12;
   private static final long QUIET = TimeUnit.SECONDS.toNanos(2);
   private static final long BETWEEN_LINES = TimeUnit.SECONDS.toNanos(10);
 
   private final String task;
+  private final String unit;
   private final long total;
+  private final long lookEvery;
   private final PrintWriter err;
   private final long started = System.nanoTime();
   private final boolean terminal = Boolean.getBoolean("hificamsim.terminal");
@@ -25,16 +27,21 @@ final class Progress implements AutoCloseable {
   private long lastLine = started;
   private ProgressBar bar;
 
-  Progress(String task, long total, PrintWriter err) {
+  /**
+   * @param unit what is counted, as in {@code " steps"}
+   */
+  Progress(String task, String unit, long total, PrintWriter err) {
     this.task = task;
+    this.unit = unit;
     this.total = total;
+    this.lookEvery = Math.max(1, Math.min(MOST_UNSEEN, total / 1000));
     this.err = err;
   }
 
-  /** Counts one step. */
-  void advance() {
+  /** Counts one unit. */
+  synchronized void advance() {
     done++;
-    if (done % LOOK_EVERY == 0) {
+    if (done % lookEvery == 0) {
       look(System.nanoTime());
     }
   }
@@ -50,7 +57,7 @@ final class Progress implements AutoCloseable {
       bar.stepTo(done);
     } else if (now - lastLine > BETWEEN_LINES) {
       lastLine = now;
-      err.printf("%s: %d of %d steps (%d%%)%n", task, done, total, 100 * done / total);
+      err.printf("%s: %d of %d%s (%d%%)%n", task, done, total, unit, 100 * done / total);
     }
   }
 
@@ -59,15 +66,17 @@ final class Progress implements AutoCloseable {
         .setTaskName(task)
         .setInitialMax(total)
         .setStyle(ProgressBarStyle.ASCII)
-        .setUnit(" steps", 1)
+        .setUnit(unit, 1)
         .showSpeed()
         .build();
   }
 
   @Override
-  public void close() {
+  public synchronized void close() {
     if (bar != null) {
+      bar.stepTo(done);
       bar.close();
+      bar = null;
     }
   }
 }

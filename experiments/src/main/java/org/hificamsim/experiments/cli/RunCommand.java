@@ -98,7 +98,7 @@ final class RunCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     RunPlan plan = plan(catalogue);
     RunExecutor executor = new RunExecutor(catalogue);
-    executor.simulation(plan, 0, List.of());
+    executor.check(plan);
     listeners.forEach(catalogue.listeners()::create);
     Path folder = out != null ? out : Path.of("out", plan.scenario().name());
     try (OutputFolder output = new OutputFolder(folder)) {
@@ -135,7 +135,8 @@ final class RunCommand implements Callable<Integer> {
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (RunRecorder recorder = new RunRecorder(output, record);
-        Progress progress = new Progress("run " + plan.scenario().name(), total, stderr())) {
+        Progress progress =
+            new Progress("run " + plan.scenario().name(), " steps", total, stderr())) {
       return executor.execute(
           plan,
           run -> {

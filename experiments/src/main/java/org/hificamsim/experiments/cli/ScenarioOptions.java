@@ -31,7 +31,9 @@ final class ScenarioOptions {
     Headings newHeadings = choice(Headings.class, "--headings", headings);
     Scenario scenario =
         ScenarioReader.read(
-            file, catalogue.movements()::knows, warning -> err.println("warning: " + warning));
+            file,
+            catalogue.movements().names()::contains,
+            warning -> err.println("warning: " + warning));
     if (newOrder != null) {
       scenario = scenario.withOrder(newOrder);
     }

@@ -4,8 +4,8 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.function.ToDoubleFunction;
 import org.hificamsim.experiments.run.Estimate;
+import org.hificamsim.experiments.run.Metric;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
 
@@ -37,19 +37,18 @@ final class SummaryTable {
                     + plan.seed()
                     + " to "
                     + plan.seed(plan.repeats() - 1)));
-    table.figure("performance", RunResult::performance, "%.0f", "sum of k_min");
-    table.figure("mean k_min", RunResult::meanKMin, "%.4f", "per step");
-    table.figure("covered by none", RunResult::covered0, "%.4f", "share of targets");
-    table.figure("covered by one", RunResult::covered1, "%.4f", "");
-    table.figure("covered by more", RunResult::coveredK, "%.4f", "");
-    table.figure("mean k", RunResult::meanK, "%.4f", "cameras per target");
+    table.figure("performance", Metric.PERFORMANCE, "%.0f", "sum of k_min");
+    table.figure("mean k_min", Metric.MEAN_K_MIN, "%.4f", "per step");
+    table.figure("covered by none", Metric.COVERED_0, "%.4f", "share of targets");
+    table.figure("covered by one", Metric.COVERED_1, "%.4f", "");
+    table.figure("covered by more", Metric.COVERED_K, "%.4f", "");
+    table.figure("mean k", Metric.MEAN_K, "%.4f", "cameras per target");
     table.line("files", folder.toString());
     out.flush();
   }
 
-  private void figure(
-      String label, ToDoubleFunction<RunResult> figure, String format, String unit) {
-    Estimate estimate = Estimate.of(results, figure);
+  private void figure(String label, Metric metric, String format, String unit) {
+    Estimate estimate = Estimate.of(results, metric);
     String text = format(format, estimate.mean());
     if (results.size() > 1) {
       text +=

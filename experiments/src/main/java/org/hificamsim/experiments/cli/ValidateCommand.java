@@ -42,7 +42,9 @@ final class ValidateCommand implements Callable<Integer> {
     try {
       Scenario scenario =
           ScenarioReader.read(
-              file, catalogue.movements()::knows, line -> err.println("warning: " + line));
+              file,
+              catalogue.movements().names()::contains,
+              line -> err.println("warning: " + line));
       out.println(file + ": ok, " + Descriptions.of(scenario));
       return 0;
     } catch (InputException e) {

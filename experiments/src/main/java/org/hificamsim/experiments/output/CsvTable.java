@@ -19,6 +19,7 @@ public final class CsvTable implements Closeable {
       schema.addColumn(column);
     }
     out = new CsvFactory().createGenerator(writer);
+    out.enable(CsvGenerator.Feature.STRICT_CHECK_FOR_QUOTING);
     out.setSchema(schema.build().withHeader());
   }
 
@@ -41,9 +42,18 @@ public final class CsvTable implements Closeable {
     } else if (value instanceof Long number) {
       out.writeNumber(number);
     } else if (value instanceof Double number) {
-      out.writeNumber(number);
+      writeDouble(number);
     } else {
       out.writeString(value.toString());
+    }
+  }
+
+  /** NaN is an empty field, which pandas and R read as missing. */
+  private void writeDouble(double number) throws IOException {
+    if (Double.isNaN(number)) {
+      out.writeString("");
+    } else {
+      out.writeNumber(number);
     }
   }
 

@@ -3,6 +3,9 @@ package org.hificamsim.experiments.output;
 import java.io.BufferedWriter;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -11,6 +14,10 @@ import java.nio.file.StandardCopyOption;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.InputException;
 
 /**
@@ -18,6 +25,8 @@ import org.hificamsim.core.InputException;
  * into place by {@link #commit}. Closed without that, it leaves the folder as it was.
  */
 public final class OutputFolder implements Closeable {
+  private static final Pattern TEMPORARY = Pattern.compile("\\..+-(\\d{1,18})\\.part");
+
   private final Path folder;
   private final Map<String, Path> pending = new LinkedHashMap<>();
 
@@ -39,13 +48,41 @@ public final class OutputFolder implements Closeable {
     if (!Files.isWritable(folder)) {
       throw new InputException("--out '" + folder + "' is not writable, expected a folder that is");
     }
+    removeLeftovers();
+  }
+
+  /** Removes what processes that were killed have left under temporary names. */
+  private void removeLeftovers() {
+    try (Stream<Path> files = Files.list(folder)) {
+      for (Path file : files.toList()) {
+        Matcher name = TEMPORARY.matcher(file.getFileName().toString());
+        if (name.matches() && ProcessHandle.of(Long.parseLong(name.group(1))).isEmpty()) {
+          Files.deleteIfExists(file);
+        }
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** A writer (UTF-8) for a file of this name; the caller closes it before {@link #commit}. */
   public Writer open(String name) throws IOException {
-    Path temporary = Files.createTempFile(folder, "." + name + "-", ".part");
+    return new BufferedWriter(
+        new OutputStreamWriter(stream(name), StandardCharsets.UTF_8), 1 << 16);
+  }
+
+  /** A writer (UTF-8) for a file that is compressed with gzip. */
+  public Writer openCompressed(String name) throws IOException {
+    return new BufferedWriter(
+        new OutputStreamWriter(new GZIPOutputStream(stream(name), 1 << 16), StandardCharsets.UTF_8),
+        1 << 16);
+  }
+
+  /** A stream for a file of this name; the caller closes it before {@link #commit}. */
+  public OutputStream stream(String name) throws IOException {
+    Path temporary = folder.resolve("." + name + "-" + ProcessHandle.current().pid() + ".part");
     pending.put(name, temporary);
-    return new BufferedWriter(Files.newBufferedWriter(temporary, StandardCharsets.UTF_8), 1 << 16);
+    return Files.newOutputStream(temporary);
   }
 
   /**

@@ -4,20 +4,17 @@ import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.Writer;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.function.ToDoubleFunction;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.experiments.run.Estimate;
+import org.hificamsim.experiments.run.Metric;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
 
 /** Writes {@code summary.json}: every setting, and the coverage of the run or of its repeats. */
 public final class SummaryFile {
-  /** The figures of a run, by their name in files. */
-  public static final Map<String, ToDoubleFunction<RunResult>> FIGURES = figures();
+  private static final double WHOLE = 1L << 53;
 
   private final JsonGenerator json;
 
@@ -60,18 +57,18 @@ public final class SummaryFile {
   }
 
   private void figures(List<RunResult> results) throws IOException {
-    for (Map.Entry<String, ToDoubleFunction<RunResult>> figure : FIGURES.entrySet()) {
-      if (results.size() == 1 && figure.getKey().equals("performance")) {
+    for (Metric metric : Metric.values()) {
+      if (results.size() == 1 && metric.label().equals("performance")) {
         json.writeNumberField("performance", results.get(0).performance());
       } else {
-        json.writeNumberField(figure.getKey(), Estimate.of(results, figure.getValue()).mean());
+        json.writeNumberField(metric.label(), Estimate.of(results, metric).mean());
       }
     }
     if (results.size() > 1) {
       json.writeObjectFieldStart("interval_95");
-      for (Map.Entry<String, ToDoubleFunction<RunResult>> figure : FIGURES.entrySet()) {
-        Estimate estimate = Estimate.of(results, figure.getValue());
-        json.writeArrayFieldStart(figure.getKey());
+      for (Metric metric : Metric.values()) {
+        Estimate estimate = Estimate.of(results, metric);
+        json.writeArrayFieldStart(metric.label());
         json.writeNumber(estimate.low());
         json.writeNumber(estimate.high());
         json.writeEndArray();
@@ -86,25 +83,21 @@ public final class SummaryFile {
       json.writeStartObject();
       json.writeNumberField("run", result.run());
       json.writeNumberField("seed", result.seed());
-      json.writeNumberField("performance", result.performance());
-      for (Map.Entry<String, ToDoubleFunction<RunResult>> figure : FIGURES.entrySet()) {
-        if (!figure.getKey().equals("performance")) {
-          json.writeNumberField(figure.getKey(), figure.getValue().applyAsDouble(result));
-        }
+      for (Metric metric : Metric.values()) {
+        json.writeFieldName(metric.label());
+        number(metric.of(result));
       }
       json.writeEndObject();
     }
     json.writeEndArray();
   }
 
-  private static Map<String, ToDoubleFunction<RunResult>> figures() {
-    Map<String, ToDoubleFunction<RunResult>> figures = new LinkedHashMap<>();
-    figures.put("performance", RunResult::performance);
-    figures.put("mean_k_min", RunResult::meanKMin);
-    figures.put("covered_0", RunResult::covered0);
-    figures.put("covered_1", RunResult::covered1);
-    figures.put("covered_k", RunResult::coveredK);
-    figures.put("mean_k", RunResult::meanK);
-    return java.util.Collections.unmodifiableMap(figures);
+  /** Whole numbers without a fraction. */
+  private void number(double value) throws IOException {
+    if (value == Math.rint(value) && Math.abs(value) < WHOLE) {
+      json.writeNumber((long) value);
+    } else {
+      json.writeNumber(value);
+    }
   }
 }

@@ -1,7 +1,6 @@
 package org.hificamsim.experiments.run;
 
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 
@@ -13,10 +12,10 @@ import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 public record Estimate(double mean, double low, double high) {
   private static final double LEVEL = 0.95;
 
-  /** The estimate of one figure. */
-  public static Estimate of(List<RunResult> results, ToDoubleFunction<RunResult> figure) {
+  /** The estimate of one metric. */
+  public static Estimate of(List<RunResult> results, Metric metric) {
     SummaryStatistics statistics = new SummaryStatistics();
-    results.forEach(result -> statistics.addValue(figure.applyAsDouble(result)));
+    results.forEach(result -> statistics.addValue(metric.of(result)));
     double mean = statistics.getMean();
     if (results.size() < 2) {
       return new Estimate(mean, mean, mean);

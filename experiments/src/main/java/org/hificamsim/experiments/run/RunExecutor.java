@@ -6,6 +6,7 @@ import java.util.function.IntFunction;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
 import org.hificamsim.experiments.catalogue.Catalogue;
@@ -32,19 +33,38 @@ public final class RunExecutor {
     return results;
   }
 
-  private RunResult repeat(RunPlan plan, int run, List<StepListener> listeners) {
+  /** Runs one repeat. */
+  public RunResult repeat(RunPlan plan, int run, List<StepListener> listeners) {
     RunCoverage coverage = new RunCoverage();
     List<StepListener> all = new ArrayList<>(listeners);
     all.add(0, coverage);
-    simulation(plan, run, all).run(plan.steps());
-    return RunResult.of(run, plan.seed(run), coverage);
+    ZoomPolicy policy = catalogue.policies().create(plan.policy());
+    if (policy instanceof HindsightZoomPolicy hindsight) {
+      rehearse(plan, run, hindsight);
+    }
+    simulation(plan, run, policy, all).run(plan.steps());
+    return RunResult.of(run, plan.seed(run), coverage, policy.messages());
   }
 
-  /** The simulation of one repeat, at its start. */
-  public Simulation simulation(RunPlan plan, int run, List<StepListener> listeners) {
+  /**
+   * Checks that a plan can start: its movements exist and its policy suits its cameras.
+   *
+   * @throws org.hificamsim.core.InputException when it cannot
+   */
+  public void check(RunPlan plan) {
+    simulation(plan, 0, catalogue.policies().create(plan.policy()), List.of());
+  }
+
+  private void rehearse(RunPlan plan, int run, HindsightZoomPolicy policy) {
+    StepListener rehearsal = (network, coverage) -> policy.rehearse(network);
+    ZoomPolicy widest = catalogue.policies().create("zoom-out");
+    simulation(plan, run, widest, List.of(rehearsal)).run(plan.steps());
+  }
+
+  private Simulation simulation(
+      RunPlan plan, int run, ZoomPolicy policy, List<StepListener> listeners) {
     long seed = plan.seed(run);
     World world = new World(plan.scenario(), catalogue.movements(), seed);
-    ZoomPolicy policy = catalogue.policies().create(plan.policy());
     return new Simulation(world, plan.detection(), policy, seed, listeners);
   }
 }

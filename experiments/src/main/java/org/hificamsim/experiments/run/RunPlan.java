@@ -17,4 +17,9 @@ public record RunPlan(
   public long seed(int run) {
     return seed + run;
   }
+
+  /** The same plan under another policy. */
+  public RunPlan withPolicy(String newPolicy) {
+    return new RunPlan(scenario, detection, newPolicy, steps, seed, repeats);
+  }
 }

@@ -11,6 +11,9 @@ import org.hificamsim.core.engine.RunCoverage;
  * @param covered1 share that exactly one camera covered
  * @param coveredK share that two or more cameras covered
  * @param meanK mean number of cameras that cover a target
+ * @param detections one for each camera, target and step
+ * @param zoomChanges how often a camera's level differed from the one of the step before
+ * @param messages sent between cameras
  */
 public record RunResult(
     int run,
@@ -20,8 +23,11 @@ public record RunResult(
     double covered0,
     double covered1,
     double coveredK,
-    double meanK) {
-  static RunResult of(int run, long seed, RunCoverage coverage) {
+    double meanK,
+    long detections,
+    long zoomChanges,
+    long messages) {
+  static RunResult of(int run, long seed, RunCoverage coverage, long messages) {
     return new RunResult(
         run,
         seed,
@@ -30,6 +36,25 @@ public record RunResult(
         coverage.proportion0(),
         coverage.proportion1(),
         coverage.proportionK(),
-        coverage.meanK());
+        coverage.meanK(),
+        coverage.detections(),
+        coverage.zoomChanges(),
+        messages);
+  }
+
+  /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
+  public RunResult asRun(int repeat) {
+    return new RunResult(
+        repeat,
+        seed,
+        performance,
+        meanKMin,
+        covered0,
+        covered1,
+        coveredK,
+        meanK,
+        detections,
+        zoomChanges,
+        messages);
   }
 }

@@ -16,6 +16,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 
 /**
  * A JSON text read once, front to back, into values that know their place. Twice-given properties,
@@ -58,20 +59,20 @@ public final class JsonFile {
       return onlyObject();
     } catch (JsonProcessingException e) {
       JsonLocation location = e.getLocation();
-      throw place(location == null ? parser.currentLocation() : location).fault(problem(e));
+      throw place(location == null ? parser.currentLocation() : location).error(problem(e));
     }
   }
 
   private JsonObject onlyObject() throws IOException {
     if (parser.nextToken() == null) {
-      throw new Place(file, 1, 1).fault("the file is empty, expected a JSON object");
+      throw new Place(file, 1, 1).error("the file is empty, expected a JSON object");
     }
     JsonValue value = value();
     if (!(value instanceof JsonObject object)) {
-      throw value.place().fault("the file holds " + value.shown() + ", expected an object in {}");
+      throw value.place().error("the file holds " + value.shown() + ", expected an object in {}");
     }
     if (parser.nextToken() != null) {
-      throw place().fault("'" + parser.getText() + "' after the end, expected nothing more");
+      throw place().error("'" + parser.getText() + "' after the end, expected nothing more");
     }
     return object;
   }

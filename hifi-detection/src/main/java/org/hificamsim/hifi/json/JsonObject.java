@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 
 /**
  * An object of a JSON file, read property by property.
@@ -95,7 +96,7 @@ public final class JsonObject implements JsonValue {
     List<JsonObject> objects = new ArrayList<>();
     for (JsonValue item : items.values()) {
       if (!(item instanceof JsonObject object)) {
-        throw item.place().fault(key + " holds " + item.shown() + ", expected objects alone");
+        throw item.place().error(key + " holds " + item.shown() + ", expected objects alone");
       }
       objects.add(object);
     }
@@ -154,9 +155,9 @@ public final class JsonObject implements JsonValue {
    *
    * @param expectation what was expected of it, starting with that word
    */
-  public InputException fault(String key, String expectation) {
+  public InputException error(String key, String expectation) {
     JsonValue value = properties.get(key).value();
-    return value.place().fault(key + " is " + value.shown() + ", " + expectation);
+    return value.place().error(key + " is " + value.shown() + ", " + expectation);
   }
 
   /** Refuses properties that no getter asked for. */
@@ -166,7 +167,7 @@ public final class JsonObject implements JsonValue {
           if (!declared.contains(key)) {
             throw property
                 .place()
-                .fault(
+                .error(
                     "unknown property '"
                         + key
                         + "', expected one of "
@@ -176,7 +177,7 @@ public final class JsonObject implements JsonValue {
   }
 
   private InputException wrong(String key, String expected) {
-    return fault(key, "expected " + expected);
+    return error(key, "expected " + expected);
   }
 
   private String text(String key, String expected) {
@@ -188,7 +189,7 @@ public final class JsonObject implements JsonValue {
 
   private JsonValue take(String key, String expected) {
     if (!has(key)) {
-      throw place.fault("property '" + key + "' is missing, expected " + expected);
+      throw place.error("property '" + key + "' is missing, expected " + expected);
     }
     return properties.get(key).value();
   }

@@ -1,6 +1,7 @@
 package org.hificamsim.hifi.json;
 
 import java.util.List;
+import org.hificamsim.core.Place;
 
 /** A value in a JSON file and where it stands. */
 sealed interface JsonValue

@@ -69,7 +69,7 @@ final class FeatureFormats {
     try {
       return new SymbolicAbstraction(Expression.parse(formula));
     } catch (IllegalArgumentException e) {
-      throw json.fault("formula", e.getMessage());
+      throw json.error("formula", e.getMessage());
     }
   }
 

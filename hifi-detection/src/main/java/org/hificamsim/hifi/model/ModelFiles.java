@@ -9,9 +9,9 @@ import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.json.JsonFile;
-import org.hificamsim.hifi.json.Place;
 
 /**
  * Users' detection models in JSON files: what {@code profile fit} writes, what {@code --detection
@@ -80,7 +80,7 @@ public final class ModelFiles {
       byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
       if (bytes.length > LARGEST_BYTES) {
         throw new Place(file.toString(), 1, 1)
-            .fault("the file is too big, expected at most " + LARGEST_BYTES + " bytes");
+            .error("the file is too big, expected at most " + LARGEST_BYTES + " bytes");
       }
       return bytes;
     } catch (NoSuchFileException e) {

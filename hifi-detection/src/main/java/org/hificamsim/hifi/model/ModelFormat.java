@@ -67,7 +67,7 @@ final class ModelFormat {
   private static String name(JsonObject json) {
     String name = json.text("name");
     if (!NAME.matcher(name).matches()) {
-      throw json.fault("name", "expected 1 to 100 letters, digits, or any of : . _ -");
+      throw json.error("name", "expected 1 to 100 letters, digits, or any of : . _ -");
     }
     return name;
   }

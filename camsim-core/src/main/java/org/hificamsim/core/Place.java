@@ -1,0 +1,35 @@
+package org.hificamsim.core;
+
+import java.util.regex.Pattern;
+
+/**
+ * A place in a file, as error lines name it.
+ *
+ * @param file the file as the user named it
+ * @param line from 1
+ * @param column from 1, in the units that the file's reader counts
+ */
+public record Place(String file, int line, int column) {
+  private static final Pattern UNPRINTABLE =
+      Pattern.compile("[\\p{Cntrl}\\x{80}-\\x{9f}\\x{2028}\\x{2029}]+");
+  private static final int LONGEST_PROBLEM = 500;
+
+  /** The fault {@code FILE:LINE:COLUMN: problem}, in one short line whatever the texts hold. */
+  public InputException error(String problem) {
+    return new InputException(line(problem));
+  }
+
+  /** The line {@code FILE:LINE:COLUMN: problem}. */
+  public String line(String problem) {
+    String shortened =
+        problem.length() <= LONGEST_PROBLEM
+            ? problem
+            : problem.substring(0, LONGEST_PROBLEM) + "...";
+    return UNPRINTABLE.matcher(this + ": " + shortened).replaceAll(" ");
+  }
+
+  @Override
+  public String toString() {
+    return file + ":" + line + ":" + column;
+  }
+}

@@ -1,0 +1,119 @@
+package org.hificamsim.core.scenario;
+
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.charset.CharsetDecoder;
+import java.nio.charset.CoderResult;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.IllegalCharsetNameException;
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.hificamsim.core.InputException;
+
+/**
+ * Turns the bytes of an XML file into text, in the encoding that the file declares, else UTF-16
+ * where its first bytes show that, else UTF-8.
+ *
+ * <p>The parser could do so too, but tells faults by the place that it has read up to, in blocks.
+ */
+final class XmlDecoder {
+  private static final Pattern DECLARED =
+      Pattern.compile("\\A<\\?xml\\s[^>]*?\\s(encoding\\s*=\\s*([\"'])(.*?)\\2)", Pattern.DOTALL);
+  private static final Pattern BYTE_ORDER_MARK = Pattern.compile("\\A(ï»¿|þÿ|ÿþ|\uFEFF)");
+  private static final int LONGEST_DECLARATION = 400;
+  private static final char REPLACEMENT = '\uFFFD';
+
+  private final String file;
+  private final byte[] bytes;
+
+  private XmlDecoder(String file, byte[] bytes) {
+    this.file = file;
+    this.bytes = bytes;
+  }
+
+  /**
+   * The text, without a byte order mark.
+   *
+   * @throws InputException when the encoding is unknown or the bytes are not in it
+   */
+  static String decode(String file, byte[] bytes) {
+    return new XmlDecoder(file, bytes).text();
+  }
+
+  private String text() {
+    String head = start(StandardCharsets.ISO_8859_1).replace("\0", "");
+    Matcher declaration = DECLARED.matcher(head);
+    Charset charset = declaration.find() ? declared(head, declaration) : detected();
+    String text = new String(bytes, charset);
+    if (text.indexOf(REPLACEMENT) >= 0) {
+      checkEveryByte(charset);
+    }
+    return withoutMark(text);
+  }
+
+  private Charset declared(String head, Matcher declaration) {
+    String name = declaration.group(3);
+    Charset charset = find(name);
+    if (charset == null) {
+      throw new XmlText(file, head)
+          .at(declaration.start(1))
+          .error(
+              "the encoding is '"
+                  + XmlText.shortened(name, Attributes.MOST_QUOTED)
+                  + "', expected UTF-8 or another one that is known");
+    }
+    if (!start(charset).startsWith("<?xml")) {
+      throw new XmlText(file, head)
+          .at(declaration.start(1))
+          .error("the encoding is '" + name + "', expected the one that the file is in");
+    }
+    return charset;
+  }
+
+  private static Charset find(String name) {
+    try {
+      return Charset.isSupported(name) ? Charset.forName(name) : null;
+    } catch (IllegalCharsetNameException e) {
+      return null;
+    }
+  }
+
+  private Charset detected() {
+    int first = bytes.length < 2 ? 0 : (bytes[0] & 0xff) << 8 | (bytes[1] & 0xff);
+    return switch (first) {
+      case 0xfffe, '<' << 8 -> StandardCharsets.UTF_16LE;
+      case 0xfeff, '<' -> StandardCharsets.UTF_16BE;
+      default -> StandardCharsets.UTF_8;
+    };
+  }
+
+  private String start(Charset charset) {
+    return withoutMark(new String(bytes, 0, Math.min(bytes.length, LONGEST_DECLARATION), charset));
+  }
+
+  private static String withoutMark(String text) {
+    Matcher mark = BYTE_ORDER_MARK.matcher(text);
+    return mark.lookingAt() ? text.substring(mark.end()) : text;
+  }
+
+  private void checkEveryByte(Charset charset) {
+    CharsetDecoder decoder = charset.newDecoder().onMalformedInput(CodingErrorAction.REPORT);
+    decoder.onUnmappableCharacter(CodingErrorAction.REPORT);
+    ByteBuffer in = ByteBuffer.wrap(bytes);
+    CharBuffer out = CharBuffer.allocate((int) (bytes.length * (double) decoder.maxCharsPerByte()));
+    CoderResult result = decoder.decode(in, out, true);
+    if (result.isError()) {
+      String before = withoutMark(out.flip().toString());
+      throw new InputException(
+          new XmlText(file, before)
+              .at(before.length())
+              .line(
+                  "byte 0x%02X is not %s, expected text in that encoding"
+                      .formatted(bytes[in.position()], charset.name())),
+          new CharacterCodingException());
+    }
+  }
+}

@@ -1,0 +1,83 @@
+package org.hificamsim.core.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.sun.management.ThreadMXBean;
+import java.lang.management.ManagementFactory;
+import java.util.List;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The step allocates nothing: after a warm-up, 20,000 steps take no memory. */
+class AllocationTest {
+  private static final int STEPS = 20_000;
+
+  /** What asking for the count may take itself. */
+  private static final long MOST_BYTES = 1024;
+
+  @ParameterizedTest
+  @CsvSource({
+    "Straight, distance",
+    "Straight, bearing",
+    "Scripted, distance",
+    "Scripted, bearing",
+    "Waypoints, distance",
+    "Waypoints, bearing",
+    "Brownian, distance",
+    "DirectedBrownian, distance",
+  })
+  void aStepAllocatesNothing(String movement, String kind) {
+    assumeTrue(
+        ManagementFactory.getThreadMXBean() instanceof ThreadMXBean,
+        "this JVM does not count a thread's memory: skipped");
+    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    DetectionModel model =
+        kind.equals("distance") ? new CamSimRangeDetection() : new CamSimVisibilityDetection();
+    RunCoverage coverage = new RunCoverage();
+    Simulation simulation =
+        new Simulation(
+            scenario(movement).world(),
+            Detection.of(model),
+            new WidestPolicy(),
+            0,
+            List.of(coverage));
+    simulation.run(STEPS);
+    long thread = Thread.currentThread().getId();
+    long before = threads.getThreadAllocatedBytes(thread);
+    simulation.run(STEPS);
+    long bytes = threads.getThreadAllocatedBytes(thread) - before;
+    assertTrue(bytes <= MOST_BYTES, bytes + " bytes in " + STEPS + " steps");
+    assertEquals(2L * STEPS, coverage.steps());
+  }
+
+  private static TestScenario scenario(String movement) {
+    TestScenario scenario =
+        kind(movement) ? new TestScenario() : new TestScenario().zooms(2, 4, 6, 8);
+    for (int i = 0; i < 4; i++) {
+      scenario.camera(TestScenario.camera("c" + i, 2 * i - 4, i, 90 * i, i == 0 ? 360 : 120, 8));
+      scenario.target(target(i, movement));
+    }
+    return scenario;
+  }
+
+  /** In the coverage study's dialect CamSim's Waypoints means Scripted. */
+  private static boolean kind(String movement) {
+    return movement.equals("Waypoints");
+  }
+
+  private static TargetSpec target(int i, String movement) {
+    TargetSpec walker = TestScenario.walker(i, movement, 0.4, i, 0, 5, 5, -5, i);
+    MovementSpec path = walker.movement();
+    return TestScenario.target(
+        i, i, 0, 70 * i, 0.4, new MovementSpec(movement, 0, 0.1, path.waypoints()));
+  }
+}

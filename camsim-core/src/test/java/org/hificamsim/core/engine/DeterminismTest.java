@@ -1,0 +1,108 @@
+package org.hificamsim.core.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
+import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
+import org.junit.jupiter.api.Test;
+
+/** Equal arguments give equal runs, in everything that can be observed. */
+class DeterminismTest {
+  private static final int STEPS = 2000;
+
+  /** Zooms at random. */
+  private static final class RandomPolicy implements ZoomPolicy {
+    private SplittableRandom random;
+
+    @Override
+    public String name() {
+      return "random";
+    }
+
+    @Override
+    public void begin(NetworkView network, SplittableRandom newRandom) {
+      random = newRandom;
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] levels) {
+      for (int camera = 0; camera < levels.length; camera++) {
+        levels[camera] = random.nextInt(network.levels(camera));
+      }
+    }
+  }
+
+  @Test
+  void theSameSeedsGiveTheSameRun() {
+    List<Integer> first = run(1, 2);
+    List<Integer> second = run(1, 2);
+    assertEquals(STEPS, first.size(), "steps compared");
+    assertEquals(first, second);
+  }
+
+  @Test
+  void anotherPolicySeedGivesAnotherRun() {
+    assertNotEquals(run(1, 2), run(1, 3));
+  }
+
+  @Test
+  void anotherWorldSeedGivesAnotherRun() {
+    assertNotEquals(run(1, 2), run(4, 2));
+  }
+
+  /** A hash per step of all that was observed. */
+  private static List<Integer> run(long worldSeed, long policySeed) {
+    TestScenario scenario = new TestScenario().zooms(2, 4, 6, 8);
+    for (int i = 0; i < 5; i++) {
+      scenario.camera(4 * i - 8, 2 * i - 4).target(i, -i, 60 * i, 0.8);
+    }
+    MovementSpec brownian = new MovementSpec("Brownian", 0, 0.4, List.of());
+    scenario
+        .target(TestScenario.target(9, 0, 0, 0, 0, brownian))
+        .target(TestScenario.walker(10, "Scripted", 0.3, 0, 0, 5, 5, 5, 0))
+        .events(
+            new AddTarget(700, TestScenario.target(11, 3, 3, 20, 1)),
+            new FailCamera(900, "c2", -1));
+    List<Integer> hashes = new ArrayList<>();
+    new Simulation(
+            scenario.world(worldSeed),
+            Detection.of(new CamSimRangeDetection()),
+            new RandomPolicy(),
+            policySeed,
+            List.of((StepListener) (network, coverage) -> hashes.add(hash(network, coverage))))
+        .run(STEPS);
+    return hashes;
+  }
+
+  private static int hash(NetworkView network, StepCoverage coverage) {
+    List<Object> all = new ArrayList<>();
+    all.add(coverage.kMin());
+    all.add(coverage.meanK());
+    all.add(coverage.covered0());
+    all.add(coverage.covered1());
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      all.add(network.online(camera));
+      all.add(network.level(camera));
+      all.add(network.detected(camera));
+    }
+    for (int target = 0; target < network.targets(); target++) {
+      all.add(network.present(target));
+      all.add(network.targetX(target));
+      all.add(network.targetY(target));
+      all.add(network.coverage(target));
+      all.add(network.confidence(0, target));
+    }
+    return all.hashCode();
+  }
+}

@@ -1,0 +1,192 @@
+package org.hificamsim.core.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertInstanceOf;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
+import org.hificamsim.core.detection.camsim.CamSimStandardDetection;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
+import org.hificamsim.core.world.World;
+import org.junit.jupiter.api.Test;
+
+/** Asked once per level or asked in full, a model detects the same. */
+class SightTest {
+  private static final int CAMERAS = 4;
+  private static final int TARGETS = 60;
+
+  /** Falls and rises with distance, with the target's size, and with the zoom. */
+  private record Rings(double waves, double phase) implements DetectionModel {
+    @Override
+    public String name() {
+      return "rings";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return size * Math.cos(phase + waves * distance / zoom.radius()) + zoom.radius() / 20;
+    }
+  }
+
+  /** The same model, claiming to look at the bearing. */
+  private record InFull(DetectionModel model) implements DetectionModel {
+    @Override
+    public String name() {
+      return model.name();
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return model.confidence(size, distance, offAxis, zoom);
+    }
+
+    @Override
+    public boolean dependsOnBearing() {
+      return true;
+    }
+  }
+
+  @Property(tries = 80, edgeCases = EdgeCasesMode.NONE)
+  void bothSightsDetectTheSame(@ForAll @IntRange(max = 4) int which, @ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    World world = randomWorld(random);
+    Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
+    Sight once = Sight.of(world, detection);
+    Sight full =
+        Sight.of(world, new Detection(new InFull(detection.model()), detection.threshold()));
+    assertInstanceOf(DistanceSight.class, once);
+    assertInstanceOf(BearingSight.class, full);
+    assertSame(world, once, full);
+  }
+
+  @Test
+  void bothSightsDetectTheSameAfterCamerasChanged() {
+    World world =
+        new TestScenario()
+            .camera(TestScenario.camera("a", 0, 0, 0, 90, 3))
+            .camera(TestScenario.camera("b", 1, 1, 0, 360, 3))
+            .target(0, 5)
+            .target(4, 0)
+            .target(-4, 0)
+            .events(
+                new ChangeCamera(1, "a", -1, -1, 90, -1, 9),
+                new ChangeCamera(2, "a", -1, -1, -1, 360, -1),
+                new ChangeCamera(3, "b", 5, 5, -1, 10, 8))
+            .world();
+    Detection detection = Detection.of(new GeometricDetection());
+    Sight once = Sight.of(world, detection);
+    Sight full = Sight.of(world, new Detection(new InFull(detection.model()), 0.5));
+    int[] seenByA = {0, 1, 3, 3};
+    for (int step = 0; step < 4; step++) {
+      world.fireEvents(step);
+      once.refresh();
+      full.refresh();
+      assertSame(world, once, full);
+      int seen = 0;
+      for (int target = 0; target < 3; target++) {
+        seen += once.detects(0, 0, target) ? 1 : 0;
+      }
+      assertEquals(seenByA[step], seen, "step " + step);
+    }
+  }
+
+  private static void assertSame(World world, Sight once, Sight full) {
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      for (int level = 0; level < world.cameras().levels(camera); level++) {
+        for (int target = 0; target < world.targets().count(); target++) {
+          assertEquals(
+              full.detects(camera, level, target),
+              once.detects(camera, level, target),
+              "camera %d level %d target %d at (%s, %s)"
+                  .formatted(
+                      camera, level, target, world.targets().x(target), world.targets().y(target)));
+        }
+      }
+    }
+  }
+
+  @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
+  void aDominatingLevelDetectsWhateverTheOtherDoes(
+      @ForAll @IntRange(max = 4) int which, @ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    World world = randomWorld(random);
+    Sight sight =
+        Sight.of(world, new Detection(model(which, random), random.nextDouble(0.05, 0.7)));
+    for (int camera = 0; camera < CAMERAS; camera++) {
+      for (int level = 0; level < 3; level++) {
+        assertTrue(sight.dominates(camera, level, level));
+        for (int other = 0; other < 3; other++) {
+          for (int target = 0;
+              target < TARGETS && sight.dominates(camera, level, other);
+              target++) {
+            assertTrue(
+                !sight.detects(camera, other, target) || sight.detects(camera, level, target));
+          }
+        }
+      }
+    }
+  }
+
+  @Test
+  void widerLevelsOfACertainModelDominateNarrowerOnes() {
+    World world = randomWorld(new SplittableRandom(1));
+    Sight sight = Sight.of(world, Detection.of(new GeometricDetection()));
+    assertTrue(sight.dominates(0, 2, 0));
+    assertTrue(sight.dominates(0, 2, 1));
+    assertFalse(sight.dominates(0, 0, 1));
+  }
+
+  @Test
+  void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
+    World world = randomWorld(new SplittableRandom(1));
+    Sight sight = Sight.of(world, Detection.of(new CamSimVisibilityDetection()));
+    assertTrue(sight.dominates(0, 1, 1));
+    assertFalse(sight.dominates(0, 2, 0));
+  }
+
+  private static DetectionModel model(int which, SplittableRandom random) {
+    return switch (which) {
+      case 0 -> new CamSimRangeDetection();
+      case 1 -> new CamSimStandardDetection();
+      case 2 -> new GeometricDetection();
+      default -> new Rings(random.nextDouble(15), random.nextDouble(6.3));
+    };
+  }
+
+  /** Sectors and circles, mixed sizes, some targets right on cameras. */
+  private static World randomWorld(SplittableRandom random) {
+    TestScenario scenario = new TestScenario().zooms(1 + random.nextDouble(), 4, 7.5);
+    for (int camera = 0; camera < CAMERAS; camera++) {
+      double angle = random.nextInt(3) == 0 ? 360 : random.nextDouble(1, 360);
+      scenario.camera(
+          TestScenario.camera(
+              "c" + camera,
+              random.nextInt(-8, 9),
+              random.nextInt(-8, 9),
+              random.nextDouble(360),
+              angle,
+              5));
+    }
+    double[] sizes = {0.1, 0.66, 1.3};
+    for (int target = 0; target < TARGETS; target++) {
+      boolean onGrid = random.nextInt(4) == 0;
+      double x = onGrid ? random.nextInt(-8, 9) : random.nextDouble(-10, 10);
+      double y = onGrid ? random.nextInt(-8, 9) : random.nextDouble(-10, 10);
+      scenario.target(
+          TestScenario.sized(TestScenario.target(target, x, y, 0, 0), sizes[random.nextInt(3)]));
+    }
+    return scenario.world();
+  }
+}

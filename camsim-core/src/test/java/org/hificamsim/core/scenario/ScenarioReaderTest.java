@@ -1,0 +1,381 @@
+package org.hificamsim.core.scenario;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class ScenarioReaderTest {
+  private static final String CAMERA =
+      "<camera name='a' x='1' y='2' heading='3' viewing_angle='90' range='5'/>";
+  private static final String OBJECT = "<object features='1' x='1' y='2' heading='30' speed='4'/>";
+
+  @TempDir Path folder;
+  private final List<String> warnings = new ArrayList<>();
+
+  @Test
+  void everyElementAndAttributeIsRead() {
+    Scenario scenario = read(everything());
+    assertEquals("test", scenario.name());
+    assertEquals(new Field(-15.5, 15, -10, 10.25), scenario.field());
+    assertEquals(StepOrder.CAMSIM, scenario.order());
+    assertEquals(Headings.AS_RADIANS, scenario.headings());
+    assertEquals(OptionalDouble.of(0.3), scenario.threshold());
+    assertEquals(OptionalDouble.of(3.5), scenario.mountHeight());
+    assertEquals(List.of(2.0, 3.5, 5.0), scenario.zooms());
+    assertEquals(Map.of("note", "kept & quoted <>\"'"), scenario.extras());
+    assertEquals(
+        List.of(
+            new CameraSpec(
+                "Cam \"1\" \n\tä",
+                -3,
+                2,
+                -180,
+                360,
+                0,
+                new AgentSpec(
+                    Optional.of("epics.ai.auctionSchedules.ActiveAuctionSchedule"),
+                    OptionalInt.of(4),
+                    Optional.of("epics.ai.Own"),
+                    2,
+                    Optional.of("epics.bandits.UCB1")),
+                Map.of("min_zoom", "2.0", "max_zoom", "5.0", "zoom_steps", "2", "colour", "red")),
+            new CameraSpec("", 15, 10.25, 1000, 0.5, 19.9, AgentSpec.NONE, Map.of())),
+        scenario.cameras());
+    assertTargets(scenario.targets());
+    assertEvents(scenario.events());
+    VisionGraph graph = scenario.visionGraph().orElseThrow();
+    assertTrue(graph.isStatic());
+    assertEquals(Map.of("B", List.of("A & C", "D"), "A", List.of("B")), graph.neighbours());
+    assertEquals(List.of("B", "A"), List.copyOf(graph.neighbours().keySet()), "in file order");
+  }
+
+  private static void assertTargets(List<TargetSpec> targets) {
+    TargetSpec.Origin object = TargetSpec.Origin.OBJECT;
+    MovementSpec straight = new MovementSpec("epics.movement.Straight", 0, 1, List.of());
+    List<Waypoint> path = List.of(new Waypoint(1, 2), new Waypoint(3, 4));
+    List<Waypoint> long3 = List.of(new Waypoint(5, 6), new Waypoint(7, 8), new Waypoint(9, 10));
+    String waypoints = "epics.movement.Waypoints";
+    MovementSpec brownian = new MovementSpec("epics.movement.Brownian", 0.5, 2, List.of());
+    assertEquals(
+        List.of(
+            new TargetSpec(object, 1, 0, 0, 2.5, 1, 0.1, straight, Map.of()),
+            new TargetSpec(
+                object, 2, 0, 0, 0, 1, 0.66, new MovementSpec(waypoints, 0, 1, path), Map.of()),
+            new TargetSpec(object, 3, 0, 0, 0, 1, 0.66, brownian, Map.of()),
+            new TargetSpec(
+                object, 4, 0, 0, 0, -1, 0.66, new MovementSpec("", 0, 1, List.of()), Map.of()),
+            new TargetSpec(
+                object,
+                5,
+                99,
+                0,
+                0,
+                1,
+                0.66,
+                new MovementSpec("org.example.Right", 0, 1, List.of()),
+                Map.of("tag", "t")),
+            new TargetSpec(
+                TargetSpec.Origin.OBJECT_WITH_WAYPOINTS,
+                6,
+                5,
+                6,
+                -1,
+                0.7,
+                2,
+                new MovementSpec(waypoints, 0, 1, long3),
+                Map.of("tag", "u"))),
+        targets);
+  }
+
+  private static void assertEvents(List<ScenarioEvent> events) {
+    TargetSpec.Origin event = TargetSpec.Origin.EVENT;
+    MovementSpec brownian = new MovementSpec("epics.movement.Brownian", 0.25, 0.5, List.of());
+    List<Waypoint> path = List.of(new Waypoint(-1, -2), new Waypoint(-3, -4));
+    assertEquals(
+        List.of(
+            new ScenarioEvent.AddCamera(
+                9,
+                new CameraSpec(
+                    "Late",
+                    0,
+                    0,
+                    0,
+                    90,
+                    5,
+                    new AgentSpec(
+                        Optional.of("a"), OptionalInt.of(0), Optional.of("c"), 1, Optional.of("b")),
+                    Map.of("colour", "blue"))),
+            new ScenarioEvent.ChangeCamera(3, "Late", -1, 1, -1, -1, 30),
+            new ScenarioEvent.FailCamera(4, "Late", -1),
+            new ScenarioEvent.AddTarget(
+                5,
+                new TargetSpec(
+                    event, 7, 1, 2, 3, 4, 5, new MovementSpec("", 0, 1, List.of()), Map.of())),
+            new ScenarioEvent.AddTarget(
+                5, new TargetSpec(event, 8, 1, 2, 3, 4, 0.66, brownian, Map.of())),
+            new ScenarioEvent.AddTarget(
+                5,
+                new TargetSpec(
+                    event, 9, -1, -2, 3, 4, 0.66, new MovementSpec("", 0, 1, path), Map.of())),
+            new ScenarioEvent.RemoveTarget(6, 9),
+            new ScenarioEvent.FailRegistration(7, 5)),
+        events);
+  }
+
+  @Test
+  void whatIsLeftOutTakesItsDefault() {
+    Scenario scenario = read(scenario("", CAMERA, OBJECT));
+    assertEquals(StepOrder.CAMSIM, scenario.order());
+    assertEquals(Headings.DEGREES, scenario.headings());
+    assertEquals(OptionalDouble.empty(), scenario.threshold());
+    assertEquals(OptionalDouble.empty(), scenario.mountHeight());
+    assertEquals(List.of(), scenario.zooms());
+    assertEquals(AgentSpec.NONE, scenario.cameras().get(0).agent());
+    assertEquals(0.66, scenario.targets().get(0).size());
+    assertEquals("Straight", scenario.targets().get(0).movement().shortName());
+    assertEquals(0, scenario.targets().get(0).movement().mean());
+    assertEquals(1, scenario.targets().get(0).movement().std());
+    assertEquals(Optional.empty(), scenario.visionGraph());
+    assertEquals(List.of(), warnings);
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "'', '', CAMSIM, false",
+    "'', <zoom>1 2</zoom>, COVERAGE, true",
+    "order='coverage', '', COVERAGE, false",
+    "order='camsim', <zoom>1 2</zoom>, CAMSIM, true",
+  })
+  void aZoomListTellsTheCoverageDialect(
+      String attributes, String zoom, StepOrder order, boolean coverage) {
+    Scenario scenario = read(scenario(attributes, zoom + CAMERA, OBJECT));
+    assertEquals(order, scenario.order());
+    assertEquals(coverage, scenario.inCoverageDialect());
+  }
+
+  @Test
+  void elementsAreFoundByNameAtAnyDepth() {
+    Scenario scenario =
+        read(
+            "<root><group><simulation min_x='-9' max_x='9' min_y='-9' max_y='9'/></group>"
+                + CAMERA
+                + "<x><y>"
+                + OBJECT
+                + "</y></x><zoom>1 2</zoom></root>");
+    assertEquals(1, scenario.cameras().size());
+    assertEquals(1, scenario.targets().size());
+    assertEquals(List.of(1.0, 2.0), scenario.zooms());
+  }
+
+  @Test
+  void aTargetOrCameraMayComeByEventAlone() {
+    Scenario scenario =
+        read(
+            scenario(
+                "",
+                "",
+                "<event timestep='5' participant='camera' event='add' name='a' x='0' y='0'"
+                    + " heading='0' viewing_angle='90' range='5'/>"
+                    + "<event timestep='5' participant='object' event='add' name='1' x='0' y='0'"
+                    + " heading='0' speed='1'/>"));
+    assertEquals(2, scenario.events().size());
+  }
+
+  @Test
+  void zoomsMayBeBrokenByCommentsAndLines() {
+    Scenario scenario =
+        read(
+            scenario(
+                "",
+                "<zoom>1<!-- one --> <!-- space -->2\n\t<![CDATA[ 3 ]]>4&#32;5</zoom>" + CAMERA,
+                OBJECT));
+    assertEquals(List.of(1.0, 2.0, 3.0, 4.0, 5.0), scenario.zooms());
+  }
+
+  @Test
+  void oddThingsAreWarningsWithTheirPlace() {
+    read(
+        """
+<root version="2">
+  <simulation min_x="-9" max_x="9" min_y="-9" max_y="9" gravity="9.81">
+    <cameras unit="m">
+      <camera name="a" x="1" y="2" heading="3" viewing_angle="90" range="5" colour="red"
+              comm="0" min_zoom="1" max_zoom="2" zoom_steps="1"/>
+    </cameras>
+    <object features="1" x="-9.5" y="2" heading="30" speed="4"/>
+    <object features="2" x="1" y="2" heading="30" speed="4" move="epics.movement.Waypoints">
+      <waypoint x="10" y="0"/><waypoint x="9" y="0" z="0"/>
+    </object>
+    <event timestep="3" participant="object" event="add" name="7" x="1" y="2" heading="3"
+        speed="4" move="epics.movement.Brownian"/>
+    <event timestep="1" participant="object" event="error" name="7"/>
+    <obstacle/>
+    <visiongraph static="false" weight="1">
+      <graphnode name="a"><neighbour name="b"/></graphnode>
+      <graphnode name="a"><neighbour name="c" far="yes"/></graphnode>
+    </visiongraph>
+  </simulation>
+</root>
+""");
+    assertEquals(
+        List.of(
+            "1:7: unknown attribute version=\"2\" of <root>, ignored",
+            "14:5: unknown element <obstacle>, ignored",
+            "3:14: unknown attribute unit=\"m\" of <cameras>, ignored",
+            "4:77: unknown attribute colour=\"red\" of <camera>, ignored",
+            "7:26: <object> starts outside the field at (-9.5, 2.0); it stays there, turning,"
+                + " unless one step leads inside",
+            "9:7: <waypoint> lies outside the field, out of reach",
+            "9:53: unknown attribute z=\"0\" of <waypoint>, ignored",
+            "12:19: an event's move is ignored, as in CamSim; fqName counts",
+            "13:60: no object 7.0 is there at step 1, nothing is removed",
+            "17:18: a second <graphnode> for 'a', the last one counts",
+            "17:47: unknown attribute far=\"yes\" of <neighbour>, ignored",
+            "15:33: unknown attribute weight=\"1\" of <visiongraph>, ignored",
+            "2:57: unknown attribute gravity=\"9.81\" of <simulation>, ignored",
+            "1:1: CamSim's network (comm, visiongraph) is kept but not simulated: no auctions,"
+                + " messages or handovers"),
+        withoutFile(warnings));
+  }
+
+  @Test
+  void theLastOfRepeatedGraphNodesCounts() {
+    Scenario scenario =
+        read(
+            scenario(
+                "",
+                CAMERA,
+                OBJECT
+                    + "<visiongraph static='no'><graphnode name='a'><neighbour"
+                    + " name='b'/></graphnode><graphnode name='a'><neighbour"
+                    + " name='c'/></graphnode></visiongraph>"));
+    VisionGraph graph = scenario.visionGraph().orElseThrow();
+    assertEquals(Map.of("a", List.of("c")), graph.neighbours());
+    assertFalse(graph.isStatic());
+  }
+
+  @Test
+  void aVisionGraphWithoutNodesIsNone() {
+    Scenario scenario = read(scenario("", CAMERA, OBJECT + "<visiongraph static='true'/>"));
+    assertEquals(Optional.empty(), scenario.visionGraph());
+  }
+
+  @Test
+  void aSchemaReferenceIsNothingOdd() {
+    read(
+        scenario("", CAMERA, OBJECT)
+            .replace(
+                "<root>",
+                "<root xmlns:xsi='http://www.w3.org/2001/XMLSchema-instance'"
+                    + " xsi:noNamespaceSchemaLocation='camsim.xsd'>"));
+    assertEquals(List.of(), warnings);
+  }
+
+  @Test
+  void namesWithAPrefixBelongToOthers() {
+    Scenario scenario =
+        read(
+            scenario("", CAMERA.replace("<camera", "<camera b:x='7'"), OBJECT + "<b:camera/>")
+                .replace("<root>", "<root xmlns:b='urn:b'>"));
+    assertEquals(1, scenario.cameras().get(0).x());
+    assertEquals(Map.of(), scenario.cameras().get(0).extras());
+    assertEquals(2, warnings.size(), warnings::toString);
+  }
+
+  @Test
+  void warningsStayOnOneShortLine() {
+    String lines = "x&#10;error: forged" + "y".repeat(500);
+    read(scenario("note='" + lines + "'", CAMERA, OBJECT));
+    assertEquals(1, warnings.size());
+    assertFalse(warnings.get(0).contains("\n"), warnings.get(0));
+    assertTrue(withoutFile(warnings).get(0).length() < 150, warnings.get(0));
+  }
+
+  @Test
+  void movementsAreAskedForByTheirShortName() {
+    List<String> asked = new ArrayList<>();
+    Path file =
+        file(
+            scenario(
+                "",
+                CAMERA,
+                OBJECT
+                    + OBJECT.replace("'1' x", "'2' move='epics.movement.Brownian' x")
+                    + OBJECT.replace("'1' x", "'3' move='org.example.Own' x")
+                    + OBJECT.replace("'1' x", "'4' move='' x")));
+    ScenarioReader.read(file, asked::add, warnings::add);
+    assertEquals(List.of("Straight", "Brownian", "org.example.Own", "Straight"), asked);
+  }
+
+  @Test
+  void aMovementNobodyKnowsIsRefusedEvenByDefault() {
+    Path file = file(scenario("", CAMERA, OBJECT));
+    InputException error =
+        assertThrows(
+            InputException.class, () -> ScenarioReader.read(file, name -> false, warnings::add));
+    assertTrue(error.getMessage().contains("expected a movement such as"), error.getMessage());
+  }
+
+  @Test
+  void theNameIsTheFilesWithoutItsLastEnding() throws IOException {
+    for (String name : List.of("a.b.xml", ".hidden", "plain")) {
+      Path file = folder.resolve(name);
+      Files.writeString(file, scenario("", CAMERA, OBJECT));
+      assertEquals(
+          name.equals("a.b.xml") ? "a.b" : name,
+          ScenarioReader.read(file, movement -> true, warnings::add).name());
+    }
+  }
+
+  static String everything() {
+    try (InputStream in = ScenarioReaderTest.class.getResourceAsStream("everything.xml")) {
+      return new String(in.readAllBytes(), java.nio.charset.StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static String scenario(String attributes, String cameras, String rest) {
+    return "<root><simulation min_x='-9' max_x='9' min_y='-9' max_y='9' "
+        + attributes
+        + "><cameras>"
+        + cameras
+        + "</cameras>"
+        + rest
+        + "</simulation></root>";
+  }
+
+  private Scenario read(String text) {
+    return ScenarioReader.read(file(text), movement -> true, warnings::add);
+  }
+
+  private Path file(String text) {
+    try {
+      return Files.writeString(folder.resolve("test.xml"), text);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private List<String> withoutFile(List<String> lines) {
+    return lines.stream().map(line -> line.replace(folder.resolve("test.xml") + ":", "")).toList();
+  }
+}

@@ -1,0 +1,49 @@
+package org.hificamsim.core.scenario;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import org.hificamsim.core.TestScenario;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class ScenarioWriterTest {
+  @TempDir Path folder;
+
+  @Test
+  void aScenarioWithEverythingInItIsReadBackEqual() throws IOException {
+    Scenario scenario = read(ScenarioReaderTest.everything());
+    String written = ScenarioWriter.write(scenario);
+    assertEquals(scenario, read(written));
+    assertEquals(written, ScenarioWriter.write(read(written)), "and written the same again");
+  }
+
+  @Test
+  void aScenarioMadeInCodeIsReadBackEqual() throws IOException {
+    Scenario scenario =
+        new TestScenario()
+            .camera(TestScenario.camera("tab\there\r\n<&>\"'", 0.1 + 0.2, -1e-300, 1e22, 360, 5))
+            .target(Math.nextUp(1.0), Double.MIN_VALUE, 30, 1.0 / 3)
+            .scenario();
+    assertEquals(scenario.cameras(), read(ScenarioWriter.write(scenario)).cameras());
+    MovementSpec movement = scenario.targets().get(0).movement();
+    assertEquals(movement, read(ScenarioWriter.write(scenario)).targets().get(0).movement());
+    assertEquals(scenario.targets(), read(ScenarioWriter.write(scenario)).targets());
+  }
+
+  @Test
+  void isIndentedAndDeclared() {
+    String written = ScenarioWriter.write(new TestScenario().camera(0, 0).target(0, 0).scenario());
+    assertTrue(written.startsWith("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<root>\n  <simul"));
+    assertTrue(written.endsWith("\n</root>\n"), written);
+  }
+
+  private Scenario read(String text) throws IOException {
+    Path file = Files.writeString(folder.resolve("test.xml"), text);
+    return ScenarioReader.read(file, movement -> true, new ArrayList<>()::add);
+  }
+}

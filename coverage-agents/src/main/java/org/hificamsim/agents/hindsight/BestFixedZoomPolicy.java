@@ -1,0 +1,68 @@
+package org.hificamsim.agents.hindsight;
+
+import org.hificamsim.core.policy.HindsightZoomPolicy;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * The constant configuration with the best performance (Eq 7.2) over the very run that follows:
+ * what the best fixed zoom of each camera would have been, in hindsight.
+ *
+ * <p>Exact where each camera has a level that includes what its others detect, as under any model
+ * that falls with distance on round fields of view, and wherever the search ends within {@code
+ * nodes}; otherwise the best configuration found until then.
+ */
+public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
+  public static final String NAME = "best-fixed";
+
+  private static final int NODES = 10_000;
+
+  private final int nodes;
+  private final SeenRun run = new SeenRun();
+  private int[] best;
+  private boolean proven;
+
+  private BestFixedZoomPolicy(int nodes) {
+    this.nodes = nodes;
+  }
+
+  /** The policy with its option. */
+  public static BestFixedZoomPolicy from(Options options) {
+    return new BestFixedZoomPolicy(
+        options.integer(
+            "nodes",
+            NODES,
+            0,
+            Integer.MAX_VALUE,
+            "partial configurations to look at before the best one found is taken"));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void rehearse(NetworkView network) {
+    run.add(network);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] levels) {
+    if (best == null) {
+      ConstantSearch search = new ConstantSearch(run, nodes);
+      best = search.levels();
+      proven = search.proven();
+    }
+    for (int camera = 0; camera < best.length; camera++) {
+      if (network.online(camera)) {
+        levels[camera] = best[camera];
+      }
+    }
+  }
+
+  /** Whether the configuration is proven to be the best constant one; known from the first step. */
+  public boolean proven() {
+    return proven;
+  }
+}

@@ -1,0 +1,2 @@
+/** Policies that know the whole run beforehand. */
+package org.hificamsim.agents.hindsight;

@@ -1,0 +1,121 @@
+package org.hificamsim.agents.hindsight;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.hificamsim.agents.CoveragePolicies;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Registry;
+import org.junit.jupiter.api.RepeatedTest;
+import org.junit.jupiter.api.RepetitionInfo;
+import org.junit.jupiter.api.Test;
+
+class BestFixedZoomPolicyTest {
+  private static final int LEVELS = 3;
+
+  @RepeatedTest(200)
+  void equalsTheBestOfAllConstantConfigurations(RepetitionInfo repetition) {
+    SplittableRandom random = new SplittableRandom(repetition.getCurrentRepetition());
+    int cameras = 1 + random.nextInt(5);
+    int targets = 1 + random.nextInt(4);
+    SeenRun run = randomRun(random, cameras, targets, 12, 0.5);
+    ConstantSearch search = new ConstantSearch(run, Long.MAX_VALUE);
+    assertTrue(search.proven());
+    assertEquals(bestByTryingAll(run), search.performance());
+    assertEquals(search.performance(), performance(run, search.levels()));
+  }
+
+  @Test
+  void withoutNodesTakesTheBestFoundAndDoesNotClaimAProof() {
+    SeenRun run = randomRun(new SplittableRandom(1), 6, 4, 30, 0.5);
+    ConstantSearch search = new ConstantSearch(run, 0);
+    assertFalse(search.proven());
+    assertEquals(search.performance(), performance(run, search.levels()));
+    assertTrue(search.performance() <= bestByTryingAll(run));
+  }
+
+  @Test
+  void takesTheNarrowestOfEquallyGoodLevels() {
+    ToyNetwork network = new ToyNetwork(1, LEVELS, LEVELS);
+    network.see(0, 1, 0);
+    network.see(0, 2, 0);
+    SeenRun run = new SeenRun();
+    run.add(network);
+    assertArrayEquals(new int[] {1, 0}, new ConstantSearch(run, 10).levels());
+  }
+
+  @Test
+  void staysAtItsLevels() {
+    BestFixedZoomPolicy policy =
+        (BestFixedZoomPolicy)
+            CoveragePolicies.register(new Registry<ZoomPolicy>("policy")).create("best-fixed");
+    ToyNetwork network = new ToyNetwork(2, LEVELS);
+    network.see(0, 1, 0, 1);
+    network.see(0, 2, 1);
+    policy.rehearse(network);
+    policy.begin(network, new SplittableRandom(0));
+    int[] levels = {0};
+    for (int step = 0; step < 3; step++) {
+      policy.decide(network, levels);
+      assertEquals(1, levels[0]);
+    }
+    assertTrue(policy.proven());
+  }
+
+  private static SeenRun randomRun(
+      SplittableRandom random, int cameras, int targets, int steps, double density) {
+    SeenRun run = new SeenRun();
+    int[] sizes = new int[cameras];
+    Arrays.fill(sizes, LEVELS);
+    for (int step = 0; step < steps; step++) {
+      ToyNetwork network = new ToyNetwork(targets, sizes);
+      for (int camera = 0; camera < cameras; camera++) {
+        for (int level = 0; level < LEVELS; level++) {
+          network.see(
+              camera,
+              level,
+              random
+                  .ints(0, targets)
+                  .limit(targets)
+                  .filter(t -> random.nextDouble() < density)
+                  .distinct()
+                  .toArray());
+        }
+      }
+      run.add(network);
+    }
+    return run;
+  }
+
+  private static long bestByTryingAll(SeenRun run) {
+    int[] levels = new int[run.cameras()];
+    long best = 0;
+    do {
+      best = Math.max(best, performance(run, levels));
+    } while (next(levels));
+    return best;
+  }
+
+  private static boolean next(int[] levels) {
+    for (int camera = 0; camera < levels.length; camera++) {
+      levels[camera] = (levels[camera] + 1) % LEVELS;
+      if (levels[camera] != 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static long performance(SeenRun run, int[] levels) {
+    int[] k = new int[run.moments()];
+    for (int camera = 0; camera < levels.length; camera++) {
+      run.detected(camera, levels[camera]).stream().forEach(moment -> k[moment]++);
+    }
+    return run.performance(Arrays.copyOf(k, k.length));
+  }
+}

@@ -1,0 +1,39 @@
+package org.hificamsim.agents.search;
+
+import java.util.SplittableRandom;
+
+/** Random coverage problems for tests, of up to 64 targets. */
+final class Problems {
+  private Problems() {}
+
+  /** Sets by camera: up to {@code most} for each, every target in each with that probability. */
+  static long[][] random(
+      SplittableRandom random, int cameras, int most, int targets, double density) {
+    long[][] sets = new long[cameras][];
+    for (int camera = 0; camera < cameras; camera++) {
+      sets[camera] = new long[1 + random.nextInt(most)];
+      for (int set = 0; set < sets[camera].length; set++) {
+        for (int target = 0; target < targets; target++) {
+          sets[camera][set] |= random.nextDouble() < density ? 1L << target : 0;
+        }
+      }
+    }
+    return sets;
+  }
+
+  static CoverageProblem problem(int targets, long[][] sets) {
+    CoverageProblem problem = new CoverageProblem(sets.length, 100, targets);
+    fill(problem, targets, sets);
+    return problem;
+  }
+
+  static void fill(CoverageProblem problem, int targets, long[][] sets) {
+    problem.clear(targets);
+    for (long[] camera : sets) {
+      problem.addCamera();
+      for (int set = 0; set < camera.length; set++) {
+        problem.addSet(camera, set);
+      }
+    }
+  }
+}

@@ -1,0 +1,50 @@
+package org.hificamsim.experiments.compare;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.experiments.output.OutputFolder;
+import org.hificamsim.experiments.run.RunPlan;
+
+/**
+ * A comparison from plans to files, safe to kill at any moment: finished runs are in the journal,
+ * and result files appear all at once at the end.
+ */
+public final class ComparisonRun {
+  private final Comparison comparison;
+  private final boolean resume;
+
+  /**
+   * @param resume whether runs that an earlier, killed comparison finished count
+   */
+  public ComparisonRun(Comparison comparison, boolean resume) {
+    this.comparison = comparison;
+    this.resume = resume;
+  }
+
+  /** Adds further files, such as plots and a manifest, to those of the results. */
+  @FunctionalInterface
+  public interface Extras {
+    /** Writes them. */
+    void write(OutputFolder folder, List<CaseResult> cases) throws IOException;
+  }
+
+  /**
+   * Runs all plans and writes the results.
+   *
+   * @return one result per plan, then those of the optima that had to be added
+   */
+  public List<CaseResult> execute(List<RunPlan> plans, Path out, Extras extras) throws IOException {
+    Files.createDirectories(out);
+    try (OutputFolder folder = new OutputFolder(out);
+        Journal journal = new Journal(out, resume)) {
+      List<CaseResult> all = comparison.run(Comparison.withOptimum(plans), journal);
+      new ResultFiles(folder).write(all.subList(0, plans.size()), all);
+      extras.write(folder, all);
+      folder.commit(List.of());
+      journal.finish();
+      return all;
+    }
+  }
+}

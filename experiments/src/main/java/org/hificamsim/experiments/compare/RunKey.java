@@ -1,0 +1,55 @@
+package org.hificamsim.experiments.compare;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.experiments.output.ManifestFile;
+import org.hificamsim.experiments.run.RunPlan;
+
+/**
+ * What a run's result depends on, as a digest: two runs with the same key give the same result.
+ *
+ * <p>A detection model is known by its values on a fixed grid, so that an edited model file, or a
+ * user's changed jar, is another model.
+ */
+final class RunKey {
+  private RunKey() {}
+
+  /** The key of a plan's repeats, but for their seed. */
+  static String of(RunPlan plan) {
+    String all =
+        String.join(
+            "\n",
+            ManifestFile.version(),
+            plan.scenario().name(),
+            ScenarioWriter.write(plan.scenario()),
+            plan.policy(),
+            String.valueOf(plan.steps()),
+            values(plan.detection()));
+    return HexFormat.of().formatHex(digest().digest(all.getBytes(StandardCharsets.UTF_8)));
+  }
+
+  private static String values(Detection detection) {
+    StringBuilder values = new StringBuilder(detection.model().name());
+    values.append(' ').append(detection.threshold());
+    for (double radius = 1; radius <= 16; radius *= 2) {
+      ZoomLevel zoom = new ZoomLevel(radius, 1, 16, Double.NaN, 2 * Math.PI);
+      for (double distance = 0; distance <= radius; distance += radius / 8) {
+        values.append(' ').append(detection.model().confidence(0.5, distance, 0.25, zoom));
+      }
+    }
+    return values.toString();
+  }
+
+  private static MessageDigest digest() {
+    try {
+      return MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java platform has SHA-256", e);
+    }
+  }
+}

@@ -1,0 +1,220 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What {@code compare} writes, and that nothing but the seeds decides what that is. */
+class CompareCommandTest {
+  private static final String JOURNAL = ".compare.journal";
+
+  @TempDir Path folder;
+
+  @Test
+  void writesOneRowPerScenarioDetectionPolicyAndSeedInThatOrder() throws IOException {
+    Cli compare = Cli.run(words(folder, 40, 3, "--threads", 2));
+    assertEquals(0, compare.exit(), compare.err());
+    List<String> rows = Files.readAllLines(folder.resolve("results.csv"));
+    assertEquals(
+        "scenario,detection,policy,seed,performance,proportion_of_optimal,"
+            + "covered_0,covered_1,covered_k",
+        rows.get(0));
+    List<String> expected = new ArrayList<>();
+    for (String scenario : List.of("lattice-random", "cluster-scripted")) {
+      for (String detection : List.of("camsim-range", "hifi:orb-lin")) {
+        for (String policy : List.of("zoom-out", "epsilon-greedy:epsilon=0.2", "fixed:1")) {
+          for (int seed = 5; seed < 8; seed++) {
+            expected.add(scenario + "," + detection + "," + policy + "," + seed + ",");
+          }
+        }
+      }
+    }
+    assertEquals(expected.size(), rows.size() - 1);
+    for (int i = 0; i < expected.size(); i++) {
+      assertTrue(rows.get(i + 1).startsWith(expected.get(i)), rows.get(i + 1));
+    }
+  }
+
+  @Test
+  void aRowEqualsTheRunOfItsSeed() throws IOException {
+    Cli.run(words(folder.resolve("compare"), 40, 3));
+    Cli.run(
+        "run",
+        Cli.scenario("cluster-scripted"),
+        "--policy",
+        "epsilon-greedy:epsilon=0.2",
+        "--steps",
+        40,
+        "--seed",
+        6,
+        "--out",
+        folder.resolve("run"));
+    String row =
+        Files.readAllLines(folder.resolve("compare/results.csv")).stream()
+            .filter(line -> line.startsWith("cluster-scripted,hifi:orb-lin,epsilon-greedy"))
+            .skip(1)
+            .findFirst()
+            .orElseThrow();
+    long sum =
+        Files.readAllLines(folder.resolve("run/steps.csv")).stream()
+            .skip(1)
+            .mapToLong(line -> Long.parseLong(line.split(",")[2]))
+            .sum();
+    assertEquals("6", row.split(",")[3]);
+    assertEquals(sum, Long.parseLong(row.split(",")[4]));
+  }
+
+  @Test
+  void noPolicyBeatsTheOptimum() throws IOException {
+    Cli.run(words(folder, 200, 4));
+    for (String row : Files.readAllLines(folder.resolve("results.csv")).subList(1, 49)) {
+      String proportion = row.split(",", -1)[5];
+      assertTrue(proportion.isEmpty() || Double.parseDouble(proportion) <= 1, row);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1", "2", "5"})
+  void writesTheSameBytesOnAnyNumberOfThreads(int threads) throws IOException {
+    Cli.run(words(folder.resolve("one"), 100, 4, "--threads", 1));
+    Cli.run(words(folder.resolve("many"), 100, 4, "--threads", threads));
+    assertSameFiles(folder.resolve("one"), folder.resolve("many"));
+  }
+
+  @Test
+  void aComparisonKilledAgainAndAgainEndsWithTheSameBytes() throws Exception {
+    Path whole = folder.resolve("whole");
+    Path killed = folder.resolve("killed");
+    Object[] work = words(whole, 20_000, 12, "--threads", 2);
+    assertEquals(0, Cli.run(work).exit());
+    Object[] again = words(killed, 20_000, 12, "--threads", 2, "--resume");
+    int kills = 0;
+    long finished = 0;
+    for (int round = 0; round < 4; round++) {
+      Process process = Java.main(System.getProperty("java.class.path"), again);
+      long before = finished;
+      while (process.isAlive() && (finished = journalled(killed)) <= before + 5) {
+        TimeUnit.MILLISECONDS.sleep(2);
+      }
+      if (process.isAlive()) {
+        process.destroyForcibly().waitFor();
+        kills++;
+        assertFalse(Files.exists(killed.resolve("results.csv")), "results before the end");
+      }
+    }
+    assertTrue(kills >= 2, kills + " kills");
+    Files.write(
+        killed.resolve(JOURNAL),
+        "{\"key\":\"half a li".getBytes(java.nio.charset.StandardCharsets.UTF_8),
+        java.nio.file.StandardOpenOption.APPEND);
+    assertEquals(0, Cli.run(again).exit());
+    assertSameFiles(whole, killed);
+    assertFalse(Files.exists(killed.resolve(JOURNAL)));
+  }
+
+  @Test
+  void resumingTakesFinishedRunsFromTheJournalAndNotResumingDropsThem() throws IOException {
+    Path out = folder.resolve("out");
+    Files.createDirectories(out);
+    Files.writeString(out.resolve(JOURNAL), "nothing of use\n");
+    assertEquals(0, Cli.run(words(out, 20, 1, "--resume")).exit());
+    Files.writeString(out.resolve(JOURNAL), "nothing of use\n");
+    assertEquals(0, Cli.run(words(out, 20, 1)).exit());
+    assertFalse(Files.exists(out.resolve(JOURNAL)));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--detections geometric,nothing | unknown detection 'nothing'",
+        "--detections geometric,geometric | 'geometric' twice",
+        "--policies zoom-out,zoom-in:x=1 | unknown option 'x=1', expected no options",
+        "--policies zoom-out,zoom-out | 'zoom-out' twice",
+        "--policies sarsa:gamma=2 | gamma is '2'",
+        "--policies walk | unknown policy 'walk', expected one of zoom-out",
+        "--threads -1 | --threads is -1",
+        "--repeat 0 | --repeat is 0",
+      })
+  void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
+    Path out = folder.resolve("out");
+    Cli compare =
+        Cli.run(
+            Stream.concat(
+                    Stream.of("compare", Cli.scenario("lattice-random"), "--out", out),
+                    Arrays.stream(options.strip().split(" ")))
+                .toArray());
+    assertEquals(2, compare.exit(), compare.err());
+    assertEquals(1, compare.err().lines().count(), compare.err());
+    assertTrue(compare.err().contains(expected), compare.err());
+    assertFalse(Files.exists(out));
+  }
+
+  private static Object[] words(Path out, int steps, int repeats, Object... more) {
+    return Stream.concat(
+            Stream.of(
+                "compare",
+                Cli.scenario("lattice-random"),
+                Cli.scenario("cluster-scripted"),
+                "--detections",
+                "camsim-range,hifi:orb-lin",
+                "--policies",
+                "zoom-out,epsilon-greedy:epsilon=0.2,fixed:1",
+                "--seed",
+                5,
+                "--steps",
+                steps,
+                "--repeat",
+                repeats,
+                "--out",
+                out),
+            Arrays.stream(more))
+        .toArray();
+  }
+
+  private static long journalled(Path out) throws IOException {
+    Path journal = out.resolve(JOURNAL);
+    if (!Files.exists(journal)) {
+      return 0;
+    }
+    long lines = 0;
+    for (byte b : Files.readAllBytes(journal)) {
+      lines += b == '\n' ? 1 : 0;
+    }
+    return lines;
+  }
+
+  private static void assertSameFiles(Path expected, Path actual) throws IOException {
+    List<String> names = names(expected);
+    assertEquals(names, names(actual));
+    assertTrue(names.contains("results.csv") && names.contains("steps.csv.gz"), names.toString());
+    for (String name : names) {
+      if (!name.equals("manifest.json")) {
+        assertArrayEquals(
+            Files.readAllBytes(expected.resolve(name)),
+            Files.readAllBytes(actual.resolve(name)),
+            name);
+      }
+    }
+  }
+
+  private static List<String> names(Path out) throws IOException {
+    try (Stream<Path> files = Files.list(out)) {
+      return files.map(file -> file.getFileName().toString()).sorted().toList();
+    }
+  }
+}

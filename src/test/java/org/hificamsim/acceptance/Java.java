@@ -1,0 +1,25 @@
+package org.hificamsim.acceptance;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Runs the command line in a process of its own. */
+final class Java {
+  private Java() {}
+
+  /** Starts a command; both its outputs are read from the process's input stream. */
+  static Process main(String classPath, Object... words) throws IOException {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.add("-Dhificamsim.root=" + Cli.ROOT);
+    command.add("-cp");
+    command.add(classPath);
+    command.add("org.hificamsim.experiments.cli.Main");
+    for (Object word : words) {
+      command.add(word.toString());
+    }
+    return new ProcessBuilder(command).redirectErrorStream(true).start();
+  }
+}
