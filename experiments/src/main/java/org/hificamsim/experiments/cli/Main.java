@@ -23,7 +23,8 @@ import picocli.CommandLine.Spec;
       RunCommand.class,
       CompareCommand.class,
       ValidateCommand.class,
-      ListCommand.class
+      ListCommand.class,
+      ProfileCommand.class
     },
     mixinStandardHelpOptions = true,
     versionProvider = Main.Version.class)
@@ -54,7 +55,7 @@ public final class Main implements Runnable {
   @Override
   public void run() {
     throw new ParameterException(
-        spec.commandLine(), "no command, expected run, compare, validate or list");
+        spec.commandLine(), "no command, expected run, compare, validate, list or profile");
   }
 
   private static int usage(ParameterException fault) {

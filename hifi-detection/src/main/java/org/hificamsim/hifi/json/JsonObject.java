@@ -126,7 +126,7 @@ public final class JsonObject implements JsonValue {
   private static double[] row(String key, JsonValue row, int columns, double least, double most) {
     if (!(row instanceof Items cells) || cells.values().size() != columns) {
       throw row.place()
-          .fault(key + " holds " + row.shown() + ", expected lists of " + columns + " numbers");
+          .error(key + " holds " + row.shown() + ", expected lists of " + columns + " numbers");
     }
     double[] values = new double[columns];
     for (int i = 0; i < columns; i++) {
@@ -134,7 +134,7 @@ public final class JsonObject implements JsonValue {
       if (!(cell instanceof Numeral number)
           || !(number.value() >= least && number.value() <= most)) {
         throw cell.place()
-            .fault(
+            .error(
                 "%s holds %s, expected numbers from %s to %s"
                     .formatted(key, cell.shown(), least, most));
       }

@@ -46,7 +46,7 @@ final class SvrRbfFormat {
   private static Range range(JsonObject json) {
     Range range = new Range(json.number("least", 0, 1000), json.number("most", 0, 1000));
     if (!(range.most() > range.least())) {
-      throw json.fault("most", "expected more than least, " + range.least());
+      throw json.error("most", "expected more than least, " + range.least());
     }
     json.rejectUnknown();
     return range;

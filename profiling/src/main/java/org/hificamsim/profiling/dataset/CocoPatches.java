@@ -44,7 +44,7 @@ final class CocoPatches {
     for (JsonObject annotation : json.objects("annotations")) {
       String image = images.get(id(annotation, "image_id"));
       if (image == null) {
-        throw annotation.fault("image_id", "expected an id of images");
+        throw annotation.error("image_id", "expected an id of images");
       }
       String category = categories.getOrDefault(id(annotation, "category_id"), "");
       Box box = new Box(category, patch(annotation.numbers("bbox", 4, 0, MOST)));

@@ -16,7 +16,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
-import org.hificamsim.hifi.json.Place;
+import org.hificamsim.core.Place;
 
 /**
  * A CSV table whose cells know their place.
@@ -30,9 +30,9 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
   /** A cell's text without surrounding blanks, and where it stands. */
   public record Cell(Place place, String text) {
     /** The fault of this cell: what it is, its value and what was expected. */
-    public InputException fault(String column, String expected) {
+    public InputException error(String column, String expected) {
       String shown = text.length() <= 60 ? text : text.substring(0, 60) + "...";
-      return place.fault(column + " is '" + shown + "', expected " + expected);
+      return place.error(column + " is '" + shown + "', expected " + expected);
     }
 
     /** The number it holds, finite and in [least, most]. */
@@ -45,7 +45,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
       } catch (NumberFormatException e) {
         // told below
       }
-      throw fault(column, expected);
+      throw error(column, expected);
     }
   }
 
@@ -58,13 +58,13 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
     String name = file.toString();
     List<List<Cell>> lines = lines(file, name);
     if (lines.isEmpty()) {
-      throw new Place(name, 1, 1).fault("the table is empty, expected " + required);
+      throw new Place(name, 1, 1).error("the table is empty, expected " + required);
     }
     List<String> columns = lines.get(0).stream().map(Cell::text).toList();
     for (String column : required) {
       if (!columns.contains(column)) {
         throw new Place(name, 1, 1)
-            .fault("column '" + column + "' is missing, expected " + String.join(",", required));
+            .error("column '" + column + "' is missing, expected " + String.join(",", required));
       }
     }
     List<Map<String, Cell>> rows = new ArrayList<>();
@@ -78,7 +78,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
     if (line.size() != columns.size()) {
       throw line.get(0)
           .place()
-          .fault("the row has %d cells, expected %d".formatted(line.size(), columns.size()));
+          .error("the row has %d cells, expected %d".formatted(line.size(), columns.size()));
     }
     Map<String, Cell> row = new LinkedHashMap<>();
     for (int i = 0; i < columns.size(); i++) {
@@ -90,7 +90,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
   private static List<List<Cell>> lines(Path file, String name) {
     try {
       if (Files.size(file) > LARGEST_BYTES) {
-        throw new Place(name, 1, 1).fault("the table is too big, expected at most 256 MiB");
+        throw new Place(name, 1, 1).error("the table is too big, expected at most 256 MiB");
       }
       try (Reader reader = Files.newBufferedReader(file);
           CsvParser parser = new CsvFactory().createParser(reader)) {
@@ -103,7 +103,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
       throw new InputException(name + ": no such file, expected a data set's table", e);
     } catch (JsonProcessingException e) {
       throw new Place(name, e.getLocation().getLineNr(), e.getLocation().getColumnNr())
-          .fault("no valid CSV: " + e.getOriginalMessage());
+          .error("no valid CSV: " + e.getOriginalMessage());
     } catch (IOException | UncheckedIOException e) {
       throw new InputException(name + ": cannot be read as UTF-8 text: " + e.getMessage(), e);
     }
@@ -122,7 +122,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
         line.add(new Cell(new Place(name, row, column), parser.getText().strip()));
       }
     }
-    lines.removeIf(List::isEmpty);
+    lines.removeIf(cells -> cells.isEmpty() || cells.size() == 1 && cells.get(0).text().isEmpty());
     return lines;
   }
 }

@@ -76,7 +76,7 @@ public final class DatasetReader {
     if (earlier != null) {
       problems.add(
           image
-              .fault("image", "each image and object once, and line " + earlier + " has it")
+              .error("image", "each image and object once, and line " + earlier + " has it")
               .getMessage());
     }
   }
@@ -96,7 +96,7 @@ public final class DatasetReader {
       }
     }
     problems.add(
-        object.fault("object", "its close-up as templates/" + name + ".png or .jpg").getMessage());
+        object.error("object", "its close-up as templates/" + name + ".png or .jpg").getMessage());
   }
 
   private void checkReadable(Cell object, Path file) {
@@ -105,7 +105,7 @@ public final class DatasetReader {
     } catch (IOException | RuntimeException e) {
       problems.add(
           object
-              .fault("object", file + " to be a whole PNG or JPEG (" + e.getMessage() + ")")
+              .error("object", file + " to be a whole PNG or JPEG (" + e.getMessage() + ")")
               .getMessage());
     }
   }

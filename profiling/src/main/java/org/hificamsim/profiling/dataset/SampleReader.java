@@ -76,10 +76,10 @@ final class SampleReader {
     try {
       header = ImageHeader.read(file);
     } catch (IOException | RuntimeException e) {
-      throw cell.fault(column, "a whole PNG or JPEG in the folder (" + e.getMessage() + ")");
+      throw cell.error(column, "a whole PNG or JPEG in the folder (" + e.getMessage() + ")");
     }
     if (header.width() != camera.width() || header.height() != camera.height()) {
-      throw cell.fault(
+      throw cell.error(
           column,
           "%d x %d pixels as camera.json says, not %d x %d"
               .formatted(camera.width(), camera.height(), header.width(), header.height()));
@@ -96,13 +96,13 @@ final class SampleReader {
     } catch (java.nio.file.InvalidPathException e) {
       // told below
     }
-    throw cell.fault(column, "the name of a picture in the folder");
+    throw cell.error(column, "the name of a picture in the folder");
   }
 
   private String object() {
     Cell cell = row.get("object");
     if (!cell.text().matches("[\\p{L}\\p{N}][\\p{L}\\p{N} ._-]{0,99}")) {
-      throw cell.fault("object", "1 to 100 letters, digits, blanks or any of . _ -");
+      throw cell.error("object", "1 to 100 letters, digits, blanks or any of . _ -");
     }
     return cell.text();
   }
@@ -116,7 +116,7 @@ final class SampleReader {
     Cell cell = row.get("focal_length_m");
     if (cell.text().isEmpty()) {
       return ExifFocalLength.of(image)
-          .orElseThrow(() -> cell.fault("focal_length_m", "metres, or a photo whose EXIF has it"));
+          .orElseThrow(() -> cell.error("focal_length_m", "metres, or a photo whose EXIF has it"));
     }
     return length("focal_length_m", LONGEST);
   }
@@ -137,7 +137,7 @@ final class SampleReader {
     if (patch.width() < 1 || patch.height() < 1 || !patch.within(camera.width(), camera.height())) {
       throw row.get("patch_x")
           .place()
-          .fault(
+          .error(
               "the patch is %s, expected one within the image's %d x %d pixels"
                   .formatted(patch, camera.width(), camera.height()));
     }
@@ -146,7 +146,7 @@ final class SampleReader {
 
   private InputException noPatch() {
     return row.get("patch_x")
-        .fault("patch_x", "pixels, or one box for the image and object in " + Dataset.COCO);
+        .error("patch_x", "pixels, or one box for the image and object in " + Dataset.COCO);
   }
 
   private int pixels(String column, int least) {
@@ -154,7 +154,7 @@ final class SampleReader {
     String expected = "a whole number of pixels from " + least;
     double value = cell.number(column, least, MOST_PIXELS, expected);
     if (value != Math.rint(value)) {
-      throw cell.fault(column, expected);
+      throw cell.error(column, expected);
     }
     return (int) value;
   }

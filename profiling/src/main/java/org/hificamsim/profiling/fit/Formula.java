@@ -58,12 +58,22 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
 
   /** An operation on two formulas: one of + - * /. */
   record Operation(char sign, Formula left, Formula right) implements Formula {
-    /** The operation, or its value where both sides are numbers. */
+    /** The operation, or a simpler one: numbers are computed, x / x is 1 and x - x is 0. */
     static Formula of(char sign, Formula left, Formula right) {
+      if (left.equals(right) && (sign == '/' || sign == '-') && !(left instanceof Constant)) {
+        return new Constant(sign == '/' ? 1 : 0);
+      }
       Operation operation = new Operation(sign, left, right);
       if (left instanceof Constant && right instanceof Constant) {
         double value = operation.values(new double[1][0])[0];
         return Double.isFinite(value) ? new Constant(value) : operation;
+      }
+      if (sign == '*'
+          && left instanceof Constant a
+          && right instanceof Operation product
+          && product.sign() == '*'
+          && product.left() instanceof Constant b) {
+        return new Operation('*', new Constant(a.value() * b.value()), product.right());
       }
       return operation;
     }

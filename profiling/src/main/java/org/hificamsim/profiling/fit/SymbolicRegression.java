@@ -33,9 +33,9 @@ import org.hificamsim.hifi.feature.SymbolicAbstraction;
 public record SymbolicRegression(SymbolicSettings settings) implements FeatureRegression {
   private static final int FIRST_DEPTH = 3;
   private static final int MOST_NODES = 60;
-  private static final int TOURNAMENT = 20;
+  private static final int TOURNAMENT = 10;
   private static final double CROSSOVER = 0.9;
-  private static final double MUTATION = 0.03;
+  private static final double MUTATION = 0.01;
 
   private static final ISeq<Op<Double>> OPERATIONS =
       ISeq.of(MathOp.ADD, MathOp.SUB, MathOp.MUL, MathOp.DIV);
