@@ -23,13 +23,22 @@ class ProfileCommandTest {
     Path lab = folder.resolve("lab");
     assertDone(
         Cli.run(
-            "profile", "lab", "--out", lab, "--scale", "0.1", "--objects", 4,
-            "--focal-lengths", "0.010,0.035,0.085", "--distances", "1,2,4,8"));
+            "profile",
+            "lab",
+            "--out",
+            lab,
+            "--scale",
+            "0.1",
+            "--objects",
+            4,
+            "--focal-lengths",
+            "0.010,0.035,0.085",
+            "--distances",
+            "1,2,4,8"));
     Cli measured = assertDone(Cli.run("profile", "measure", lab));
     assertTrue(measured.out().contains("photos measured"), measured.out());
     Cli fitted =
-        assertDone(
-            Cli.run("profile", "fit", lab, "--population", 100, "--generations", 5));
+        assertDone(Cli.run("profile", "fit", lab, "--population", 100, "--generations", 5));
     assertTrue(fitted.out().contains("36 models"), fitted.out());
     assertTrue(Files.exists(lab.resolve("report.html")));
     for (String model : List.of("orb-svr-rbf", "sift-sr", "surf-lin", "orb-power-gt")) {
@@ -37,7 +46,13 @@ class ProfileCommandTest {
       Path out = folder.resolve(model);
       assertDone(
           Cli.run(
-              "run", Cli.scenario("lattice-random"), "--steps", 5, "--detection", file, "--out",
+              "run",
+              Cli.scenario("lattice-random"),
+              "--steps",
+              5,
+              "--detection",
+              file,
+              "--out",
               out));
       assertTrue(Files.readString(out.resolve("summary.json")).contains("lab:" + model));
     }
@@ -81,8 +96,7 @@ class ProfileCommandTest {
         "profile fit DIR --folds 1 | --folds is 1",
       })
   void wrongUsageIsToldInOneLine(String command, String words) {
-    Cli run =
-        Cli.run((Object[]) command.strip().replace("DIR", folder.toString()).split(" "));
+    Cli run = Cli.run((Object[]) command.strip().replace("DIR", folder.toString()).split(" "));
     assertEquals(2, run.exit(), run.err());
     assertEquals(1, run.err().lines().count(), run.err());
     assertTrue(run.err().contains(words), run.err());
@@ -91,14 +105,27 @@ class ProfileCommandTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "orb-lin", "orb-svr-rbf", "orb-sr", "sift-lin", "sift-svr-rbf", "sift-sr", "surf-lin",
-        "surf-svr-rbf", "surf-sr"
+        "orb-lin",
+        "orb-svr-rbf",
+        "orb-sr",
+        "sift-lin",
+        "sift-svr-rbf",
+        "sift-sr",
+        "surf-lin",
+        "surf-svr-rbf",
+        "surf-sr"
       })
   void allNineCombinationsOfTable61Run(String model) {
     Cli run =
         Cli.run(
-            "run", Cli.scenario("ring-random"), "--steps", 5, "--detection", "lab:" + model,
-            "--out", folder);
+            "run",
+            Cli.scenario("ring-random"),
+            "--steps",
+            5,
+            "--detection",
+            "lab:" + model,
+            "--out",
+            folder);
     assertDone(run);
   }
 

@@ -29,6 +29,10 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
 
   /** A cell's text without surrounding blanks, and where it stands. */
   public record Cell(Place place, String text) {
+    private boolean isEmpty() {
+      return text.isEmpty();
+    }
+
     /** The fault of this cell: what it is, its value and what was expected. */
     public InputException error(String column, String expected) {
       String shown = text.length() <= 60 ? text : text.substring(0, 60) + "...";
@@ -122,7 +126,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
         line.add(new Cell(new Place(name, row, column), parser.getText().strip()));
       }
     }
-    lines.removeIf(cells -> cells.isEmpty() || cells.size() == 1 && cells.get(0).text().isEmpty());
+    lines.removeIf(cells -> cells.size() <= 1 && cells.stream().allMatch(Cell::isEmpty));
     return lines;
   }
 }

@@ -35,10 +35,19 @@ final class Charts {
 
   /** An empty chart of points and lines. */
   static XYChart plot(String title, String x, String y) {
+    return plot(title, x, y, WIDTH, HEIGHT);
+  }
+
+  /** A larger one, with room for a legend. */
+  static XYChart large(String title, String x, String y) {
+    return plot(title, x, y, 2 * WIDTH, HEIGHT + HEIGHT / 3);
+  }
+
+  private static XYChart plot(String title, String x, String y, int width, int height) {
     XYChart chart =
         new XYChartBuilder()
-            .width(WIDTH)
-            .height(HEIGHT)
+            .width(width)
+            .height(height)
             .title(title)
             .xAxisTitle(x)
             .yAxisTitle(y)

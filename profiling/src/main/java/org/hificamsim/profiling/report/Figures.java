@@ -110,10 +110,8 @@ final class Figures {
   /** The ladder: what each step costs and buys. */
   static byte[] ladder(List<Ladder.Step> steps, String detector) {
     XYChart chart =
-        Charts.plot(
-            "R2 of the " + detector + " confidence over time per evaluation",
-            "nanoseconds per evaluation",
-            "R2");
+        Charts.large(
+            "What each step buys and costs: " + detector, "nanoseconds per evaluation", "R2");
     chart.getStyler().setXAxisLogarithmic(true);
     chart.getStyler().setXAxisMin(0.1);
     chart.getStyler().setXAxisMax(100_000.0);

@@ -57,8 +57,7 @@ class DatasetReaderTest {
   @Test
   void emptyFocalLengthIsTakenFromThePhoto() throws IOException {
     Photos.writeWithFocalLength(folder.resolve("images/exif.jpg"), 60, 40, 24);
-    assertEquals(
-        0.024, sample("images/exif.jpg,ball,0.22,1,,10,10,20,30,").focalLength(), 1e-12);
+    assertEquals(0.024, sample("images/exif.jpg,ball,0.22,1,,10,10,20,30,").focalLength(), 1e-12);
   }
 
   @Test
@@ -73,8 +72,7 @@ class DatasetReaderTest {
           {"id": 1, "image_id": 7, "category_id": 2, "bbox": [0, 0, 5, 5], "iscrowd": 0},
           {"id": 2, "image_id": 7, "category_id": 1, "bbox": [10.4, 9.6, 20, 30]}]}
         """);
-    assertEquals(
-        new Patch(10, 10, 20, 30), sample("images/a.jpg,ball,0.22,1,0.085,,,,,").patch());
+    assertEquals(new Patch(10, 10, 20, 30), sample("images/a.jpg,ball,0.22,1,0.085,,,,,").patch());
   }
 
   @ParameterizedTest
@@ -84,7 +82,8 @@ class DatasetReaderTest {
         "images/none.jpg,ball,0.22,1,0.085,10,10,20,30, | 2:1: image is 'images/none.jpg'",
         "images/text.jpg,ball,0.22,1,0.085,10,10,20,30, | (no PNG or JPEG)",
         "images/cut.jpg,ball,0.22,1,0.085,10,10,20,30, | cut short",
-        "images/wide.png,ball,0.22,1,0.085,10,10,20,30, | 60 x 40 pixels as camera.json says, not 80",
+        "images/wide.png,ball,0.22,1,0.085,10,10,20,30, | 60 x 40 pixels as camera.json says, not"
+            + " 80",
         "../a.jpg,ball,0.22,1,0.085,10,10,20,30, | expected the name of a picture in the folder",
         "images/a.jpg,,0.22,1,0.085,10,10,20,30, | object is ''",
         "images/a.jpg,cat,0.22,1,0.085,10,10,20,30, | templates/cat.png",
@@ -93,8 +92,10 @@ class DatasetReaderTest {
         "images/a.jpg,ball,NaN,1,0.085,10,10,20,30, | size_m is 'NaN'",
         "images/a.jpg,ball,0.22,0,0.085,10,10,20,30, | distance_m is '0'",
         "images/a.jpg,ball,0.22,1,85,10,10,20,30, | focal_length_m is '85'",
-        "images/a.jpg,ball,0.22,1,,10,10,20,30, | focal_length_m is '', expected metres, or a photo",
-        "images/a.jpg,ball,0.22,1,0.085,50,10,20,30, | the patch is 20 x 30 at (50, 10), expected one",
+        "images/a.jpg,ball,0.22,1,,10,10,20,30, | focal_length_m is '', expected metres, or a"
+            + " photo",
+        "images/a.jpg,ball,0.22,1,0.085,50,10,20,30, | the patch is 20 x 30 at (50, 10), expected"
+            + " one",
         "images/a.jpg,ball,0.22,1,0.085,10,10,0,30, | patch_width is '0'",
         "images/a.jpg,ball,0.22,1,0.085,10,10,2.5,30, | patch_width is '2.5'",
         "images/a.jpg,ball,0.22,1,0.085,-1,10,20,30, | patch_x is '-1'",
@@ -105,8 +106,7 @@ class DatasetReaderTest {
   void faultIsToldWithItsRow(String row, String words) throws IOException {
     List<String> problems = problems(row);
     assertEquals(1, problems.size(), problems.toString());
-    assertTrue(
-        problems.get(0).startsWith(folder.resolve("dataset.csv") + ":2:"), problems.get(0));
+    assertTrue(problems.get(0).startsWith(folder.resolve("dataset.csv") + ":2:"), problems.get(0));
     assertTrue(problems.get(0).contains(words), problems.get(0));
   }
 
@@ -134,8 +134,7 @@ class DatasetReaderTest {
   @Test
   void tableWithoutAColumnOrARowIsToldInOneLine() throws IOException {
     table(HEADER.replace("size_m", "size"), ROW);
-    assertTrue(
-        DatasetReader.read(folder).problems().get(0).contains("column 'size_m' is missing"));
+    assertTrue(DatasetReader.read(folder).problems().get(0).contains("column 'size_m' is missing"));
     table(HEADER);
     String problem = DatasetReader.read(folder).problems().get(0);
     assertTrue(problem.contains("no rows"), problem);

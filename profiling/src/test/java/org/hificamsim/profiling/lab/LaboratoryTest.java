@@ -24,9 +24,7 @@ import org.opencv.imgcodecs.Imgcodecs;
 
 class LaboratoryTest {
   private static final LabSettings SMALL =
-      LabSettings.thesis(3)
-          .withScale(0.05)
-          .withGrid(List.of(0.015, 0.050), List.of(1.0, 4.0), 4);
+      LabSettings.thesis(3).withScale(0.05).withGrid(List.of(0.015, 0.050), List.of(1.0, 4.0), 4);
 
   /** No imperfection at all. */
   private static final LabSettings IDEAL =
@@ -48,7 +46,9 @@ class LaboratoryTest {
     assertEquals(files.size(), files(three).size());
     for (Path file : files) {
       assertArrayEquals(
-          Files.readAllBytes(one.resolve(file)), Files.readAllBytes(three.resolve(file)), file::toString);
+          Files.readAllBytes(one.resolve(file)),
+          Files.readAllBytes(three.resolve(file)),
+          file::toString);
     }
     assertTrue(files.size() >= 3 + 4 + 2 * 16 - 2, files.toString());
   }

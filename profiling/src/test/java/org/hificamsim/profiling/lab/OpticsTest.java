@@ -97,8 +97,7 @@ class OpticsTest {
   private static double noise(Sensor sensor, double iso) {
     try (Mats mats = new Mats()) {
       Mat grey =
-          mats.own(
-              new Mat(sensor.height(), sensor.width(), CvType.CV_32FC3, Scalar.all(0.5)));
+          mats.own(new Mat(sensor.height(), sensor.width(), CvType.CV_32FC3, Scalar.all(0.5)));
       sensor.addNoise(grey, iso, 7);
       MatOfDouble mean = mats.own(new MatOfDouble());
       MatOfDouble deviation = mats.own(new MatOfDouble());

@@ -23,8 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 class MeasurerTest {
   private static final List<String> ALL = List.of("orb", "sift", "surf");
-  private static final MeasureSettings PLAIN =
-      new MeasureSettings(ALL, RatioTest.THESIS, Set.of());
+  private static final MeasureSettings PLAIN = new MeasureSettings(ALL, RatioTest.THESIS, Set.of());
 
   @TempDir static Path folder;
   private static Dataset dataset;
@@ -89,8 +88,7 @@ class MeasurerTest {
   @Test
   void pipIsTheMasksShareAndElseThePatchs() {
     new Measurer(dataset, PLAIN).measure(2, () -> {});
-    List<Measurement> masked =
-        MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
+    List<Measurement> masked = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     List<Sample> bare =
         dataset.samples().stream()
             .map(
@@ -108,8 +106,7 @@ class MeasurerTest {
     Dataset unmasked = new Dataset(folder, dataset.camera(), bare, dataset.templates());
     MeasureSettings orb = new MeasureSettings(List.of("orb"), RatioTest.THESIS, Set.of());
     new Measurer(unmasked, orb).measure(2, () -> {});
-    List<Measurement> patched =
-        MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
+    List<Measurement> patched = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
     for (int i = 0; i < bare.size(); i++) {
       assertEquals(bare.get(i).patch().area() / pixels, patched.get(i).pip());
@@ -121,8 +118,7 @@ class MeasurerTest {
   @Test
   void drawsMatchesOnRequest() {
     String image = dataset.samples().get(0).image();
-    new Measurer(
-            dataset, new MeasureSettings(List.of("orb"), RatioTest.THESIS, Set.of(image)))
+    new Measurer(dataset, new MeasureSettings(List.of("orb"), RatioTest.THESIS, Set.of(image)))
         .measure(2, () -> {});
     Path picture = folder.resolve("matches/orb-images_matchbox-10mm-01.0m.jpg");
     assertTrue(Files.exists(picture), picture.toString());
@@ -133,7 +129,9 @@ class MeasurerTest {
     Path file = folder.resolve("broken.csv");
     Files.writeString(
         file,
-        "image,object,size_m,distance_m,focal_length_m,pip,orb\na,b,0.1,1,0.01,0.5,0.2\na,b,0.1,1,0.01,2,0.2\n");
+        "image,object,size_m,distance_m,focal_length_m,pip,orb\n"
+            + "a,b,0.1,1,0.01,0.5,0.2\n"
+            + "a,b,0.1,1,0.01,2,0.2\n");
     String message =
         assertThrows(InputException.class, () -> MeasurementsFile.read(file)).getMessage();
     assertTrue(message.startsWith(file + ":3:"), message);

@@ -85,8 +85,7 @@ class ReportTest {
 
   @Test
   void fitsTheSameOnAnyNumberOfThreads() {
-    FitResult again =
-        new Fitting(SETTINGS).fit(result.camera(), result.measurements(), 1);
+    FitResult again = new Fitting(SETTINGS).fit(result.camera(), result.measurements(), 1);
     assertEquals(result.lines(), again.lines());
   }
 
@@ -127,7 +126,9 @@ class ReportTest {
       for (Path file : files.toList()) {
         try (var in = Published.class.getResourceAsStream(file.getFileName().toString())) {
           if (in != null) {
-            assertEquals(Files.readString(file), new String(in.readAllBytes(), "UTF-8"));
+            assertEquals(
+                Files.readString(file),
+                new String(in.readAllBytes(), java.nio.charset.StandardCharsets.UTF_8));
             compared++;
           }
         }
