@@ -30,7 +30,8 @@ import picocli.CommandLine.Spec;
       PlotCommand.class,
       ValidateCommand.class,
       ListCommand.class,
-      CamSimCommand.class
+      CamSimCommand.class,
+      ProfileCommand.class
     },
     mixinStandardHelpOptions = true,
     versionProvider = Main.Version.class)
@@ -67,8 +68,8 @@ public final class Main implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list or"
-            + " camsim");
+        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list, camsim"
+            + " or profile");
   }
 
   private static int usage(ParameterException fault) {
