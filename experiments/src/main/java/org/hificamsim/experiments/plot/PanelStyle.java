@@ -50,16 +50,12 @@ final class PanelStyle {
     style.setYAxisTickMarkSpacingHint(32);
   }
 
-  /**
-   * The name of x = 1, 2, 3, ...; blanks elsewhere: all different, as XChart asks of labels, and the
-   * usual ones, at both ends, shorter than names, since it makes room for the longest label.
-   */
+  /** The name of x = 1, 2, 3, ...; blanks in between, all different as XChart asks of labels. */
   static String name(List<String> names, double x) {
     int i = (int) Math.round(x) - 1;
     boolean whole = Math.abs(x - Math.rint(x)) < 1e-9;
-    if (whole && i >= 0 && i < names.size()) {
-      return names.get(i);
-    }
-    return " ".repeat(whole ? (i < 0 ? 1 : 2) : 3 + (int) Math.abs(2 * x));
+    return whole && i >= 0 && i < names.size()
+        ? names.get(i)
+        : " ".repeat(1 + (int) Math.abs(2 * x));
   }
 }
