@@ -1,5 +1,6 @@
 package org.hificamsim.experiments.figures;
 
+import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.experiments.plot.Curve;
 import org.hificamsim.experiments.plot.Figure;
@@ -35,7 +36,7 @@ public final class KMinFigure {
   static double ceiling(List<double[]> means) {
     double most =
         means.stream()
-            .flatMapToDouble(values -> java.util.Arrays.stream(Curve.of(values).thinned(100).y()))
+            .flatMapToDouble(values -> Arrays.stream(Curve.of(values).thinned(100).y()))
             .max()
             .orElse(1);
     return Math.max(0.2, Math.ceil(most * 1.1 * 5) / 5);

@@ -1,5 +1,6 @@
 package org.hificamsim.experiments.plot;
 
+import java.awt.Dimension;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
@@ -77,7 +78,7 @@ public final class FigureFile {
     context.setComment("HiFi-CamSim");
     context.setPrecision(2);
     SVGGraphics2D graphics = new SVGGraphics2D(context, false);
-    graphics.setSVGCanvasSize(new java.awt.Dimension(figure.width(), figure.height()));
+    graphics.setSVGCanvasSize(new Dimension(figure.width(), figure.height()));
     FigurePainter.paint(figure, graphics);
     StringWriter text = new StringWriter();
     graphics.stream(text, true);

@@ -49,7 +49,7 @@ final class Margins {
     return Layout.SCENARIOS.stream().map(margin).toList();
   }
 
-  /** By how much a proportion is above a published one, or below; "at least" has one side. */
+  /** What the distance between a proportion and the published one leaves of 0.05. */
   static Margin near(String where, Estimate ours, double published) {
     double off = Math.abs(ours.mean() - published);
     double slack = Verdict.TOLERANCE - off;

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.experiments.compare.Bootstrap;
+import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.Cases;
 import org.hificamsim.experiments.compare.Score;
 import org.hificamsim.experiments.reproduce.Statement.Margin;
@@ -136,11 +137,7 @@ public final class Statements {
             "contradicts Table 8.1 as well"));
   }
 
-  private static Statement number(
-      String id,
-      String policy,
-      org.hificamsim.experiments.compare.CaseResult one,
-      double published) {
+  private static Statement number(String id, String policy, CaseResult one, double published) {
     var ours = Bootstrap.mean(one.figures(Score.PROPORTION_OF_OPTIMAL));
     return new Statement(
         id,

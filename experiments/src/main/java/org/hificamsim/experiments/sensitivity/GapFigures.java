@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.hificamsim.experiments.figures.PolicyColors;
 import org.hificamsim.experiments.output.OutputFolder;
@@ -116,7 +117,7 @@ final class GapFigures {
     return Math.min(-0.05, ROOM * bounds(gaps).min().orElse(0));
   }
 
-  private static java.util.stream.DoubleStream bounds(List<Gap> gaps) {
+  private static DoubleStream bounds(List<Gap> gaps) {
     return gaps.stream()
         .map(Gap::difference)
         .flatMap(difference -> Stream.of(difference.low(), difference.high()))
