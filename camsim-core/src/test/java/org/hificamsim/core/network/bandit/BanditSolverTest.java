@@ -20,7 +20,10 @@ class BanditSolverTest {
   @ParameterizedTest
   @EnumSource(
       value = BanditKind.class,
-      names = {"FULL_RANDOM", "UCB2"}, // CamSim's UCB2 counts epochs against the arm alone, and wanders
+      names = {
+        "FULL_RANDOM",
+        "UCB2"
+      }, // CamSim's UCB2 counts epochs against the arm alone, and wanders
       mode = EnumSource.Mode.EXCLUDE)
   void theBestArmIsChosenMostOften(BanditKind kind) {
     BanditSolver solver = solver(kind, 1);
