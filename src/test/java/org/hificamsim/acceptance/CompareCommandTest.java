@@ -79,6 +79,27 @@ class CompareCommandTest {
   }
 
   @Test
+  void keepsASecondComparisonOutOfItsFolder() throws Exception {
+    Process first =
+        Java.main(System.getProperty("java.class.path"), words(folder, 200_000, 20, "--resume"));
+    while (first.isAlive() && journalled(folder) == 0) {
+      TimeUnit.MILLISECONDS.sleep(2);
+    }
+    Cli second = Cli.run(words(folder, 10, 1));
+    first.destroyForcibly().waitFor();
+    assertEquals(2, second.exit(), second.err());
+    assertTrue(second.err().contains("another comparison writes there"), second.err());
+  }
+
+  @Test
+  void recordsEverySettingOfEveryCase() throws IOException {
+    Cli.run(words(folder, 10, 1));
+    String settings = Files.readString(folder.resolve("settings.json"));
+    assertEquals(12 + 4, settings.split("\"threshold\"").length - 1);
+    assertTrue(settings.contains("\"epsilon-greedy:epsilon=0.2\""), settings);
+  }
+
+  @Test
   void noPolicyBeatsTheOptimum() throws IOException {
     Cli.run(words(folder, 200, 4));
     for (String row : Files.readAllLines(folder.resolve("results.csv")).subList(1, 49)) {

@@ -1,2 +1,2 @@
-/** From photos of a target to a fitted detection model; the only module with computer vision. */
+/** From photos to fitted detection models: chapters 3 to 6 as a tool. */
 package org.hificamsim.profiling;

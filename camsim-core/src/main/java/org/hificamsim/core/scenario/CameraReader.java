@@ -66,6 +66,11 @@ final class CameraReader {
         name, expected + ", or -1 to leave it", value -> value == -1 || valid.test(value));
   }
 
+  /** The names read so far. */
+  Set<String> names() {
+    return new HashSet<>(names);
+  }
+
   /** Whether a camera of this name has been read. */
   boolean knows(String name) {
     return names.contains(name);

@@ -20,9 +20,10 @@ final class EventReader {
   }
 
   List<ScenarioEvent> events(List<XmlElement> elements) {
+    Set<String> start = cameras.names();
     List<Placed> placed = elements.stream().map(this::event).toList();
     checkTargets(placed);
-    checkCameras(placed);
+    checkCameras(placed, start);
     return placed.stream().map(Placed::event).toList();
   }
 
@@ -106,15 +107,32 @@ final class EventReader {
     }
   }
 
-  private void checkCameras(List<Placed> placed) {
-    for (Placed one : placed) {
-      String name =
-          one.event() instanceof ScenarioEvent.ChangeCamera change
-              ? change.camera()
-              : one.event() instanceof ScenarioEvent.FailCamera fail ? fail.camera() : null;
-      if (name != null && !cameras.knows(name)) {
-        throw one.invalidName("the name of a camera");
+  private void checkCameras(List<Placed> placed, Set<String> online) {
+    for (Placed one : inTime(placed)) {
+      if (one.event() instanceof ScenarioEvent.AddCamera add) {
+        online.add(add.camera().name());
+      } else if (one.event() instanceof ScenarioEvent.ChangeCamera change) {
+        checkCamera(one, change.camera(), online);
+      } else if (one.event() instanceof ScenarioEvent.FailCamera fail) {
+        checkCamera(one, fail.camera(), online);
+        if (fail.duration() != 0) {
+          online.remove(fail.camera());
+        }
       }
+    }
+  }
+
+  private void checkCamera(Placed one, String camera, Set<String> online) {
+    if (!cameras.knows(camera)) {
+      throw one.invalidName("the name of a camera");
+    }
+    if (!online.contains(camera)) {
+      warnings.accept(
+          one.element()
+              .place("name")
+              .line(
+                  "camera '%s' is not online at step %d, nothing happens"
+                      .formatted(camera, one.event().step())));
     }
   }
 

@@ -117,7 +117,8 @@ public final class ScenarioReader {
   private String name() {
     String file = path.getFileName().toString();
     int dot = file.lastIndexOf('.');
-    return dot > 0 ? file.substring(0, dot) : file;
+    String base = dot > 0 ? file.substring(0, dot) : file;
+    return base.replace(".", "").isEmpty() ? "scenario" : base;
   }
 
   private XmlElement simulation() {
@@ -138,6 +139,9 @@ public final class ScenarioReader {
             attributes.number("max_x"),
             attributes.number("min_y"),
             attributes.number("max_y"));
+    if (!Double.isFinite(field.width()) || !Double.isFinite(field.height())) {
+      throw simulation.place().error("the field is too big, expected a finite width and height");
+    }
     if (!(field.width() > 0)) {
       throw new Attributes(simulation).invalid("max_x", "more than min_x, " + field.minX());
     }

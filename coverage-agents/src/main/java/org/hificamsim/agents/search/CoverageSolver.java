@@ -10,8 +10,8 @@ import org.hificamsim.agents.search.FeasibilitySearch.Outcome;
  * coverage impossible ({@link FeasibilitySearch}), meets a choice found by {@link LocalSearch} or
  * by such a search; they take turns with growing effort. Of all choices that reach the optimum, the
  * result is the one that gives camera 0 its most preferred set, then camera 1, and so on ({@link
- * PreferredChoice}): it depends on the problem alone, not on how the search went. Nothing is
- * allocated after construction.
+ * PreferredChoice}): it depends on the problem alone, not on how the search went, unless that
+ * question itself proves too hard. Nothing is allocated after construction.
  *
  * <p>The effort may be limited. Where the limit ends the search, the result is the best choice
  * found so far, {@link #bound} says how much better another one could be at most, and {@link
@@ -40,7 +40,8 @@ public final class CoverageSolver {
 
   /**
    * @param problem what each call of {@link #solve} reads
-   * @param mostNodes number of search nodes after which a call gives up the proof
+   * @param mostNodes number of search nodes after which a call gives up the proof; the choice among
+   *     equally good ones is bounded apart
    */
   public CoverageSolver(CoverageProblem problem, long mostNodes) {
     this.mostNodes = mostNodes;

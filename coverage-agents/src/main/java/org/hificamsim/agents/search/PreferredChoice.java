@@ -8,7 +8,7 @@ import org.hificamsim.agents.search.FeasibilitySearch.Outcome;
  *
  * <p>Whether a preferred set can be taken is asked of a swap, of {@link LocalSearch}, and of a
  * search; a search that has not decided after {@value #MOST_NODES} nodes counts as a no, so that
- * ties never cost more than the optimum itself.
+ * the cost of ties is bounded.
  */
 final class PreferredChoice {
   static final int MOST_NODES = 1_000;

@@ -11,6 +11,9 @@ final class WeightTuning {
   /** Weights are whole numbers up to this. */
   private static final double SCALE = 1 << 20;
 
+  /** How far below its goal the bound must be, lest rounding the weights lift it there again. */
+  private static final double MARGIN = 1e-3;
+
   private final CoverageProblem problem;
   private final double[] weights;
   private final long[] best;
@@ -38,7 +41,7 @@ final class WeightTuning {
    * @return the weights with the lowest bound so far, by target
    */
   long[] tune(int more, double goal) {
-    for (int end = rounds + more; rounds < end && lowest >= goal; rounds++) {
+    for (int end = rounds + more; rounds < end && lowest > goal - MARGIN; rounds++) {
       double bound = bound();
       if (bound < lowest) {
         lowest = bound;

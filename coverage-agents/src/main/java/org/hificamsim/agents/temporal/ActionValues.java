@@ -32,7 +32,7 @@ public final class ActionValues {
     for (int camera = 0; camera < levels.length; camera++) {
       levels[camera] = network.levels(camera);
       offsets[camera] = (int) size;
-      size += (long) reading.states(levels[camera], targets) * levels[camera];
+      size += reading.states(levels[camera], targets) * levels[camera];
       if (size > MOST_ENTRIES) {
         throw new InputException(
             "the cameras' tables of action values need more than "

@@ -10,15 +10,15 @@ public enum StateReading {
   NONE;
 
   /** The number of states of a camera with that many levels where that many targets can exist. */
-  int states(int levels, int targets) {
+  long states(int levels, int targets) {
     return switch (this) {
-      case LEVEL_COUNT -> levels * (targets + 1);
-      case COUNT -> targets + 1;
+      case LEVEL_COUNT -> levels * (targets + 1L);
+      case COUNT -> targets + 1L;
       case NONE -> 1;
     };
   }
 
-  /** The number of a state, from 0; a number of levels does not matter to it. */
+  /** The number of a state, from 0: the same for all cameras, however many levels they have. */
   int state(int level, int detected, int targets) {
     return switch (this) {
       case LEVEL_COUNT -> level * (targets + 1) + detected;

@@ -2,6 +2,7 @@ package org.hificamsim.agents.optimal;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -10,6 +11,9 @@ import org.hificamsim.agents.toy.ToyNetwork;
 import org.junit.jupiter.api.Test;
 
 class OptimalZoomPolicyTest {
+  private static final GeometricNetwork.Kind NESTED =
+      new GeometricNetwork.Kind(6, 4, 5, 1, true, true, 12, 16);
+
   @Test
   void reachesTheBestOfAllConfigurationsWithRingsAndSectors() {
     compare(new GeometricNetwork.Kind(5, -4, 4, 3, false, true, 12, 16), 2_000);
@@ -37,8 +41,7 @@ class OptimalZoomPolicyTest {
 
   @Test
   void aCameraWithADominatingLevelStaysAtTheNarrowestSuchWithoutBeingAskedAgain() {
-    GeometricNetwork network =
-        GeometricNetwork.random(new GeometricNetwork.Kind(6, 4, 5, 1, true, true, 12, 16), 3);
+    GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
     network.decide(policy);
     int[] levels = network.currentLevels();
@@ -59,8 +62,7 @@ class OptimalZoomPolicyTest {
 
   @Test
   void asksAgainWhenTheNetworkChanged() {
-    GeometricNetwork network =
-        GeometricNetwork.random(new GeometricNetwork.Kind(6, 4, 5, 1, true, true, 12, 16), 3);
+    GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
     network.decide(policy);
     long asked = network.globalQueries();
@@ -79,6 +81,21 @@ class OptimalZoomPolicyTest {
     network.showTarget(0, true);
     network.decide(policy);
     assertArrayEquals(new int[] {0, 1}, network.currentLevels());
+  }
+
+  @Test
+  void keepsTheLevelsOfCamerasWithADominatingLevelTooWhileNoTargetIsPresent() {
+    GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
+    int[] levels = network.currentLevels();
+    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+    for (int target = 0; target < network.targets(); target++) {
+      network.showTarget(target, false);
+    }
+    network.decide(policy);
+    assertArrayEquals(levels, network.currentLevels());
+    network.showTarget(0, true);
+    network.decide(policy);
+    assertFalse(Arrays.equals(levels, network.currentLevels()));
   }
 
   @Test

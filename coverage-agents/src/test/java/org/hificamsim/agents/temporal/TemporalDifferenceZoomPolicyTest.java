@@ -99,15 +99,16 @@ class TemporalDifferenceZoomPolicyTest {
 
   @Test
   void aCameraThatWasOfflineIsNotCreditedForWhatItMissed() {
+    network.see(0, 1, 1);
     AbstractTemporalDifferenceZoomPolicy policy = begun("sarsa:epsilon=0,gamma=0,ties=narrowest");
     start();
-    network.step(policy);
+    network.decide(policy);
     network.switchCamera(0, false);
     network.step(policy);
     network.switchCamera(0, true);
     network.step(policy);
     ActionValues values = policy.values();
-    assertEquals(0, values.value(values.row(0, 1, 0), 0));
+    assertEquals(0, values.value(values.row(0, 1, 1), 0), "nothing lost by its own choice");
   }
 
   @Test

@@ -12,6 +12,7 @@ import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.movement.Movements;
 import org.hificamsim.hifi.model.HiFiDetections;
+import org.hificamsim.hifi.model.LabDetections;
 import org.hificamsim.hifi.model.ModelFiles;
 
 /**
@@ -30,6 +31,7 @@ public record Catalogue(
     detections.register(
         "geometric", "certain inside the field of view: upper bound", GeometricDetection::new);
     HiFiDetections.register(detections);
+    LabDetections.register(detections);
     detections.registerServices(DetectionModel.class, DetectionModel::name, (model, options) -> {});
     Registry<ZoomPolicy> policies = CoveragePolicies.register(new Registry<>("policy"));
     policies.registerServices(ZoomPolicy.class, ZoomPolicy::name, ZoomPolicy::configure);

@@ -1,6 +1,7 @@
 package org.hificamsim.experiments.cli;
 
 import java.io.PrintWriter;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ServiceConfigurationError;
 import org.hificamsim.core.InputException;
@@ -29,7 +30,8 @@ import picocli.CommandLine.Spec;
       PlotCommand.class,
       ValidateCommand.class,
       ListCommand.class,
-      CamSimCommand.class
+      CamSimCommand.class,
+      ProfileCommand.class
     },
     mixinStandardHelpOptions = true,
     versionProvider = Main.Version.class)
@@ -66,8 +68,8 @@ public final class Main implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list or"
-            + " camsim");
+        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list, camsim"
+            + " or profile");
   }
 
   private static int usage(ParameterException fault) {
@@ -84,6 +86,9 @@ public final class Main implements Runnable {
     if (fault instanceof InputException) {
       print(command, fault.getMessage());
       return BAD_INPUT;
+    }
+    if (fault instanceof UncheckedIOException io) {
+      return failure(io.getCause(), command);
     }
     print(command, oneLine(fault.getClass().getSimpleName() + ": " + fault.getMessage()));
     return FAILURE;

@@ -37,4 +37,15 @@ final class Numbers {
     }
     return value;
   }
+
+  /**
+   * @throws InputException naming the option when the value is no number in [least, most]
+   */
+  static double within(String option, double value, double least, double most) {
+    if (!(value >= least && value <= most)) {
+      throw new InputException(
+          "%s is %s, expected a number from %s to %s".formatted(option, value, least, most));
+    }
+    return value;
+  }
 }

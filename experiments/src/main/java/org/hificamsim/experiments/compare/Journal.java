@@ -10,6 +10,7 @@ import java.io.DataOutputStream;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
+import java.nio.channels.OverlappingFileLockException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -19,6 +20,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
+import org.hificamsim.core.InputException;
 import org.hificamsim.experiments.run.RunResult;
 
 /**
@@ -41,13 +43,39 @@ final class Journal implements Closeable {
    * Opens the journal of a folder.
    *
    * @param resume whether runs found there count; otherwise they are dropped
+   * @throws InputException when another comparison is at work in the folder
    */
   Journal(Path folder, boolean resume) throws IOException {
     file = folder.resolve(NAME);
-    long whole = resume && Files.exists(file) ? read(Files.readAllBytes(file)) : 0;
-    channel = FileChannel.open(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE);
+    channel =
+        FileChannel.open(
+            file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
+    if (!locked()) {
+      channel.close();
+      throw new InputException(
+          "--out '" + folder + "': another comparison writes there, expected a folder of its own");
+    }
+    long whole = resume ? read(bytes()) : 0;
     channel.truncate(whole);
     channel.position(whole);
+  }
+
+  /** Takes the lock that keeps a second process, or a second comparison in this one, away. */
+  private boolean locked() throws IOException {
+    try {
+      return channel.tryLock() != null;
+    } catch (OverlappingFileLockException e) {
+      return false;
+    }
+  }
+
+  /** Read through the channel: closing another handle of the file would give up the lock. */
+  private byte[] bytes() throws IOException {
+    ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(channel.size()));
+    while (bytes.hasRemaining() && channel.read(bytes) >= 0) {
+      // until all is read
+    }
+    return bytes.array();
   }
 
   /** The result of a run that was finished before. */

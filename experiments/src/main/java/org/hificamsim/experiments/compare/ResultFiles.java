@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import org.hificamsim.experiments.output.CsvTable;
 import org.hificamsim.experiments.output.OutputFolder;
+import org.hificamsim.experiments.output.Settings;
 import org.hificamsim.experiments.run.Estimate;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
@@ -23,6 +24,7 @@ final class ResultFiles {
    * @param all those, and the optima beside them
    */
   void write(List<CaseResult> asked, List<CaseResult> all) throws IOException {
+    Settings.write(folder.open("settings.json"), all.stream().map(CaseResult::plan).toList());
     results(asked);
     metrics(all);
     summary(all);

@@ -37,6 +37,9 @@ public final class OutputFolder implements Closeable {
    */
   public OutputFolder(Path folder) {
     this.folder = folder;
+    if (folder.toString().isEmpty()) {
+      throw new InputException("--out is empty, expected a folder");
+    }
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
       throw new InputException("--out '" + folder + "' is a file, expected a folder");
     }

@@ -5,8 +5,6 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.io.Writer;
 import java.util.List;
-import org.hificamsim.core.Spelling;
-import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.experiments.run.Estimate;
 import org.hificamsim.experiments.run.Metric;
 import org.hificamsim.experiments.run.RunPlan;
@@ -29,31 +27,12 @@ public final class SummaryFile {
       json.useDefaultPrettyPrinter();
       json.writeStartObject();
       SummaryFile file = new SummaryFile(json);
-      file.settings(plan);
+      Settings.write(json, plan);
       file.figures(results);
       file.runs(results);
       json.writeEndObject();
       json.writeRaw('\n');
     }
-  }
-
-  private void settings(RunPlan plan) throws IOException {
-    Scenario scenario = plan.scenario();
-    json.writeStringField("scenario", scenario.name());
-    json.writeStringField("detection", plan.detection().model().name());
-    json.writeNumberField("threshold", plan.detection().threshold());
-    json.writeStringField("policy", plan.policy());
-    json.writeNumberField("steps", plan.steps());
-    json.writeNumberField("seed", plan.seed());
-    json.writeNumberField("repeat", plan.repeats());
-    json.writeStringField("order", Spelling.of(scenario.order()));
-    json.writeStringField("headings", Spelling.of(scenario.headings()));
-    json.writeArrayFieldStart("zooms");
-    for (double radius : scenario.zooms()) {
-      json.writeNumber(radius);
-    }
-    json.writeEndArray();
-    json.writeNumberField("cameras", scenario.cameras().size());
   }
 
   private void figures(List<RunResult> results) throws IOException {

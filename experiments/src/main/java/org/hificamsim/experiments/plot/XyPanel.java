@@ -21,7 +21,7 @@ public final class XyPanel {
   private static final double BAND = 0.18;
 
   /** About the width of a panel's inside: makes XChart set a tick on each name and none between. */
-  private static final int NAMES_WIDTH = 300;
+  private static final int NAMES_WIDTH = 380;
 
   private static final int ROW_HEIGHT = 26;
 

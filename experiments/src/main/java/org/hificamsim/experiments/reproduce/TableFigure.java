@@ -12,7 +12,7 @@ import org.knowm.xchart.XYChart;
 /** Table 8.1 as a picture: our proportions as dots beside the published ones as diamonds. */
 final class TableFigure {
   private static final List<Layout> LAYOUTS = List.of(Layout.values());
-  private static final int WIDTH = 330;
+  private static final int WIDTH = 400;
   private static final int HEIGHT = 290;
   private static final double APART = 0.16;
   private static final double BESIDE = 0.08;

@@ -103,6 +103,46 @@ public final class JsonObject implements JsonValue {
     return objects;
   }
 
+  /**
+   * A list of rows, each a list of {@code columns} finite numbers in [{@code least}, {@code most}].
+   */
+  public double[][] rows(String key, int columns, int mostRows, double least, double most) {
+    String expected = "a list of 1 to " + mostRows + " rows";
+    if (!(take(key, expected) instanceof Items items)
+        || items.values().isEmpty()
+        || items.values().size() > mostRows) {
+      throw wrong(key, expected);
+    }
+    return items.values().stream()
+        .map(row -> row(key, row, columns, least, most))
+        .toArray(double[][]::new);
+  }
+
+  /** A list of exactly {@code count} finite numbers in [{@code least}, {@code most}]. */
+  public double[] numbers(String key, int count, double least, double most) {
+    return row(key, take(key, "a list of " + count + " numbers"), count, least, most);
+  }
+
+  private static double[] row(String key, JsonValue row, int columns, double least, double most) {
+    if (!(row instanceof Items cells) || cells.values().size() != columns) {
+      throw row.place()
+          .error(key + " holds " + row.shown() + ", expected lists of " + columns + " numbers");
+    }
+    double[] values = new double[columns];
+    for (int i = 0; i < columns; i++) {
+      JsonValue cell = cells.values().get(i);
+      if (!(cell instanceof Numeral number)
+          || !(number.value() >= least && number.value() <= most)) {
+        throw cell.place()
+            .error(
+                "%s holds %s, expected numbers from %s to %s"
+                    .formatted(key, cell.shown(), least, most));
+      }
+      values[i] = number.value();
+    }
+    return values;
+  }
+
   /** Every property as a text, in the order of the file. */
   public Map<String, String> texts() {
     Map<String, String> texts = new LinkedHashMap<>();

@@ -8,6 +8,7 @@ import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.PinholeAbstraction;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
+import org.hificamsim.hifi.feature.SvrRbfAbstraction;
 import org.hificamsim.hifi.feature.SymbolicAbstraction;
 import org.hificamsim.hifi.json.JsonObject;
 
@@ -29,7 +30,9 @@ final class FeatureFormats {
           new FeatureFormat<>(
               "power", PowerLawAbstraction.class, FeatureFormats::power, FeatureFormats::write),
           new FeatureFormat<>(
-              "pinhole", PinholeAbstraction.class, FeatureFormats::pinhole, FeatureFormats::write));
+              "pinhole", PinholeAbstraction.class, FeatureFormats::pinhole, FeatureFormats::write),
+          new FeatureFormat<>(
+              "svr-rbf", SvrRbfAbstraction.class, SvrRbfFormat::read, SvrRbfFormat::write));
 
   private FeatureFormats() {}
 

@@ -2,6 +2,7 @@ package org.hificamsim.hifi.model;
 
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -55,6 +56,18 @@ public final class ModelFiles {
     } catch (IOException e) {
       throw new InputException(
           file + ": cannot be written (" + e + "), expected a writable place", e);
+    }
+  }
+
+  /** The model in a resource beside this class. */
+  static HiFiDetection resource(String name) {
+    try (InputStream in = ModelFiles.class.getResourceAsStream(name)) {
+      if (in == null) {
+        throw new IllegalStateException("resource " + name + " is missing from this build");
+      }
+      return parse(name, in.readAllBytes());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

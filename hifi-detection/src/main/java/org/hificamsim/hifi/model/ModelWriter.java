@@ -14,6 +14,9 @@ import org.hificamsim.hifi.optics.Optics;
 
 /** Writes what {@link ModelFormat} reads, one property a line, each number to its last bit. */
 final class ModelWriter {
+  private static final DefaultIndenter LINES = new DefaultIndenter("  ", "\n");
+  private static final int ROWS_LEVEL = 3;
+
   private final JsonGenerator json;
 
   private ModelWriter(JsonGenerator json) {
@@ -81,7 +84,25 @@ final class ModelWriter {
         new DefaultPrettyPrinter(
             Separators.createDefaultInstance()
                 .withObjectFieldValueSpacing(Separators.Spacing.AFTER));
-    printer.indentObjectsWith(new DefaultIndenter("  ", "\n"));
+    printer.indentObjectsWith(LINES);
+    printer.indentArraysWith(new RowIndenter());
     return printer;
+  }
+
+  /** Puts each row of a table on a line of its own, and its cells side by side. */
+  private static final class RowIndenter extends DefaultPrettyPrinter.NopIndenter {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public void writeIndentation(JsonGenerator json, int level) throws IOException {
+      if (level < ROWS_LEVEL || !json.getOutputContext().getParent().inArray()) {
+        LINES.writeIndentation(json, level);
+      }
+    }
+
+    @Override
+    public boolean isInline() {
+      return false;
+    }
   }
 }

@@ -50,7 +50,7 @@ class BrokenModelFilesTest {
         arguments("\"mine\"", "\"a\\nb\"", "4:11", "name is 'a b'"),
         arguments("\"mine\"", "\"" + "x".repeat(5000) + "\"", "4:11", "xxx...'"),
         arguments("\"mine\"", "7", "4:11", "name is 7, expected a text"),
-        arguments("\"linear\"", "\"svr-rbf\"", "5:17", "expected one of linear, symbolic, power"),
+        arguments("\"linear\"", "\"cubic\"", "5:17", "expected one of linear, symbolic, power"),
         arguments("\"type\": \"linear\", ", "", "5:8", "'type' is missing"),
         arguments("\"z\": -20", "\"z\": NaN", "5:32", "z is NaN"),
         arguments("\"z\": -20", "\"z\": -Infinity", "5:32", "z is -Infinity"),

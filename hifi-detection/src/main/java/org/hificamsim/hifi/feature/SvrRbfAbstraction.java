@@ -1,0 +1,119 @@
+package org.hificamsim.hifi.feature;
+
+import java.util.Arrays;
+
+/**
+ * Epsilon support vector regression with a radial basis function kernel (Eq 4.10, §4.5.3): {@code
+ * -log10(PIP) = intercept + sum of weight * exp(-gamma * |x - s|^2)} over the support vectors s,
+ * with each variable scaled by its range first.
+ */
+public final class SvrRbfAbstraction implements LogPipAbstraction {
+  private final double gamma;
+  private final double intercept;
+  private final Range q;
+  private final Range d;
+  private final Range z;
+  private final double[][] support;
+  private final double[] scaled;
+
+  /**
+   * What maps a variable to [0, 1] over the training data.
+   *
+   * @param least becomes 0, metres
+   * @param most becomes 1, metres; above {@code least}
+   */
+  public record Range(double least, double most) {
+    /** The scaled value; outside [0, 1] beyond the training data. */
+    public double scale(double value) {
+      return (value - least) / (most - least);
+    }
+  }
+
+  /**
+   * @param gamma width of the kernel, per scaled unit squared, above 0 (Eq 4.10's 1/(2 sigma^2))
+   * @param intercept the constant term
+   * @param support one row per support vector: q, d, z in metres, then its weight
+   */
+  public SvrRbfAbstraction(
+      double gamma, double intercept, Range q, Range d, Range z, double[][] support) {
+    this.gamma = gamma;
+    this.intercept = intercept;
+    this.q = q;
+    this.d = d;
+    this.z = z;
+    this.support = Arrays.stream(support).map(double[]::clone).toArray(double[][]::new);
+    this.scaled =
+        Arrays.stream(support)
+            .flatMapToDouble(
+                row ->
+                    Arrays.stream(
+                        new double[] {q.scale(row[0]), d.scale(row[1]), z.scale(row[2]), row[3]}))
+            .toArray();
+  }
+
+  @Override
+  public double negativeLogPip(double size, double distance, double focalLength) {
+    double x = q.scale(size);
+    double y = d.scale(distance);
+    double w = z.scale(focalLength);
+    double sum = intercept;
+    for (int i = 0; i < scaled.length; i += 4) {
+      double dx = x - scaled[i];
+      double dy = y - scaled[i + 1];
+      double dw = w - scaled[i + 2];
+      sum += scaled[i + 3] * StrictMath.exp(-gamma * (dx * dx + dy * dy + dw * dw));
+    }
+    return sum;
+  }
+
+  /** Width of the kernel. */
+  public double gamma() {
+    return gamma;
+  }
+
+  /** The constant term. */
+  public double intercept() {
+    return intercept;
+  }
+
+  /** The range of the target size. */
+  public Range q() {
+    return q;
+  }
+
+  /** The range of the distance. */
+  public Range d() {
+    return d;
+  }
+
+  /** The range of the focal length. */
+  public Range z() {
+    return z;
+  }
+
+  /** A copy of the support vectors: q, d, z in metres and the weight of each. */
+  public double[][] support() {
+    return Arrays.stream(support).map(double[]::clone).toArray(double[][]::new);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof SvrRbfAbstraction that
+        && Double.compare(gamma, that.gamma) == 0
+        && Double.compare(intercept, that.intercept) == 0
+        && q.equals(that.q)
+        && d.equals(that.d)
+        && z.equals(that.z)
+        && Arrays.deepEquals(support, that.support);
+  }
+
+  @Override
+  public int hashCode() {
+    return Arrays.deepHashCode(support);
+  }
+
+  @Override
+  public String toString() {
+    return "svr-rbf with " + support.length + " support vectors, gamma " + gamma;
+  }
+}

@@ -1,0 +1,2 @@
+/** Benchmarks of the fidelity ladder. */
+package org.hificamsim.profiling.bench;

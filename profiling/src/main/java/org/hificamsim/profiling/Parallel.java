@@ -1,0 +1,50 @@
+package org.hificamsim.profiling;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.function.Function;
+
+/** Runs the same work on every item of a list, on a bounded number of threads. */
+public final class Parallel {
+  private Parallel() {}
+
+  /**
+   * The results in the order of the items. The first failure stops the items that have not begun,
+   * and is thrown.
+   *
+   * @param threads 1 or more
+   */
+  public static <T, R> List<R> map(List<T> items, int threads, Function<T, R> work) {
+    ExecutorService pool = Executors.newFixedThreadPool(threads, Parallel::daemon);
+    try {
+      List<Future<R>> futures = new ArrayList<>();
+      for (T item : items) {
+        futures.add(pool.submit(() -> work.apply(item)));
+      }
+      List<R> results = new ArrayList<>();
+      for (Future<R> future : futures) {
+        results.add(future.get());
+      }
+      return results;
+    } catch (ExecutionException e) {
+      throw e.getCause() instanceof RuntimeException fault
+          ? fault
+          : new IllegalStateException(e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException("interrupted", e);
+    } finally {
+      pool.shutdownNow();
+    }
+  }
+
+  private static Thread daemon(Runnable work) {
+    Thread thread = new Thread(work, "profiling");
+    thread.setDaemon(true);
+    return thread;
+  }
+}

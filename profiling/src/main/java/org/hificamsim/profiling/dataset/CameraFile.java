@@ -1,0 +1,43 @@
+package org.hificamsim.profiling.dataset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import org.hificamsim.core.InputException;
+import org.hificamsim.hifi.json.JsonFile;
+import org.hificamsim.hifi.json.JsonObject;
+
+/** Reads {@code camera.json}. */
+final class CameraFile {
+  private static final int MOST_PIXELS = 100_000;
+
+  private CameraFile() {}
+
+  /**
+   * The camera.
+   *
+   * @throws InputException with its place, when the file is missing or wrong
+   */
+  static Camera read(Path file) {
+    JsonObject json = JsonFile.parse(file.toString(), bytes(file));
+    Camera camera =
+        new Camera(
+            json.number("sensorWidth", 1e-6, 1),
+            json.number("sensorHeight", 1e-6, 1),
+            (int) json.number("width", 1, MOST_PIXELS),
+            (int) json.number("height", 1, MOST_PIXELS));
+    json.rejectUnknown();
+    return camera;
+  }
+
+  private static byte[] bytes(Path file) {
+    try {
+      return Files.readAllBytes(file);
+    } catch (NoSuchFileException e) {
+      throw new InputException(file + ": no such file, expected the camera's sensor and pixels", e);
+    } catch (IOException e) {
+      throw new InputException(file + ": cannot be read: " + e.getMessage(), e);
+    }
+  }
+}

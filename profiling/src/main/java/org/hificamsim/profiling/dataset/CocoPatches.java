@@ -1,0 +1,86 @@
+package org.hificamsim.profiling.dataset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.hificamsim.core.InputException;
+import org.hificamsim.hifi.json.JsonFile;
+import org.hificamsim.hifi.json.JsonObject;
+
+/** The boxes of a COCO annotation file, by picture and category. */
+final class CocoPatches {
+  private static final double MOST = 1e9;
+  private static final long LARGEST_BYTES = 64L << 20;
+
+  private record Box(String category, Patch patch) {}
+
+  private final Map<String, List<Box>> boxes = new LinkedHashMap<>();
+
+  private CocoPatches() {}
+
+  /** No boxes. */
+  static CocoPatches none() {
+    return new CocoPatches();
+  }
+
+  /**
+   * Reads {@code images}, {@code annotations} and {@code categories}; other properties are COCO's
+   * own business.
+   *
+   * @throws InputException with its place, when the file is no such thing
+   */
+  static CocoPatches read(Path file) {
+    JsonObject json = JsonFile.parse(file.toString(), bytes(file));
+    Map<Long, String> images = new LinkedHashMap<>();
+    json.objects("images").forEach(image -> images.put(id(image, "id"), image.text("file_name")));
+    Map<Long, String> categories = new LinkedHashMap<>();
+    json.objects("categories").forEach(c -> categories.put(id(c, "id"), c.text("name")));
+    CocoPatches patches = new CocoPatches();
+    for (JsonObject annotation : json.objects("annotations")) {
+      String image = images.get(id(annotation, "image_id"));
+      if (image == null) {
+        throw annotation.error("image_id", "expected an id of images");
+      }
+      String category = categories.getOrDefault(id(annotation, "category_id"), "");
+      Box box = new Box(category, patch(annotation.numbers("bbox", 4, 0, MOST)));
+      patches.boxes.computeIfAbsent(image, name -> new ArrayList<>()).add(box);
+    }
+    return patches;
+  }
+
+  /** The box of an object in a picture: the one of its category, else the only one. */
+  Optional<Patch> patch(String image, String object) {
+    List<Box> all = boxes.getOrDefault(image, List.of());
+    List<Box> named = all.stream().filter(box -> box.category().equals(object)).toList();
+    List<Box> candidates = named.isEmpty() ? all : named;
+    return candidates.size() == 1 ? Optional.of(candidates.get(0).patch()) : Optional.empty();
+  }
+
+  private static Patch patch(double[] box) {
+    return new Patch(
+        (int) Math.round(box[0]),
+        (int) Math.round(box[1]),
+        (int) Math.round(box[2]),
+        (int) Math.round(box[3]));
+  }
+
+  private static long id(JsonObject json, String key) {
+    return (long) json.number(key, 0, 1e15);
+  }
+
+  private static byte[] bytes(Path file) {
+    try {
+      if (Files.size(file) > LARGEST_BYTES) {
+        throw new InputException(file + ":1:1: the file is too big, expected at most 64 MiB");
+      }
+      return Files.readAllBytes(file);
+    } catch (IOException e) {
+      throw new InputException(file + ": cannot be read: " + e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,132 @@
+package org.hificamsim.profiling.dataset;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.dataformat.csv.CsvFactory;
+import com.fasterxml.jackson.dataformat.csv.CsvParser;
+import com.fasterxml.jackson.dataformat.csv.CsvSchema;
+import java.io.IOException;
+import java.io.Reader;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+
+/**
+ * A CSV table whose cells know their place.
+ *
+ * @param columns of the header line
+ * @param rows by column name
+ */
+public record CsvRows(String file, List<String> columns, List<Map<String, Cell>> rows) {
+  private static final long LARGEST_BYTES = 256L << 20;
+
+  /** A cell's text without surrounding blanks, and where it stands. */
+  public record Cell(Place place, String text) {
+    private boolean isEmpty() {
+      return text.isEmpty();
+    }
+
+    /** The fault of this cell: what it is, its value and what was expected. */
+    public InputException error(String column, String expected) {
+      String shown = text.length() <= 60 ? text : text.substring(0, 60) + "...";
+      return place.error(column + " is '" + shown + "', expected " + expected);
+    }
+
+    /** The number it holds, finite and in [least, most]. */
+    public double number(String column, double least, double most, String expected) {
+      try {
+        double value = Double.parseDouble(text);
+        if (value >= least && value <= most) {
+          return value;
+        }
+      } catch (NumberFormatException e) {
+        // told below
+      }
+      throw error(column, expected);
+    }
+  }
+
+  /**
+   * Reads a table.
+   *
+   * @throws InputException when it is no table, or lacks a column or a cell
+   */
+  public static CsvRows read(Path file, List<String> required) {
+    String name = file.toString();
+    List<List<Cell>> lines = lines(file, name);
+    if (lines.isEmpty()) {
+      throw new Place(name, 1, 1).error("the table is empty, expected " + required);
+    }
+    List<String> columns = lines.get(0).stream().map(Cell::text).toList();
+    for (String column : required) {
+      if (!columns.contains(column)) {
+        throw new Place(name, 1, 1)
+            .error("column '" + column + "' is missing, expected " + String.join(",", required));
+      }
+    }
+    List<Map<String, Cell>> rows = new ArrayList<>();
+    for (List<Cell> line : lines.subList(1, lines.size())) {
+      rows.add(row(columns, line));
+    }
+    return new CsvRows(name, columns, rows);
+  }
+
+  private static Map<String, Cell> row(List<String> columns, List<Cell> line) {
+    if (line.size() != columns.size()) {
+      throw line.get(0)
+          .place()
+          .error("the row has %d cells, expected %d".formatted(line.size(), columns.size()));
+    }
+    Map<String, Cell> row = new LinkedHashMap<>();
+    for (int i = 0; i < columns.size(); i++) {
+      row.put(columns.get(i), line.get(i));
+    }
+    return row;
+  }
+
+  private static List<List<Cell>> lines(Path file, String name) {
+    try {
+      if (Files.size(file) > LARGEST_BYTES) {
+        throw new Place(name, 1, 1).error("the table is too big, expected at most 256 MiB");
+      }
+      try (Reader reader = Files.newBufferedReader(file);
+          CsvParser parser = new CsvFactory().createParser(reader)) {
+        parser.enable(CsvParser.Feature.WRAP_AS_ARRAY);
+        parser.enable(CsvParser.Feature.SKIP_EMPTY_LINES);
+        parser.setSchema(CsvSchema.emptySchema());
+        return lines(parser, name);
+      }
+    } catch (NoSuchFileException e) {
+      throw new InputException(name + ": no such file, expected a data set's table", e);
+    } catch (JsonProcessingException e) {
+      throw new Place(name, e.getLocation().getLineNr(), e.getLocation().getColumnNr())
+          .error("no valid CSV: " + e.getOriginalMessage());
+    } catch (IOException | UncheckedIOException e) {
+      throw new InputException(name + ": cannot be read as UTF-8 text: " + e.getMessage(), e);
+    }
+  }
+
+  private static List<List<Cell>> lines(CsvParser parser, String name) throws IOException {
+    List<List<Cell>> lines = new ArrayList<>();
+    List<Cell> line = List.of();
+    for (JsonToken token = parser.nextToken(); token != null; token = parser.nextToken()) {
+      if (token == JsonToken.START_ARRAY) {
+        line = new ArrayList<>();
+        lines.add(line);
+      } else if (token == JsonToken.VALUE_STRING) {
+        int row = parser.currentTokenLocation().getLineNr();
+        int column = Math.max(1, parser.currentTokenLocation().getColumnNr());
+        line.add(new Cell(new Place(name, row, column), parser.getText().strip()));
+      }
+    }
+    lines.removeIf(cells -> cells.size() <= 1 && cells.stream().allMatch(Cell::isEmpty));
+    return lines;
+  }
+}

@@ -1,0 +1,27 @@
+package org.hificamsim.profiling.dataset;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Photos of objects with the physical properties of each (§3.5).
+ *
+ * @param samples in the order of the table
+ * @param templates the close-up of each object, by the object's name
+ */
+public record Dataset(
+    Path folder, Camera camera, List<Sample> samples, Map<String, Path> templates) {
+  /** The table's file name. */
+  public static final String TABLE = "dataset.csv";
+
+  /** The camera's file name. */
+  public static final String CAMERA = "camera.json";
+
+  /** The file name of patches in COCO's format, which fill in for empty patch columns. */
+  public static final String COCO = "coco.json";
+
+  public Dataset {
+    samples = List.copyOf(samples);
+  }
+}

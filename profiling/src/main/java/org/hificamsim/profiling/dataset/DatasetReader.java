@@ -1,0 +1,112 @@
+package org.hificamsim.profiling.dataset;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.dataset.CsvRows.Cell;
+
+/** Reads a data set's folder and tells everything that is wrong with it. */
+public final class DatasetReader {
+  private static final List<String> COLUMNS =
+      Stream.concat(
+              Stream.of("image", "object", "size_m", "distance_m", "focal_length_m"),
+              SampleReader.PATCH.stream())
+          .toList();
+  private static final List<String> ENDINGS = List.of(".png", ".jpg", ".jpeg");
+
+  private final Path folder;
+  private final List<String> problems = new ArrayList<>();
+
+  private DatasetReader(Path folder) {
+    this.folder = folder;
+  }
+
+  /** Reads and checks a folder; no picture is decoded yet. */
+  public static DatasetReading read(Path folder) {
+    DatasetReader reader = new DatasetReader(folder);
+    Optional<Dataset> dataset = Optional.empty();
+    try {
+      dataset = reader.dataset();
+    } catch (InputException e) {
+      reader.problems.add(e.getMessage());
+    }
+    return new DatasetReading(
+        reader.problems.isEmpty() ? dataset : Optional.empty(), reader.problems);
+  }
+
+  /**
+   * The camera of a folder alone.
+   *
+   * @throws InputException with its place, when {@code camera.json} is missing or wrong
+   */
+  public static Camera camera(Path folder) {
+    return CameraFile.read(folder.resolve(Dataset.CAMERA));
+  }
+
+  private Optional<Dataset> dataset() {
+    Camera camera = CameraFile.read(folder.resolve(Dataset.CAMERA));
+    Path cocoFile = folder.resolve(Dataset.COCO);
+    CocoPatches coco = Files.exists(cocoFile) ? CocoPatches.read(cocoFile) : CocoPatches.none();
+    CsvRows table = CsvRows.read(folder.resolve(Dataset.TABLE), COLUMNS);
+    if (table.rows().isEmpty()) {
+      throw new InputException(table.file() + ":2:1: no rows, expected one for each picture");
+    }
+    List<Sample> samples = new ArrayList<>();
+    Map<String, Path> templates = new LinkedHashMap<>();
+    Map<String, Integer> lines = new LinkedHashMap<>();
+    for (Map<String, Cell> row : table.rows()) {
+      checkOnce(row, lines);
+      new SampleReader(folder, camera, coco, row, problems).read().ifPresent(samples::add);
+      addTemplate(row.get("object"), templates);
+    }
+    return Optional.of(new Dataset(folder, camera, samples, templates));
+  }
+
+  private void checkOnce(Map<String, Cell> row, Map<String, Integer> lines) {
+    Cell image = row.get("image");
+    Integer earlier =
+        lines.putIfAbsent(image.text() + '\n' + row.get("object").text(), image.place().line());
+    if (earlier != null) {
+      problems.add(
+          image
+              .error("image", "each image and object once, and line " + earlier + " has it")
+              .getMessage());
+    }
+  }
+
+  private void addTemplate(Cell object, Map<String, Path> templates) {
+    String name = object.text();
+    if (templates.containsKey(name) || name.contains("/") || name.isEmpty()) {
+      return;
+    }
+    templates.put(name, folder);
+    for (String ending : ENDINGS) {
+      Path file = folder.resolve("templates").resolve(name + ending);
+      if (Files.exists(file)) {
+        templates.put(name, file);
+        checkReadable(object, file);
+        return;
+      }
+    }
+    problems.add(
+        object.error("object", "its close-up as templates/" + name + ".png or .jpg").getMessage());
+  }
+
+  private void checkReadable(Cell object, Path file) {
+    try {
+      ImageHeader.read(file);
+    } catch (IOException | RuntimeException e) {
+      problems.add(
+          object
+              .error("object", file + " to be a whole PNG or JPEG (" + e.getMessage() + ")")
+              .getMessage());
+    }
+  }
+}

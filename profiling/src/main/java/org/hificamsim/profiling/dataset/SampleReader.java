@@ -1,0 +1,161 @@
+package org.hificamsim.profiling.dataset;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.dataset.CsvRows.Cell;
+
+/** Checks the cells of one row and turns them into a {@link Sample}. */
+final class SampleReader {
+  static final List<String> PATCH = List.of("patch_x", "patch_y", "patch_width", "patch_height");
+
+  private static final double LARGEST_SIZE = 1e3;
+  private static final double FARTHEST = 1e5;
+  private static final double LONGEST = 10;
+  private static final double MOST_PIXELS = 1e6;
+
+  private final Path folder;
+  private final Camera camera;
+  private final CocoPatches coco;
+  private final Map<String, Cell> row;
+  private final List<String> problems;
+
+  SampleReader(
+      Path folder, Camera camera, CocoPatches coco, Map<String, Cell> row, List<String> problems) {
+    this.folder = folder;
+    this.camera = camera;
+    this.coco = coco;
+    this.row = row;
+    this.problems = problems;
+  }
+
+  /** The row's sample, or empty after telling every problem it has. */
+  Optional<Sample> read() {
+    int before = problems.size();
+    Path image = check(this::image);
+    String object = check(this::object);
+    Double size = check(() -> length("size_m", LARGEST_SIZE));
+    Double distance = check(() -> length("distance_m", FARTHEST));
+    Double focalLength = image == null ? null : check(() -> focalLength(image));
+    Patch patch = object == null ? null : check(() -> patch(object));
+    Optional<Path> mask = Optional.ofNullable(check(this::mask));
+    return problems.size() > before
+        ? Optional.empty()
+        : Optional.of(
+            new Sample(
+                row.get("image").text(), image, object, size, distance, focalLength, patch, mask));
+  }
+
+  private <T> T check(Supplier<T> part) {
+    try {
+      return part.get();
+    } catch (InputException e) {
+      problems.add(e.getMessage());
+      return null;
+    }
+  }
+
+  private Path image() {
+    return picture("image");
+  }
+
+  private Path mask() {
+    Cell cell = row.get("mask");
+    return cell == null || cell.text().isEmpty() ? null : picture("mask");
+  }
+
+  /** A picture in the folder, of the camera's size. */
+  private Path picture(String column) {
+    Cell cell = row.get(column);
+    Path file = inside(cell, column);
+    ImageHeader header;
+    try {
+      header = ImageHeader.read(file);
+    } catch (IOException | RuntimeException e) {
+      throw cell.error(column, "a whole PNG or JPEG in the folder (" + e.getMessage() + ")");
+    }
+    if (header.width() != camera.width() || header.height() != camera.height()) {
+      throw cell.error(
+          column,
+          "%d x %d pixels as camera.json says, not %d x %d"
+              .formatted(camera.width(), camera.height(), header.width(), header.height()));
+    }
+    return file;
+  }
+
+  private Path inside(Cell cell, String column) {
+    try {
+      Path file = folder.resolve(cell.text()).normalize();
+      if (!cell.text().isEmpty() && file.startsWith(folder.normalize())) {
+        return file;
+      }
+    } catch (java.nio.file.InvalidPathException e) {
+      // told below
+    }
+    throw cell.error(column, "the name of a picture in the folder");
+  }
+
+  private String object() {
+    Cell cell = row.get("object");
+    if (!cell.text().matches("[\\p{L}\\p{N}][\\p{L}\\p{N} ._-]{0,99}")) {
+      throw cell.error("object", "1 to 100 letters, digits, blanks or any of . _ -");
+    }
+    return cell.text();
+  }
+
+  private double length(String column, double most) {
+    return row.get(column)
+        .number(column, Double.MIN_NORMAL, most, "metres above 0, at most " + (long) most);
+  }
+
+  private double focalLength(Path image) {
+    Cell cell = row.get("focal_length_m");
+    if (cell.text().isEmpty()) {
+      return ExifFocalLength.of(image)
+          .orElseThrow(() -> cell.error("focal_length_m", "metres, or a photo whose EXIF has it"));
+    }
+    return length("focal_length_m", LONGEST);
+  }
+
+  private Patch patch(String object) {
+    if (PATCH.stream().allMatch(column -> row.get(column).text().isEmpty())) {
+      return within(coco.patch(row.get("image").text(), object).orElseThrow(this::noPatch));
+    }
+    return within(
+        new Patch(
+            pixels("patch_x", 0),
+            pixels("patch_y", 0),
+            pixels("patch_width", 1),
+            pixels("patch_height", 1)));
+  }
+
+  private Patch within(Patch patch) {
+    if (patch.width() < 1 || patch.height() < 1 || !patch.within(camera.width(), camera.height())) {
+      throw row.get("patch_x")
+          .place()
+          .error(
+              "the patch is %s, expected one within the image's %d x %d pixels"
+                  .formatted(patch, camera.width(), camera.height()));
+    }
+    return patch;
+  }
+
+  private InputException noPatch() {
+    return row.get("patch_x")
+        .error("patch_x", "pixels, or one box for the image and object in " + Dataset.COCO);
+  }
+
+  private int pixels(String column, int least) {
+    Cell cell = row.get(column);
+    String expected = "a whole number of pixels from " + least;
+    double value = cell.number(column, least, MOST_PIXELS, expected);
+    if (value != Math.rint(value)) {
+      throw cell.error(column, expected);
+    }
+    return (int) value;
+  }
+}

@@ -1,0 +1,64 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.profiling.dataset.Camera;
+import org.hificamsim.profiling.measure.Measurement;
+
+/**
+ * Everything that was fitted to a data set.
+ *
+ * @param detectors by name, in the order of the measurements' columns
+ * @param features every f, in the order of the report
+ * @param lines every g: by detector, then by the name of what it was fitted on, an f, {@link
+ *     #GROUND_TRUTH} or {@link #CAMSIM}
+ */
+public record FitResult(
+    Camera camera,
+    List<Measurement> measurements,
+    List<String> detectors,
+    List<FeatureResult> features,
+    Map<String, Map<String, LineFit>> lines) {
+  /** A line on measured PIP. */
+  public static final String GROUND_TRUTH = "ground-truth";
+
+  /** A line on CamSim's standard confidence. */
+  public static final String CAMSIM = "camsim-standard";
+
+  /** One f. */
+  public FeatureResult feature(String name) {
+    return features.stream().filter(f -> f.name().equals(name)).findFirst().orElseThrow();
+  }
+
+  /** One g. */
+  public LineFit line(String detector, String on) {
+    return lines.get(detector).get(on);
+  }
+
+  /** The measurements as rows of a regression. */
+  public List<Observation> observations() {
+    return observations(measurements);
+  }
+
+  /** One detector's confidences. */
+  public double[] confidences(String detector) {
+    return measurements.stream().mapToDouble(m -> m.confidence(detector)).toArray();
+  }
+
+  /** The PIP that an f predicts for each measurement. */
+  public double[] predictedPip(String f) {
+    FittedFeature fit = feature(f).fit();
+    return observations().stream().mapToDouble(fit::pip).toArray();
+  }
+
+  /** The ground-truth PIP of each measurement. */
+  public double[] measuredPip() {
+    return measurements.stream().mapToDouble(Measurement::pip).toArray();
+  }
+
+  static List<Observation> observations(List<Measurement> measurements) {
+    return measurements.stream()
+        .map(m -> new Observation(m.size(), m.distance(), m.focalLength(), m.pip()))
+        .toList();
+  }
+}

@@ -1,0 +1,114 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.Locale;
+
+/**
+ * A formula of z, q, d, numbers and the four operations, as a tree that folds constants and prints
+ * itself with no more brackets than it needs.
+ */
+sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Operation {
+  /** The printed form, which {@code Expression} reads. */
+  String text();
+
+  /** How strongly its outermost operation binds: 1 for sums, 2 for products, 3 for the rest. */
+  int strength();
+
+  /** The values for all rows of the predictors q, d, z. */
+  double[] values(double[][] rows);
+
+  /** A number. */
+  record Constant(double value) implements Formula {
+    @Override
+    public String text() {
+      String digits = String.format(Locale.ROOT, "%.5g", value);
+      return digits.contains("e")
+          ? digits
+          : digits.replaceFirst("(\\.\\d*?)0+$", "$1").replaceFirst("\\.$", "");
+    }
+
+    @Override
+    public int strength() {
+      return value < 0 ? 1 : 3;
+    }
+
+    @Override
+    public double[] values(double[][] rows) {
+      double[] values = new double[rows.length];
+      java.util.Arrays.fill(values, value);
+      return values;
+    }
+  }
+
+  /** A predictor: its letter and its column. */
+  record Variable(String text, int column) implements Formula {
+    @Override
+    public int strength() {
+      return 3;
+    }
+
+    @Override
+    public double[] values(double[][] rows) {
+      double[] values = new double[rows.length];
+      for (int i = 0; i < rows.length; i++) {
+        values[i] = rows[i][column];
+      }
+      return values;
+    }
+  }
+
+  /** An operation on two formulas: one of + - * /. */
+  record Operation(char sign, Formula left, Formula right) implements Formula {
+    /** The operation, or a simpler one: numbers are computed, x / x is 1 and x - x is 0. */
+    static Formula of(char sign, Formula left, Formula right) {
+      if (left.equals(right) && (sign == '/' || sign == '-') && !(left instanceof Constant)) {
+        return new Constant(sign == '/' ? 1 : 0);
+      }
+      Operation operation = new Operation(sign, left, right);
+      if (left instanceof Constant && right instanceof Constant) {
+        double value = operation.values(new double[1][0])[0];
+        return Double.isFinite(value) ? new Constant(value) : operation;
+      }
+      if (sign == '*'
+          && left instanceof Constant a
+          && right instanceof Operation product
+          && product.sign() == '*'
+          && product.left() instanceof Constant b) {
+        return new Operation('*', new Constant(a.value() * b.value()), product.right());
+      }
+      return operation;
+    }
+
+    @Override
+    public String text() {
+      String first = bracketed(left, strength());
+      int least = sign == '-' || sign == '/' ? strength() + 1 : strength();
+      String second = bracketed(right, right instanceof Constant n && n.value() < 0 ? 3 : least);
+      return strength() == 1 ? first + " " + sign + " " + second : first + sign + second;
+    }
+
+    @Override
+    public int strength() {
+      return sign == '+' || sign == '-' ? 1 : 2;
+    }
+
+    @Override
+    public double[] values(double[][] rows) {
+      double[] a = left.values(rows);
+      double[] b = right.values(rows);
+      for (int i = 0; i < a.length; i++) {
+        a[i] =
+            switch (sign) {
+              case '+' -> a[i] + b[i];
+              case '-' -> a[i] - b[i];
+              case '*' -> a[i] * b[i];
+              default -> a[i] / b[i];
+            };
+      }
+      return a;
+    }
+
+    private static String bracketed(Formula part, int least) {
+      return part.strength() < least ? "(" + part.text() + ")" : part.text();
+    }
+  }
+}

@@ -1,0 +1,60 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.hifi.detector.DetectorLine;
+
+/**
+ * A detector line g fitted by least squares, confidence on PIP (§5.4, §6.1).
+ *
+ * @param slope with its error and interval
+ * @param intercept with its error and interval
+ * @param r2 share of the confidences' variance that the line captures
+ * @param rmse root of SSE over its degrees of freedom, n - 2
+ * @param sse sum of squared errors
+ */
+public record LineFit(
+    Coefficient slope, Coefficient intercept, double r2, double rmse, double sse) {
+  /**
+   * Fits a line; a level one through the mean where {@code x} does not vary.
+   *
+   * @throws InputException when there are fewer than three points
+   */
+  public static LineFit of(double[] x, double[] y) {
+    if (x.length < 3) {
+      throw new InputException(x.length + " rows, expected three or more for a line");
+    }
+    double first = x[0];
+    if (java.util.Arrays.stream(x).allMatch(value -> value == first)) {
+      return level(y);
+    }
+    double[][] rows = new double[x.length][];
+    double[] fitted = new double[x.length];
+    for (int i = 0; i < x.length; i++) {
+      rows[i] = new double[] {x[i]};
+    }
+    List<Coefficient> fit = LeastSquares.fit(rows, y, List.of("slope"));
+    for (int i = 0; i < x.length; i++) {
+      fitted[i] = fit.get(0).value() + fit.get(1).value() * x[i];
+    }
+    return of(fit.get(1), fit.get(0), Scores.of(y, fitted));
+  }
+
+  /** The line alone. */
+  public DetectorLine line() {
+    return new DetectorLine(slope.value(), intercept.value());
+  }
+
+  private static LineFit level(double[] y) {
+    double[] mean = new double[y.length];
+    java.util.Arrays.fill(mean, java.util.Arrays.stream(y).average().orElseThrow());
+    return of(
+        Coefficient.plain("slope", 0), Coefficient.plain("intercept", mean[0]), Scores.of(y, mean));
+  }
+
+  private static LineFit of(Coefficient slope, Coefficient intercept, Scores scores) {
+    double points = scores.sse() / scores.mse();
+    double rmse = scores.sse() == 0 ? 0 : Math.sqrt(scores.sse() / (points - 2));
+    return new LineFit(slope, intercept, scores.r2(), rmse, scores.sse());
+  }
+}

@@ -1,0 +1,16 @@
+package org.hificamsim.profiling.fit;
+
+/**
+ * What genetic programming runs with.
+ *
+ * @param population programs in each generation
+ * @param generations how many
+ * @param parsimony what each node of a program costs, in units of the mean squared error
+ * @param seed of everything random
+ */
+public record SymbolicSettings(int population, int generations, double parsimony, long seed) {
+  /** The thesis's (§4.5.2). */
+  public static SymbolicSettings thesis(long seed) {
+    return new SymbolicSettings(1000, 30, 0.001, seed);
+  }
+}

@@ -1,0 +1,145 @@
+package org.hificamsim.profiling.lab;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import org.hificamsim.profiling.AtomicFiles;
+import org.hificamsim.profiling.opencv.Mats;
+import org.opencv.core.Mat;
+import org.opencv.core.MatOfByte;
+import org.opencv.core.MatOfInt;
+import org.opencv.core.Rect;
+import org.opencv.imgcodecs.Imgcodecs;
+
+/** Writes a rendered experiment as a data set, each file whole or not at all. */
+final class LabFolder {
+  private static final int JPEG_QUALITY = 95;
+  private static final String HEADER =
+      "image,object,size_m,distance_m,focal_length_m,patch_x,patch_y,patch_width,patch_height,mask";
+
+  private final Path folder;
+
+  LabFolder(Path folder) {
+    this.folder = folder;
+  }
+
+  void writeTemplate(LabObject object, Mat picture) {
+    encode("templates/" + object.name() + ".png", picture);
+  }
+
+  LabRow write(Shot shot, Photo photo, Rect patch) {
+    String image = "images/" + shot.name() + ".jpg";
+    String mask = "masks/" + shot.name() + ".png";
+    encode(image, photo.image());
+    encode(mask, photo.mask());
+    return new LabRow(shot, image, mask, patch);
+  }
+
+  /** Writes the tables last: a folder with a {@code dataset.csv} is complete. */
+  void finish(LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.Outcome outcome) {
+    text("camera.json", camera(sensor));
+    text("lab.json", settings(settings, outcome));
+    StringBuilder table = new StringBuilder(HEADER).append('\n');
+    rows.forEach(row -> table.append(line(row)).append('\n'));
+    text("dataset.csv", table.toString());
+  }
+
+  private static String line(LabRow row) {
+    Shot shot = row.shot();
+    Rect patch = row.patch();
+    return String.format(
+        Locale.ROOT,
+        "%s,%s,%s,%s,%s,%d,%d,%d,%d,%s",
+        row.image(),
+        shot.object().name(),
+        shot.object().size(),
+        shot.distance(),
+        shot.focalLength(),
+        patch.x,
+        patch.y,
+        patch.width,
+        patch.height,
+        row.mask());
+  }
+
+  private static String camera(Sensor sensor) {
+    return String.format(
+        Locale.ROOT,
+        "{%n  \"sensorWidth\": %s,%n  \"sensorHeight\": %s,%n  \"width\": %d,%n  \"height\":"
+            + " %d%n}%n",
+        Sensor.WIDTH,
+        Sensor.HEIGHT,
+        sensor.width(),
+        sensor.height());
+  }
+
+  private static String settings(LabSettings settings, Laboratory.Outcome outcome) {
+    LabSettings.Optics optics = settings.optics();
+    LabSettings.Scene scene = settings.scene();
+    return String.format(
+        Locale.ROOT,
+        """
+        {
+          "seed": %d,
+          "scale": %s,
+          "focalLengths": %s,
+          "distances": %s,
+          "objects": %d,
+          "aperture": %s,
+          "focusError": %s,
+          "iso": %s,
+          "vignetting": %s,
+          "distortion": %s,
+          "pose": %s,
+          "offset": %s,
+          "lighting": %s,
+          "clutter": %d,
+          "taken": %d,
+          "dropped": %d
+        }
+        """,
+        settings.seed(),
+        settings.scale(),
+        settings.focalLengths(),
+        settings.distances(),
+        settings.objects(),
+        optics.aperture(),
+        optics.focusError(),
+        optics.iso(),
+        optics.vignetting(),
+        optics.distortion(),
+        scene.pose(),
+        scene.offset(),
+        scene.lighting(),
+        scene.clutter(),
+        outcome.taken(),
+        outcome.dropped());
+  }
+
+  private void encode(String name, Mat picture) {
+    String extension = name.substring(name.lastIndexOf('.'));
+    try (Mats mats = new Mats()) {
+      MatOfByte bytes = mats.own(new MatOfByte());
+      MatOfInt options = mats.own(new MatOfInt(Imgcodecs.IMWRITE_JPEG_QUALITY, JPEG_QUALITY));
+      if (!Imgcodecs.imencode(extension, picture, bytes, options)) {
+        throw new IllegalStateException("OpenCV cannot encode " + name);
+      }
+      write(name, bytes.toArray());
+    }
+  }
+
+  private void text(String name, String content) {
+    write(name, content.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private void write(String name, byte[] bytes) {
+    try {
+      AtomicFiles.write(folder.resolve(name), bytes);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

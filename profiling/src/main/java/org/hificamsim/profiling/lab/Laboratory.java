@@ -1,0 +1,96 @@
+package org.hificamsim.profiling.lab;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.SplittableRandom;
+import org.hificamsim.profiling.Parallel;
+import org.hificamsim.profiling.opencv.Mats;
+import org.hificamsim.profiling.opencv.OpenCv;
+import org.opencv.core.Core;
+import org.opencv.core.Mat;
+import org.opencv.core.Rect;
+import org.opencv.imgproc.Imgproc;
+
+/** Renders the laboratory's experiment into a data set folder. */
+public final class Laboratory {
+  private final LabSettings settings;
+
+  public Laboratory(LabSettings settings) {
+    this.settings = settings;
+  }
+
+  /**
+   * What became of the experiment.
+   *
+   * @param taken pictures in the data set
+   * @param dropped pictures whose object does not fit the frame
+   */
+  public record Outcome(int taken, int dropped) {}
+
+  /** The number of pictures that will be tried. */
+  public int shots() {
+    return Shot.all(settings).size();
+  }
+
+  /**
+   * Renders everything; the same settings give the same files on any number of threads.
+   *
+   * @param progress called once per picture, by any thread
+   */
+  public Outcome render(Path folder, int threads, Runnable progress) {
+    OpenCv.load();
+    SplittableRandom random = new SplittableRandom(settings.seed());
+    try (Mats mats = new Mats();
+        Room room = Room.furnished(settings.scene().clutter(), random.split())) {
+      Photographer photographer = new Photographer(settings, room, textures(mats, random));
+      LabFolder files = new LabFolder(folder);
+      Parallel.map(
+          LabObject.ALL.subList(0, settings.objects()),
+          threads,
+          object -> template(files, photographer, object));
+      List<LabRow> rows =
+          Parallel.map(
+              Shot.all(settings),
+              threads,
+              shot -> {
+                LabRow row = take(files, photographer, shot);
+                progress.run();
+                return row;
+              });
+      List<LabRow> taken = rows.stream().filter(Objects::nonNull).toList();
+      Outcome outcome = new Outcome(taken.size(), rows.size() - taken.size());
+      files.finish(settings, Sensor.scaled(settings.scale()), taken, outcome);
+      return outcome;
+    }
+  }
+
+  private Map<LabObject, Mat> textures(Mats mats, SplittableRandom random) {
+    int side = (int) Math.max(64, 1.2 * Sensor.scaled(settings.scale()).height());
+    Map<LabObject, Mat> textures = new LinkedHashMap<>();
+    for (LabObject object : LabObject.ALL.subList(0, settings.objects())) {
+      textures.put(object, mats.own(TexturePainter.paint(object.pattern(), side, random.split())));
+    }
+    return textures;
+  }
+
+  private static boolean template(LabFolder files, Photographer photographer, LabObject object) {
+    try (Mats mats = new Mats()) {
+      files.writeTemplate(object, mats.own(photographer.template(object)));
+      return true;
+    }
+  }
+
+  /** One picture's row, or null where its object does not fit the frame. */
+  private static LabRow take(LabFolder files, Photographer photographer, Shot shot) {
+    try (Photo photo = photographer.take(shot)) {
+      if (Core.countNonZero(photo.mask()) == 0 || !Photographer.within(photo.mask())) {
+        return null;
+      }
+      Rect patch = Imgproc.boundingRect(photo.mask());
+      return files.write(shot, photo, patch);
+    }
+  }
+}

@@ -1,0 +1,33 @@
+package org.hificamsim.profiling.lab;
+
+/**
+ * A thin lens focused at one distance: how wide the image of a point is.
+ *
+ * @param focalLength z, metres
+ * @param aperture f-number N; 0 for a pinhole, which is sharp everywhere
+ * @param focus the distance that is sharp, metres, above the focal length
+ */
+record Lens(double focalLength, double aperture, double focus) {
+  private static final double WAVELENGTH = 550e-9;
+
+  /**
+   * The diameter on the sensor, metres, of a point's image at a distance (metres): the circle of
+   * confusion, {@code (z / N) * |s - f| / s * z / (f - z)}.
+   */
+  double circleOfConfusion(double distance) {
+    if (aperture == 0) {
+      return 0;
+    }
+    double opening = focalLength / aperture;
+    return opening
+        * Math.abs(distance - focus)
+        / distance
+        * focalLength
+        / Math.max(focus - focalLength, 1e-3);
+  }
+
+  /** The standard deviation of diffraction on the sensor, metres: 0.42 wavelength N. */
+  double diffraction() {
+    return 0.42 * WAVELENGTH * aperture;
+  }
+}

@@ -1,0 +1,168 @@
+package org.hificamsim.profiling.lab;
+
+import java.util.List;
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.random.RandomGenerator;
+import org.hificamsim.profiling.opencv.Mats;
+import org.opencv.core.Core;
+import org.opencv.core.CvType;
+import org.opencv.core.Mat;
+import org.opencv.core.Scalar;
+import org.opencv.imgproc.Imgproc;
+
+/** Takes pictures of objects in the room; used by any number of threads at once. */
+final class Photographer {
+  private static final double TEMPLATE_FRAME_SHARE = 0.82;
+  private static final double CLOSE_UP = 1;
+  private static final double LONGEST = 0.085;
+
+  private final LabSettings settings;
+  private final Sensor sensor;
+  private final Room room;
+  private final Map<LabObject, Mat> textures;
+
+  Photographer(LabSettings settings, Room room, Map<LabObject, Mat> textures) {
+    this.settings = settings;
+    this.sensor = Sensor.scaled(settings.scale());
+    this.room = room;
+    this.textures = textures;
+  }
+
+  /** Takes one picture. */
+  Photo take(Shot shot) {
+    RandomGenerator random =
+        new SplittableRandom(settings.seed() + 1_000_003L * (shot.index() + 1));
+    Pinhole camera = camera(shot.focalLength());
+    Lens lens = focused(shot.focalLength(), shot.distance(), random);
+    Board board = placed(shot, camera, random);
+    double gain = 1 + settings.scene().lighting() * clamped(random.nextGaussian());
+    try (Mats mats = new Mats()) {
+      Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3));
+      room.wall().paint(canvas, camera);
+      LensBlur.apply(canvas, blur(lens, camera, room.wallDistance()));
+      Layer layer = new Layer(canvas, camera);
+      for (Board thing : room.behind(shot.distance())) {
+        layer.put(thing, blur(lens, camera, thing.distance()), 1);
+      }
+      layer.put(board, blur(lens, camera, shot.distance()), 1);
+      Mat mask = mask(mats.own(layer.silhouette(board)), camera);
+      return new Photo(exposed(canvas, camera, lens, gain, random), mask);
+    }
+  }
+
+  /** The close-up by which an object is known: sharp, upright, before a plain wall. */
+  Mat template(LabObject object) {
+    Pinhole camera = camera(LONGEST);
+    double size =
+        TEMPLATE_FRAME_SHARE * sensor.height() / camera.magnification(CLOSE_UP) / object.aspect();
+    Board board =
+        new Board(
+            textures.get(object),
+            object.round(),
+            size,
+            size * object.aspect(),
+            0,
+            0,
+            CLOSE_UP,
+            Board.Pose.FRONTAL);
+    Lens lens = new Lens(LONGEST, settings.optics().aperture(), CLOSE_UP);
+    RandomGenerator random = new SplittableRandom(settings.seed() - object.name().hashCode());
+    try (Mats mats = new Mats()) {
+      Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3, Scalar.all(0.4)));
+      Layer layer = new Layer(canvas, camera);
+      layer.put(board, 0, 1);
+      Mat mask = mats.own(mask(mats.own(layer.silhouette(board)), camera));
+      Mat picture = mats.own(exposed(canvas, camera, lens, 1, random));
+      return picture.submat(Imgproc.boundingRect(mask)).clone();
+    }
+  }
+
+  private Pinhole camera(double focalLength) {
+    double bend = RadialDistortion.MOST * settings.optics().distortion();
+    int margin = (int) Math.ceil(bend * Math.max(sensor.width(), sensor.height())) + 2;
+    return new Pinhole(
+        focalLength, Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height(), margin);
+  }
+
+  private Lens focused(double focalLength, double distance, RandomGenerator random) {
+    double error = settings.optics().focusError() * clamped(random.nextGaussian());
+    return new Lens(focalLength, settings.optics().aperture(), distance * (1 + error));
+  }
+
+  private static double blur(Lens lens, Pinhole camera, double distance) {
+    return lens.circleOfConfusion(distance) * camera.pitch();
+  }
+
+  /** The object near the middle: never pushed further than the frame has room for. */
+  private Board placed(Shot shot, Pinhole camera, RandomGenerator random) {
+    LabObject object = shot.object();
+    double pixels = camera.magnification(shot.distance());
+    Board.Pose pose = new Board.Pose(turned(1, random), turned(1, random), turned(0.5, random));
+    double x = offset(sensor.width() / pixels, object.size(), random);
+    double y = offset(sensor.height() / pixels, object.height(), random);
+    return new Board(
+        textures.get(object),
+        object.round(),
+        object.size(),
+        object.height(),
+        x,
+        y,
+        shot.distance(),
+        pose);
+  }
+
+  private double turned(double share, RandomGenerator random) {
+    return Math.toRadians(settings.scene().pose() * share * clamped(random.nextGaussian()));
+  }
+
+  private double offset(double frame, double length, RandomGenerator random) {
+    double room = Math.max(0, (frame - length) / 2 * 0.5);
+    return random.nextDouble(-1, 1) * Math.min(settings.scene().offset() * frame, room);
+  }
+
+  /** Normal deviates without the rare far ones, which no careful experimenter would keep. */
+  private static double clamped(double deviate) {
+    return Math.max(-2.5, Math.min(2.5, deviate));
+  }
+
+  private Mat mask(Mat silhouette, Pinhole camera) {
+    try (Mats mats = new Mats()) {
+      Mat frame = mats.own(distortion(camera).frame(silhouette, camera, Imgproc.INTER_LINEAR));
+      Mat mask = new Mat();
+      Core.compare(frame, new Scalar(0.5), mask, Core.CMP_GE);
+      return mask;
+    }
+  }
+
+  private RadialDistortion distortion(Pinhole camera) {
+    return RadialDistortion.at(camera.focalLength(), settings.optics().distortion());
+  }
+
+  private Mat exposed(Mat canvas, Pinhole camera, Lens lens, double gain, RandomGenerator random) {
+    try (Mats mats = new Mats()) {
+      Mat light = mats.own(distortion(camera).frame(canvas, camera, Imgproc.INTER_CUBIC));
+      Sensor.diffract(light, lens.diffraction() * camera.pitch());
+      Core.multiply(light, tint(gain, random), light);
+      sensor.vignette(light, camera.focalLength(), settings.optics().vignetting());
+      sensor.addNoise(light, settings.optics().iso(), random.nextInt());
+      return Sensor.developed(light);
+    }
+  }
+
+  /** Brightness and a slight colour cast. */
+  private Scalar tint(double gain, RandomGenerator random) {
+    double cast = settings.scene().lighting() / 3 * clamped(random.nextGaussian());
+    return new Scalar(gain * (1 - cast), gain, gain * (1 + cast));
+  }
+
+  /** Whether a mask's object lies within the frame: none of its border pixels is set. */
+  static boolean within(Mat mask) {
+    int right = mask.cols() - 1;
+    int bottom = mask.rows() - 1;
+    try (Mats mats = new Mats()) {
+      return List.of(mask.row(0), mask.row(bottom), mask.col(0), mask.col(right)).stream()
+          .allMatch(edge -> Core.countNonZero(mats.own(edge)) == 0);
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** The rendered laboratory of §3.5: a room, textured objects and a camera, all from one seed. */
+package org.hificamsim.profiling.lab;

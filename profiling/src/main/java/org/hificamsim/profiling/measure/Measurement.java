@@ -1,0 +1,39 @@
+package org.hificamsim.profiling.measure;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * One photo measured.
+ *
+ * @param image its name in the data set
+ * @param object what it shows
+ * @param size q, metres
+ * @param distance d, metres
+ * @param focalLength z, metres
+ * @param pip ground truth: the share of the image's pixels that the object fills, (0, 1]
+ * @param confidences by detector, each in [0, 1] (Eq 5.1)
+ */
+public record Measurement(
+    String image,
+    String object,
+    double size,
+    double distance,
+    double focalLength,
+    double pip,
+    Map<String, Double> confidences) {
+  public Measurement {
+    confidences = Collections.unmodifiableMap(new LinkedHashMap<>(confidences));
+  }
+
+  /** The response of the regressions, {@code -log10(PIP)} (§4.3). */
+  public double response() {
+    return -StrictMath.log10(pip);
+  }
+
+  /** One detector's confidence. */
+  public double confidence(String detector) {
+    return confidences.get(detector);
+  }
+}

@@ -1,0 +1,100 @@
+package org.hificamsim.profiling.measure;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.AtomicFiles;
+import org.hificamsim.profiling.dataset.CsvRows;
+import org.hificamsim.profiling.dataset.CsvRows.Cell;
+
+/**
+ * The table {@code measurements.csv}: one row per photo, one column of confidences per detector.
+ */
+public final class MeasurementsFile {
+  /** The file's name. */
+  public static final String NAME = "measurements.csv";
+
+  private static final List<String> FIXED =
+      List.of("image", "object", "size_m", "distance_m", "focal_length_m", "pip");
+  private static final double LARGEST = 1e5;
+
+  private MeasurementsFile() {}
+
+  /** Writes the table whole or not at all. */
+  public static void write(Path file, List<String> detectors, List<Measurement> rows)
+      throws IOException {
+    StringBuilder table = new StringBuilder(header(detectors));
+    rows.forEach(row -> table.append(line(row)));
+    AtomicFiles.write(file, table.toString());
+  }
+
+  /**
+   * Reads a table.
+   *
+   * @throws InputException with its place, when a cell is missing or out of range
+   */
+  public static List<Measurement> read(Path file) {
+    CsvRows table = CsvRows.read(file, FIXED);
+    List<String> detectors =
+        table.columns().stream().filter(column -> !FIXED.contains(column)).toList();
+    if (detectors.isEmpty()) {
+      throw new InputException(file + ":1:1: no detector's column, expected one such as orb");
+    }
+    if (table.rows().isEmpty()) {
+      throw new InputException(file + ":2:1: no rows, expected one for each photo");
+    }
+    List<Measurement> rows = new ArrayList<>();
+    for (Map<String, Cell> row : table.rows()) {
+      rows.add(measurement(row, detectors));
+    }
+    return rows;
+  }
+
+  static String header(List<String> detectors) {
+    return String.join(",", FIXED) + "," + String.join(",", detectors) + "\n";
+  }
+
+  static String line(Measurement row) {
+    String confidences =
+        row.confidences().values().stream().map(String::valueOf).collect(Collectors.joining(","));
+    return "%s,%s,%s,%s,%s,%s,%s%n"
+        .formatted(
+            quoted(row.image()),
+            quoted(row.object()),
+            row.size(),
+            row.distance(),
+            row.focalLength(),
+            row.pip(),
+            confidences)
+        .replace(System.lineSeparator(), "\n");
+  }
+
+  private static String quoted(String text) {
+    return text.matches("[^,\"\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
+  }
+
+  private static Measurement measurement(Map<String, Cell> row, List<String> detectors) {
+    Map<String, Double> confidences = new LinkedHashMap<>();
+    for (String detector : detectors) {
+      confidences.put(
+          detector, row.get(detector).number(detector, 0, 1, "a confidence from 0 to 1"));
+    }
+    return new Measurement(
+        row.get("image").text(),
+        row.get("object").text(),
+        length(row, "size_m"),
+        length(row, "distance_m"),
+        length(row, "focal_length_m"),
+        row.get("pip").number("pip", Double.MIN_NORMAL, 1, "a share above 0, at most 1"),
+        confidences);
+  }
+
+  private static double length(Map<String, Cell> row, String column) {
+    return row.get(column).number(column, Double.MIN_NORMAL, LARGEST, "metres above 0");
+  }
+}

@@ -1,0 +1,2 @@
+/** OpenCV: its native library and the memory of its images. */
+package org.hificamsim.profiling.opencv;

@@ -1,0 +1,80 @@
+package org.hificamsim.profiling.report;
+
+import java.util.List;
+
+/** A page of headings, paragraphs, tables and pictures; every text is escaped. */
+final class HtmlPage {
+  private static final String STYLE =
+      """
+body { font: 16px/1.5 sans-serif; max-width: 70rem; margin: 2rem auto; padding: 0 1rem; color: #222 }
+table { border-collapse: collapse; margin: 1rem 0; font-size: 0.9rem }
+th, td { border-bottom: 1px solid #ddd; padding: 0.25rem 0.7rem; text-align: right }
+th { border-bottom: 2px solid #888; background: #f6f6f6 }
+td:first-child, th:first-child { text-align: left }
+figure { margin: 1.5rem 0 } figcaption { color: #555; font-size: 0.9rem }
+img { max-width: 100%; border: 1px solid #eee }
+""";
+
+  private final StringBuilder body = new StringBuilder();
+  private final String title;
+
+  HtmlPage(String title) {
+    this.title = title;
+    body.append("<h1>").append(escaped(title)).append("</h1>\n");
+  }
+
+  HtmlPage heading(String text) {
+    body.append("<h2>").append(escaped(text)).append("</h2>\n");
+    return this;
+  }
+
+  HtmlPage paragraph(String text) {
+    body.append("<p>").append(escaped(text)).append("</p>\n");
+    return this;
+  }
+
+  HtmlPage table(List<String> columns, List<List<String>> rows) {
+    body.append("<table>\n");
+    row("th", columns);
+    rows.forEach(row -> row("td", row));
+    body.append("</table>\n");
+    return this;
+  }
+
+  HtmlPage figure(String file, String caption) {
+    body.append("<figure><img src=\"")
+        .append(escaped(file))
+        .append("\" alt=\"")
+        .append(escaped(caption))
+        .append("\"><figcaption>")
+        .append(escaped(caption))
+        .append("</figcaption></figure>\n");
+    return this;
+  }
+
+  String text() {
+    return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>"
+        + escaped(title)
+        + "</title>\n<style>\n"
+        + STYLE
+        + "</style></head><body>\n"
+        + body
+        + "</body></html>\n";
+  }
+
+  private void row(String tag, List<String> cells) {
+    body.append("<tr>");
+    for (String cell : cells) {
+      body.append('<').append(tag).append('>');
+      body.append(escaped(cell)).append("</").append(tag).append('>');
+    }
+    body.append("</tr>\n");
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;");
+  }
+}

@@ -1,0 +1,101 @@
+package org.hificamsim.profiling.detector;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.opencv.Mats;
+import org.hificamsim.profiling.opencv.OpenCv;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.opencv.core.Core;
+import org.opencv.core.CvType;
+import org.opencv.core.Mat;
+import org.opencv.core.Scalar;
+import org.opencv.core.Size;
+import org.opencv.imgproc.Imgproc;
+
+class DetectorsTest {
+  @BeforeAll
+  static void loadOpenCv() {
+    OpenCv.load();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"orb", "sift", "surf"})
+  void findsAPictureInItselfAndNotInAnother(String name) {
+    try (Mats mats = new Mats();
+        FeatureDetector detector = Detectors.create(name);
+        Features template = detector.detect(mats.own(blocks(1)));
+        Features other = detector.detect(mats.own(blocks(2)))) {
+      assertEquals(name, detector.name());
+      assertTrue(template.count() > 50, name + " finds " + template.count());
+      assertEquals(template.count(), template.descriptors().rows());
+      double self = RatioTest.THESIS.confidence(template, template);
+      double cross = RatioTest.THESIS.confidence(template, other);
+      assertTrue(self > 0.9, "self " + self);
+      assertTrue(cross < 0.15, "other " + cross);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"orb", "sift", "surf"})
+  void plainPictureHasNoFeaturesAndNoConfidence(String name) {
+    try (Mats mats = new Mats();
+        FeatureDetector detector = Detectors.create(name);
+        Features nothing =
+            detector.detect(mats.own(new Mat(200, 200, CvType.CV_8U, Scalar.all(90))));
+        Features template = detector.detect(mats.own(blocks(1)))) {
+      assertEquals(0, nothing.count());
+      assertEquals(0, RatioTest.THESIS.confidence(template, nothing));
+      assertEquals(0, RatioTest.THESIS.confidence(nothing, template));
+    }
+  }
+
+  @Test
+  void strictRatioMatchesLess() {
+    try (Mats mats = new Mats();
+        FeatureDetector detector = Detectors.create("orb");
+        Features template = detector.detect(mats.own(blocks(1)));
+        Features other = detector.detect(mats.own(blocks(2)))) {
+      int strict = new RatioTest(Metric.EUCLIDEAN, 0.6).matches(template, other).size();
+      int loose = new RatioTest(Metric.EUCLIDEAN, 0.95).matches(template, other).size();
+      assertTrue(strict < loose, strict + " and " + loose);
+    }
+  }
+
+  @Test
+  void metricsDifferForBitsAlone() {
+    assertEquals(Core.NORM_HAMMING, Metric.HAMMING.norm(true));
+    assertEquals(Core.NORM_L2, Metric.HAMMING.norm(false));
+    assertEquals(Core.NORM_L2, Metric.EUCLIDEAN.norm(true));
+    try (Mats mats = new Mats();
+        FeatureDetector detector = Detectors.create("orb");
+        Features template = detector.detect(mats.own(blocks(1)))) {
+      assertTrue(new RatioTest(Metric.HAMMING, 0.8).confidence(template, template) > 0.9);
+    }
+  }
+
+  @Test
+  void unknownDetectorIsRefusedWithTheNamesThatThereAre() {
+    assertTrue(
+        assertThrows(InputException.class, () -> Detectors.create("hog"))
+            .getMessage()
+            .contains("'hog', expected one of orb, sift, surf"));
+  }
+
+  /** Random grey blocks. */
+  private static Mat blocks(int seed) {
+    Mat large = new Mat();
+    try (Mats mats = new Mats()) {
+      Mat small = mats.own(new Mat(24, 24, CvType.CV_8U));
+      Core.setRNGSeed(seed);
+      Core.randu(small, 0, 256);
+      Imgproc.resize(small, large, new Size(360, 360), 0, 0, Imgproc.INTER_NEAREST);
+    }
+    return large;
+  }
+}

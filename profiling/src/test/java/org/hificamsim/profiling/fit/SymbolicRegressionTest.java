@@ -1,0 +1,74 @@
+package org.hificamsim.profiling.fit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.hificamsim.hifi.feature.Expression;
+import org.junit.jupiter.api.Test;
+
+class SymbolicRegressionTest {
+  private static final SymbolicSettings SMALL = new SymbolicSettings(500, 25, 0.001, 4);
+
+  @Test
+  void findsALawOfItsOwnOperations() {
+    List<Observation> data = Synthetic.of((q, d, z) -> d * q + d / 2, 0.02, 2);
+    FittedFeature fit = new SymbolicRegression(SMALL).fit(data);
+    double[] observed = data.stream().mapToDouble(Observation::response).toArray();
+    double[] predicted = data.stream().mapToDouble(fit::response).toArray();
+    assertTrue(Scores.of(observed, predicted).r2() > 0.99, fit.equation());
+    assertTrue(fit.equation().length() < 200, fit.equation());
+  }
+
+  @Test
+  void isTheSameForTheSameSeedAlone() {
+    List<Observation> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z, 0.1, 2);
+    SymbolicSettings few = new SymbolicSettings(100, 5, 0.001, 4);
+    SymbolicSettings other = new SymbolicSettings(100, 5, 0.001, 5);
+    String first = new SymbolicRegression(few).fit(data).equation();
+    assertEquals(first, new SymbolicRegression(few).fit(data).equation());
+    assertTrue(!first.equals(new SymbolicRegression(other).fit(data).equation()));
+  }
+
+  @Test
+  void costlyNodesMakeShortFormulas() {
+    List<Observation> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z - 2 * q, 0.1, 2);
+    int free = length(data, 0);
+    int costly = length(data, 0.1);
+    assertTrue(costly < free, costly + " against " + free);
+  }
+
+  @Test
+  void formulaPrintsWhatItComputes() {
+    Formula q = new Formula.Variable("q", 0);
+    Formula d = new Formula.Variable("d", 1);
+    Formula z = new Formula.Variable("z", 2);
+    Formula minus = Formula.Operation.of('-', q, Formula.Operation.of('-', d, z));
+    Formula quotient = Formula.Operation.of('/', q, Formula.Operation.of('*', d, z));
+    Formula negative = Formula.Operation.of('*', minus, new Formula.Constant(-0.5));
+    Formula tiny = Formula.Operation.of('-', new Formula.Constant(-1.25e-7), quotient);
+    assertEquals("q - (d - z)", minus.text());
+    assertEquals("q/(d*z)", quotient.text());
+    assertEquals("(q - (d - z))*(-0.5)", negative.text());
+    double[] row = {0.3, 4, 0.05};
+    for (Formula formula : List.of(minus, quotient, negative, tiny)) {
+      assertEquals(
+          formula.values(new double[][] {row})[0],
+          Expression.parse(formula.text()).at(row[0], row[1], row[2]),
+          1e-12,
+          formula.text());
+    }
+  }
+
+  @Test
+  void formulaFoldsConstantsButNoDivisionByZero() {
+    Formula one = new Formula.Constant(1);
+    assertEquals("2", Formula.Operation.of('+', one, one).text());
+    assertEquals("1/0", Formula.Operation.of('/', one, new Formula.Constant(0)).text());
+  }
+
+  private static int length(List<Observation> data, double parsimony) {
+    SymbolicSettings settings = new SymbolicSettings(300, 15, parsimony, 4);
+    return new SymbolicRegression(settings).fit(data).equation().length();
+  }
+}

@@ -1,0 +1,33 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+
+/** Observations of a known law with known noise. */
+final class Synthetic {
+  static final double[] SIZES = {0.10, 0.12, 0.16, 0.22, 0.30, 0.40, 0.52, 0.66};
+  static final double[] LENGTHS = {0.010, 0.015, 0.024, 0.050, 0.070, 0.085};
+
+  private Synthetic() {}
+
+  /** A law's {@code -log10(PIP)}. */
+  interface Law {
+    double response(double q, double d, double z);
+  }
+
+  /** 480 observations of a law with normal noise of this standard deviation. */
+  static List<Observation> of(Law law, double noise, long seed) {
+    Random random = new Random(seed);
+    List<Observation> observations = new ArrayList<>();
+    for (double q : SIZES) {
+      for (double z : LENGTHS) {
+        for (int d = 1; d <= 10; d++) {
+          double y = law.response(q, d, z) + noise * random.nextGaussian();
+          observations.add(new Observation(q, d, z, Math.pow(10, -y)));
+        }
+      }
+    }
+    return observations;
+  }
+}

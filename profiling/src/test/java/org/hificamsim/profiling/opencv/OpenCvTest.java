@@ -1,0 +1,56 @@
+package org.hificamsim.profiling.opencv;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotNull;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.opencv.core.Core;
+import org.opencv.core.CvType;
+import org.opencv.core.Mat;
+
+class OpenCvTest {
+  private static final OpenCv.Source LOADS = new OpenCv.Source("good", () -> {});
+  private static final OpenCv.Source FAILS =
+      new OpenCv.Source(
+          "bad",
+          () -> {
+            throw new UnsatisfiedLinkError("wrong machine\nand more");
+          });
+
+  @Test
+  void loadsHereAndSaysFromWhere() {
+    OpenCv.load();
+    assertNotNull(OpenCv.origin());
+    assertEquals(1, Core.getNumThreads());
+  }
+
+  @Test
+  void takesTheFirstSourceThatLoads() {
+    assertEquals("good", OpenCv.firstThatLoads(List.of(FAILS, LOADS, FAILS)).origin());
+  }
+
+  @Test
+  void tellsWhatWasTriedInOneLineWhenNothingLoads() {
+    OpenCv.Result result = OpenCv.firstThatLoads(List.of(FAILS, FAILS));
+    assertNull(result.origin());
+    assertEquals("bad: wrong machine; bad: wrong machine", result.failure());
+    String message = new OpenCvMissingException(result.failure()).getMessage();
+    assertFalse(message.contains("\n"));
+    assertTrue(message.contains("expected Debian's libopencv-java or org.openpnp:opencv"), message);
+  }
+
+  @Test
+  void matsAreReleasedTogether() {
+    OpenCv.load();
+    Mat mat;
+    try (Mats mats = new Mats()) {
+      mat = mats.own(new Mat(10, 10, CvType.CV_8U));
+      assertFalse(mat.empty());
+    }
+    assertTrue(mat.empty());
+  }
+}

@@ -1,0 +1,136 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** From an empty folder to a run, by the commands alone. */
+class ProfileCommandTest {
+  @TempDir Path folder;
+
+  @Test
+  void aSmallLabBecomesModelsThatRun() throws IOException {
+    Path lab = folder.resolve("lab");
+    assertDone(
+        Cli.run(
+            "profile",
+            "lab",
+            "--out",
+            lab,
+            "--scale",
+            "0.1",
+            "--objects",
+            4,
+            "--focal-lengths",
+            "0.010,0.035,0.085",
+            "--distances",
+            "1,2,4,8"));
+    Cli measured = assertDone(Cli.run("profile", "measure", lab));
+    assertTrue(measured.out().contains("photos measured"), measured.out());
+    Cli fitted =
+        assertDone(Cli.run("profile", "fit", lab, "--population", 100, "--generations", 5));
+    assertTrue(fitted.out().contains("36 models"), fitted.out());
+    assertTrue(Files.exists(lab.resolve("report.html")));
+    for (String model : List.of("orb-svr-rbf", "sift-sr", "surf-lin", "orb-power-gt")) {
+      Path file = lab.resolve("models").resolve(model + ".json");
+      Path out = folder.resolve(model);
+      assertDone(
+          Cli.run(
+              "run",
+              Cli.scenario("lattice-random"),
+              "--steps",
+              5,
+              "--detection",
+              file,
+              "--out",
+              out));
+      assertTrue(Files.readString(out.resolve("summary.json")).contains("lab:" + model));
+    }
+  }
+
+  @Test
+  void everyProblemOfADataSetIsTold() throws IOException {
+    Files.writeString(
+        folder.resolve("camera.json"),
+        "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.015, \"width\": 60, \"height\": 40}");
+    Files.writeString(
+        folder.resolve("dataset.csv"),
+        "image,object,size_m,distance_m,focal_length_m,patch_x,patch_y,patch_width,patch_height\n"
+            + "a.jpg,ball,0,1,0.085,10,10,20,30\nb.jpg,ball,0.22,1,0.085,10,10,0,30\n");
+    Cli run = Cli.run("profile", "measure", folder);
+    assertEquals(2, run.exit());
+    assertEquals(5, run.err().lines().count(), run.err());
+    run.err()
+        .lines()
+        .forEach(
+            line ->
+                assertTrue(
+                    line.matches("error: \\Q" + folder + "\\E/dataset.csv:[23]:\\d+: .*"), line));
+    assertFalse(Files.exists(folder.resolve("measurements.csv")));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "profile | profile what? Expected lab, measure or fit",
+        "profile lab | --out",
+        "profile lab --out DIR --scale 2 | --scale is 2.0, expected a number from 0.02 to 1.0",
+        "profile lab --out DIR --distances 0 | --distances is 0.0",
+        "profile lab --out DIR --objects 9 | --objects is 9",
+        "profile measure DIR | camera.json: no such file",
+        "profile measure DIR --detectors hog | --detectors has 'hog'",
+        "profile measure DIR --ratio 0 | --ratio is 0.0",
+        "profile fit DIR | camera.json: no such file",
+        "profile fit DIR --name a/b | --name is 'a/b'",
+        "profile fit DIR --folds 1 | --folds is 1",
+      })
+  void wrongUsageIsToldInOneLine(String command, String words) {
+    Cli run = Cli.run((Object[]) command.strip().replace("DIR", folder.toString()).split(" "));
+    assertEquals(2, run.exit(), run.err());
+    assertEquals(1, run.err().lines().count(), run.err());
+    assertTrue(run.err().contains(words), run.err());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "orb-lin",
+        "orb-svr-rbf",
+        "orb-sr",
+        "sift-lin",
+        "sift-svr-rbf",
+        "sift-sr",
+        "surf-lin",
+        "surf-svr-rbf",
+        "surf-sr"
+      })
+  void allNineCombinationsOfTable61Run(String model) {
+    Cli run =
+        Cli.run(
+            "run",
+            Cli.scenario("ring-random"),
+            "--steps",
+            5,
+            "--detection",
+            "lab:" + model,
+            "--out",
+            folder);
+    assertDone(run);
+  }
+
+  private static Cli assertDone(Cli run) {
+    assertEquals(0, run.exit(), run.err());
+    return run;
+  }
+}
