@@ -17,10 +17,11 @@ class BanditSolverTest {
     return kind.solver(new BanditParameters(0.1, 1, 0.5, 0, interval), new Random(1));
   }
 
+  /** CamSim's UCB2 weighs an arm's epochs against its own count alone, and wanders. */
   @ParameterizedTest
   @EnumSource(
       value = BanditKind.class,
-      names = {"FULL_RANDOM", "UCB2"}, // CamSim's UCB2 counts epochs against the arm alone, and wanders
+      names = {"FULL_RANDOM", "UCB2"},
       mode = EnumSource.Mode.EXCLUDE)
   void theBestArmIsChosenMostOften(BanditKind kind) {
     BanditSolver solver = solver(kind, 1);
