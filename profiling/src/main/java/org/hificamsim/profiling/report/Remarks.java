@@ -157,8 +157,9 @@ final class Remarks {
             .min(java.util.Comparator.comparingDouble(Ladder.Step::nanoseconds))
             .orElseThrow();
     return said(
-        "Of the %s confidence, %s tells most (R2 %.2f, %s ns). %s Times are JMH's; detections are"
-            + " tabulated before a run, so that a slow model costs start-up and not steps.",
+        "Of the %s confidence, %s tells most (R2 %.2f, %s ns). %s Times are JMH's on one busy"
+            + " machine, about 10 ns of each the benchmark's own; detections are tabulated before a"
+            + " run, so that a slow model costs start-up and not steps.",
         detector,
         best.model(),
         best.line().r2(),
