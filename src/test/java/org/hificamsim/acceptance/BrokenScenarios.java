@@ -114,6 +114,12 @@ final class BrokenScenarios {
     }
     all.add(value(SIMULATION, "max_x", "-10", "more than min_x, -10.0"));
     all.add(value(SIMULATION, "max_y", "-11.5", "more than min_y, -10.0"));
+    all.add(
+        change(
+            "a field without a finite width",
+            "<simulation min_x=\"-10\" max_x=\"10\"",
+            "@<simulation min_x=\"-1e308\" max_x=\"1e308\"",
+            "the field is too big, expected a finite width and height"));
     all.add(value(SIMULATION, "order", "Coverage", "one of coverage, camsim"));
     all.add(value(SIMULATION, "headings", "radians", "one of degrees, as-radians"));
     for (String rubbish : List.of("-0.1", "1.5", "NaN", "high")) {

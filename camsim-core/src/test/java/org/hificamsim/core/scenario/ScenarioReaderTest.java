@@ -255,6 +255,27 @@ class ScenarioReaderTest {
   }
 
   @Test
+  void eventsForCamerasThatAreNotOnlineThenAreWarnings() {
+    String event = "\n<event timestep='%d' participant='camera' event='%s' name='a' %s/>";
+    String values = "x='1' y='1' heading='0' viewing_angle='90' range='5'";
+    read(
+        scenario(
+            "",
+            "",
+            OBJECT
+                + event.formatted(5, "add", values)
+                + event.formatted(4, "change", values)
+                + event.formatted(5, "error", "duration='0'")
+                + event.formatted(6, "error", "duration='-1'")
+                + event.formatted(7, "change", values)));
+    assertEquals(
+        List.of(
+            "3:57: camera 'a' is not online at step 4, nothing happens",
+            "6:57: camera 'a' is not online at step 7, nothing happens"),
+        withoutFile(warnings));
+  }
+
+  @Test
   void theLastOfRepeatedGraphNodesCounts() {
     Scenario scenario =
         read(

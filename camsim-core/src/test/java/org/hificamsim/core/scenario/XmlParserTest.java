@@ -173,7 +173,7 @@ class XmlParserTest {
   void theNumberOfElementsAndAttributesIsBounded() {
     byte[] text = ("<r>" + "<a/>".repeat(XmlParser.MOST_PARTS)).getBytes(StandardCharsets.UTF_8);
     assertTimeoutPreemptively(
-        Duration.ofSeconds(30),
+        Duration.ofSeconds(60),
         () ->
             assertEquals(
                 "1:%d: the file is too big, expected at most 4000000 elements, attributes"
@@ -185,7 +185,7 @@ class XmlParserTest {
   void tellingThePlacesOfManyOddThingsTakesLittleTime() throws IOException {
     XmlElement root = parse("<r>" + "\n<a/>".repeat(200_000) + "</r>");
     assertTimeoutPreemptively(
-        Duration.ofSeconds(20),
+        Duration.ofSeconds(60),
         () -> root.children().forEach(child -> assertEquals(1, child.place().column())));
   }
 
