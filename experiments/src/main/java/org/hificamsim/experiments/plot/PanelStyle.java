@@ -50,12 +50,15 @@ final class PanelStyle {
     style.setYAxisTickMarkSpacingHint(32);
   }
 
-  /** The name of x = 1, 2, 3, ...; blanks in between, all different as XChart asks of labels. */
+  /**
+   * The name of x = 1, 2, 3, ...; blanks in between, all different as XChart asks of labels. It
+   * makes room for the longest label, which must not be a blank one: names are padded past those.
+   */
   static String name(List<String> names, double x) {
     int i = (int) Math.round(x) - 1;
     boolean whole = Math.abs(x - Math.rint(x)) < 1e-9;
     return whole && i >= 0 && i < names.size()
-        ? names.get(i)
+        ? names.get(i) + " ".repeat(2 * names.size() + 4)
         : " ".repeat(1 + (int) Math.abs(2 * x));
   }
 }
