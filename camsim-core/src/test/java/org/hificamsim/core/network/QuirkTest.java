@@ -214,6 +214,30 @@ class QuirkTest {
   }
 
   @Test
+  void q18AResetCameraAsksNobodyEverAfter() {
+    assertEquals(0, lateAttempts(-1), "every camera has failed and was reset");
+    assertTrue(lateAttempts(100) > 0, "no camera was reset");
+  }
+
+  /** Attempts in the last 50 of 150 steps, in each of which a camera fails and comes back soon. */
+  private static long lateAttempts(int resetLevel) {
+    SmallNetwork network =
+        new SmallNetwork()
+            .camera("A", 0, 0, 10, ACTIVE)
+            .camera("B", 3, 0, 10, ACTIVE)
+            .still("1", 1, 1)
+            .without(Quirk.Q6)
+            .errorLevel(100)
+            .resetLevel(resetLevel)
+            .run(150);
+    long attempts = 0;
+    for (int step = 100; step < 150; step++) {
+      attempts += network.row(step).attempts();
+    }
+    return attempts;
+  }
+
+  @Test
   void q21AnAddedCameraKnowsNothingOfTheTargetsThatAreThere() {
     SmallNetwork network =
         new SmallNetwork()

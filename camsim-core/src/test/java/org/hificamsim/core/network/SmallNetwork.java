@@ -37,6 +37,7 @@ final class SmallNetwork {
   private GraphUse use = GraphUse.AS_IN_FILE;
   private Optional<String> bandit = Optional.empty();
   private int errorLevel = -1;
+  private int resetLevel = 50;
   private World world;
   private Network network;
   private Simulation simulation;
@@ -96,6 +97,11 @@ final class SmallNetwork {
     return this;
   }
 
+  SmallNetwork resetLevel(int level) {
+    resetLevel = level;
+    return this;
+  }
+
   /** Runs this many further steps. */
   SmallNetwork run(int steps) {
     if (simulation == null) {
@@ -141,7 +147,7 @@ final class SmallNetwork {
             bandit,
             use,
             errorLevel,
-            50,
+            resetLevel,
             BanditParameters.DEFAULT,
             HistoricalParameters.DEFAULT,
             quirks);
