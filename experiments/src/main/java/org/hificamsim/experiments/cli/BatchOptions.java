@@ -2,7 +2,7 @@ package org.hificamsim.experiments.cli;
 
 import picocli.CommandLine.Option;
 
-/** The options of presets that run many plans. */
+/** The options of commands that run many plans. */
 final class BatchOptions {
   private static final int MOST_STEPS = 10_000_000;
   private static final int MOST_REPEATS = 100_000;
@@ -25,6 +25,7 @@ final class BatchOptions {
   void check(int steps, int repeats) {
     Numbers.inRange("--steps", steps, 1, MOST_STEPS);
     Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
+    Numbers.seeds(seed, repeats);
     Numbers.inRange("--threads", threads, 0, MOST_THREADS);
   }
 

@@ -2,7 +2,6 @@ package org.hificamsim.experiments.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
@@ -12,11 +11,8 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.experiments.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.CaseResult;
-import org.hificamsim.experiments.compare.Comparison;
 import org.hificamsim.experiments.compare.ComparisonRun;
 import org.hificamsim.experiments.figures.ComparisonFigures;
-import org.hificamsim.experiments.output.ManifestFile;
-import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -32,10 +28,6 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     showDefaultValues = true)
 final class CompareCommand implements Callable<Integer> {
-  private static final int MOST_STEPS = 10_000_000;
-  private static final int MOST_REPEATS = 100_000;
-  private static final int MOST_THREADS = 1024;
-
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
@@ -63,9 +55,6 @@ final class CompareCommand implements Callable<Integer> {
       description = "Repeats of each case; repeat i uses seed + i.")
   private int repeats;
 
-  @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "First seed.")
-  private long seed;
-
   @Option(
       names = "--out",
       paramLabel = "DIR",
@@ -73,15 +62,7 @@ final class CompareCommand implements Callable<Integer> {
       description = "Where the files go.")
   private Path out;
 
-  @Option(names = "--resume", description = "Keep the runs that a killed comparison finished.")
-  private boolean resume;
-
-  @Option(
-      names = "--threads",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "Threads; 0 for one per processor. Results do not depend on it.")
-  private int threads;
+  @Mixin private BatchOptions batch;
 
   @Mixin private ScenarioOptions scenarioOptions;
 
@@ -89,45 +70,16 @@ final class CompareCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Instant started = Instant.now();
     Catalogue catalogue = Catalogue.load();
-    List<RunPlan> plans = plans(catalogue);
-    RunExecutor executor = new RunExecutor(catalogue);
-    plans.forEach(executor::check);
-    List<CaseResult> cases = execute(plans, executor, started);
+    List<CaseResult> cases =
+        new BatchRun(spec, batch, catalogue)
+            .execute(plans(catalogue), out, ComparisonRun::execute, ComparisonFigures::write);
     ComparisonTable.print(spec.commandLine().getOut(), cases, out);
     return 0;
   }
 
-  private List<CaseResult> execute(List<RunPlan> plans, RunExecutor executor, Instant started)
-      throws IOException {
-    int runs = Comparison.withOptimum(plans).size() * repeats;
-    try (Progress progress = new Progress("compare", " runs", runs, spec.commandLine().getErr())) {
-      Comparison comparison = new Comparison(executor, threadCount(), progress::advance);
-      return new ComparisonRun(comparison, resume)
-          .execute(
-              plans,
-              out,
-              (folder, results) -> {
-                ComparisonFigures.write(folder, results);
-                ManifestFile.write(
-                    folder.open("manifest.json"),
-                    spec.commandLine().getParent().getParseResult().originalArgs(),
-                    started,
-                    (long) runs * steps);
-              });
-    }
-  }
-
-  private int threadCount() {
-    return threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
-  }
-
   private List<RunPlan> plans(Catalogue catalogue) {
-    Numbers.inRange("--steps", steps, 1, MOST_STEPS);
-    Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
-    Numbers.seeds(seed, repeats);
-    Numbers.inRange("--threads", threads, 0, MOST_THREADS);
+    batch.check(steps, repeats);
     List<DetectionModel> models = new ArrayList<>();
     for (String name : detections.split(",", -1)) {
       models.add(catalogue.detection(name.strip()));
@@ -146,7 +98,8 @@ final class CompareCommand implements Callable<Integer> {
         double threshold = scenario.threshold().orElse(model.defaultThreshold());
         for (String policy : specs) {
           plans.add(
-              new RunPlan(scenario, new Detection(model, threshold), policy, steps, seed, repeats));
+              new RunPlan(
+                  scenario, new Detection(model, threshold), policy, steps, batch.seed(), repeats));
         }
       }
     }

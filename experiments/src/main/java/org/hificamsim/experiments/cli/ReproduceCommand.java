@@ -1,20 +1,13 @@
 package org.hificamsim.experiments.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.time.Instant;
-import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.experiments.catalogue.Catalogue;
-import org.hificamsim.experiments.compare.Comparison;
 import org.hificamsim.experiments.compare.ComparisonRun;
-import org.hificamsim.experiments.output.ManifestFile;
 import org.hificamsim.experiments.reproduce.Judgement;
 import org.hificamsim.experiments.reproduce.Preset;
 import org.hificamsim.experiments.reproduce.ReproductionFiles;
-import org.hificamsim.experiments.run.RunExecutor;
-import org.hificamsim.experiments.run.RunPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -49,35 +42,18 @@ final class ReproduceCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Instant started = Instant.now();
     batch.check(steps, repeats);
     Catalogue catalogue = Catalogue.load();
     Preset preset =
         new Preset(
             ShippedScenarios.read(Preset.scenarioNames(), catalogue), steps, batch.seed(), repeats);
-    execute(preset.plans(catalogue::detection), new RunExecutor(catalogue), started);
+    new BatchRun(spec, batch, catalogue)
+        .execute(
+            preset.plans(catalogue::detection),
+            out,
+            ComparisonRun::execute,
+            (folder, results) -> judgement = ReproductionFiles.write(folder, results));
     JudgementTable.print(spec.commandLine().getOut(), judgement, out);
     return 0;
-  }
-
-  private void execute(List<RunPlan> plans, RunExecutor executor, Instant started)
-      throws IOException {
-    int runs = Comparison.withOptimum(plans).size() * repeats;
-    PrintWriter err = spec.commandLine().getErr();
-    try (Progress progress = new Progress("reproduce", " runs", runs, err)) {
-      Comparison comparison = new Comparison(executor, batch.threads(), progress::advance);
-      new ComparisonRun(comparison, batch.resume())
-          .execute(
-              plans,
-              out,
-              (folder, results) -> {
-                judgement = ReproductionFiles.write(folder, results);
-                ManifestFile.write(
-                    folder.open("manifest.json"),
-                    spec.commandLine().getParent().getParseResult().originalArgs(),
-                    started,
-                    (long) runs * steps);
-              });
-    }
   }
 }

@@ -1,17 +1,10 @@
 package org.hificamsim.experiments.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.time.Instant;
-import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.experiments.catalogue.Catalogue;
-import org.hificamsim.experiments.compare.Comparison;
 import org.hificamsim.experiments.compare.ComparisonRun;
-import org.hificamsim.experiments.output.ManifestFile;
-import org.hificamsim.experiments.run.RunExecutor;
-import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.sensitivity.SensitivityFiles;
 import org.hificamsim.experiments.sensitivity.Sweeps;
 import picocli.CommandLine.Command;
@@ -48,34 +41,17 @@ final class SensitivityCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Instant started = Instant.now();
     batch.check(steps, repeats);
     Catalogue catalogue = Catalogue.load();
     Sweeps sweeps =
         new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
-    execute(sweeps, new RunExecutor(catalogue), started);
+    new BatchRun(spec, batch, catalogue)
+        .execute(
+            sweeps.plans(steps, batch.seed(), repeats),
+            out,
+            ComparisonRun::executeWithoutTables,
+            (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results));
     spec.commandLine().getOut().println(findings + "files: " + out);
     return 0;
-  }
-
-  private void execute(Sweeps sweeps, RunExecutor executor, Instant started) throws IOException {
-    List<RunPlan> plans = sweeps.plans(steps, batch.seed(), repeats);
-    int runs = Comparison.withOptimum(plans).size() * repeats;
-    PrintWriter err = spec.commandLine().getErr();
-    try (Progress progress = new Progress("sensitivity", " runs", runs, err)) {
-      Comparison comparison = new Comparison(executor, batch.threads(), progress::advance);
-      new ComparisonRun(comparison, batch.resume())
-          .executeWithoutTables(
-              plans,
-              out,
-              (folder, results) -> {
-                findings = SensitivityFiles.write(folder, sweeps, results);
-                ManifestFile.write(
-                    folder.open("manifest.json"),
-                    spec.commandLine().getParent().getParseResult().originalArgs(),
-                    started,
-                    (long) runs * steps);
-              });
-    }
   }
 }
