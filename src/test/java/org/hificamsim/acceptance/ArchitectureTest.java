@@ -21,6 +21,8 @@ class ArchitectureTest {
           .definedBy("org.hificamsim.experiments..")
           .optionalLayer("profiling")
           .definedBy("org.hificamsim.profiling..")
+          .layer("catalogue")
+          .definedBy("org.hificamsim.catalogue..")
           .layer("agents")
           .definedBy("org.hificamsim.agents..")
           .layer("hifi")
@@ -31,12 +33,14 @@ class ArchitectureTest {
           .mayNotBeAccessedByAnyLayer()
           .whereLayer("profiling")
           .mayOnlyBeAccessedByLayers("experiments")
-          .whereLayer("agents")
+          .whereLayer("catalogue")
           .mayOnlyBeAccessedByLayers("experiments")
+          .whereLayer("agents")
+          .mayOnlyBeAccessedByLayers("experiments", "catalogue")
           .whereLayer("hifi")
-          .mayOnlyBeAccessedByLayers("experiments", "profiling")
+          .mayOnlyBeAccessedByLayers("experiments", "catalogue", "profiling")
           .whereLayer("core")
-          .mayOnlyBeAccessedByLayers("experiments", "profiling", "agents", "hifi");
+          .mayOnlyBeAccessedByLayers("experiments", "catalogue", "profiling", "agents", "hifi");
 
   @ArchTest
   static final ArchRule coreNeedsTheJdkAlone =

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.network.setup.CamSimDialect;
@@ -15,7 +16,6 @@ import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.experiments.catalogue.Catalogue;
 
 /** Reads a scenario file as CamSim would: its order of a step, its ranges, its movements. */
 public final class CamSimScenario {

@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import org.hificamsim.experiments.catalogue.Catalogue;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.Comparison;
 import org.hificamsim.experiments.compare.ComparisonRun;

@@ -3,6 +3,7 @@ package org.hificamsim.experiments.cli;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Spelling;
@@ -11,7 +12,6 @@ import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.experiments.catalogue.Catalogue;
 import picocli.CommandLine.Option;
 
 /** The options that override what a scenario file says. */

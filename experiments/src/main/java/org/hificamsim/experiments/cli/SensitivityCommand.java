@@ -3,7 +3,7 @@ package org.hificamsim.experiments.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
-import org.hificamsim.experiments.catalogue.Catalogue;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.ComparisonRun;
 import org.hificamsim.experiments.sensitivity.SensitivityFiles;
 import org.hificamsim.experiments.sensitivity.Sweeps;

@@ -3,13 +3,13 @@ package org.hificamsim.experiments.run;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
-import org.hificamsim.experiments.catalogue.Catalogue;
 
 /** Runs a plan, one repeat after the other. */
 public final class RunExecutor {

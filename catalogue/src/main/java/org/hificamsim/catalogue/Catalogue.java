@@ -1,4 +1,4 @@
-package org.hificamsim.experiments.catalogue;
+package org.hificamsim.catalogue;
 
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,2 +1,2 @@
 /** All detection models, policies, movements and listeners, wired together in one place. */
-package org.hificamsim.experiments.catalogue;
+package org.hificamsim.catalogue;
