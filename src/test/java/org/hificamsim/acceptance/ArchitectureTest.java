@@ -5,14 +5,27 @@ import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.Architectures.layeredArchitecture;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaMember;
+import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
+import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvent;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
+import org.hificamsim.core.StableApi;
 
 /** The one-way arrows between modules, and between the packages of a module. */
 @AnalyzeClasses(packages = "org.hificamsim", importOptions = ImportOption.DoNotIncludeTests.class)
 class ArchitectureTest {
+  private static final DescribedPredicate<JavaClass> ARE_STABLE =
+      DescribedPredicate.describe(
+          "are in a stable package", type -> type.getPackage().isAnnotatedWith(StableApi.class));
+
   @ArchTest
   static final ArchRule modulesDependOneWay =
       layeredArchitecture()
@@ -52,6 +65,10 @@ class ArchitectureTest {
           .resideInAnyPackage("org.hificamsim.core..", "java..", "javax.xml..", "org.xml.sax..");
 
   @ArchTest
+  static final ArchRule stablePackagesExposeNothingThatMayChange =
+      classes().that(ARE_STABLE).and().arePublic().should(exposeOnlyStableTypes());
+
+  @ArchTest
   static final ArchRule packagesAreFreeOfCycles =
       slices().matching("org.hificamsim.(*).(*)..").should().beFreeOfCycles();
 
@@ -67,4 +84,34 @@ class ArchitectureTest {
           .callConstructor(java.util.Random.class)
           .orShould()
           .callConstructor(java.util.SplittableRandom.class);
+
+  private static ArchCondition<JavaClass> exposeOnlyStableTypes() {
+    return new ArchCondition<>("expose types of the JDK and of stable packages alone") {
+      @Override
+      public void check(JavaClass type, ConditionEvents events) {
+        type.getMembers().stream()
+            .filter(ArchitectureTest::isExposed)
+            .forEach(
+                member ->
+                    member.getAllInvolvedRawTypes().stream()
+                        .map(JavaClass::getBaseComponentType)
+                        .filter(used -> !mayBeExposed(used))
+                        .forEach(used -> events.add(violated(member, used))));
+      }
+    };
+  }
+
+  private static ConditionEvent violated(JavaMember member, JavaClass used) {
+    return SimpleConditionEvent.violated(
+        member, member.getFullName() + " exposes " + used.getName());
+  }
+
+  private static boolean isExposed(JavaMember member) {
+    return member.getModifiers().contains(JavaModifier.PUBLIC)
+        || member.getModifiers().contains(JavaModifier.PROTECTED);
+  }
+
+  private static boolean mayBeExposed(JavaClass type) {
+    return type.isPrimitive() || type.getPackageName().startsWith("java.") || ARE_STABLE.test(type);
+  }
 }

@@ -13,7 +13,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ServiceLoader;
 import java.util.stream.Stream;
-import javax.tools.ToolProvider;
 import org.hificamsim.agents.ZoomPolicyContract;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
@@ -25,34 +24,19 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The policy of {@code examples/own-policy}, compiled and run as its author would. */
 class OwnPolicyTest {
-  private static final Path SOURCE = Cli.ROOT.resolve("examples/own-policy/src");
+  @TempDir static Path folder;
 
-  @TempDir static Path classes;
+  private static Example patrol;
 
   @BeforeAll
-  static void compile() throws IOException {
-    int exit =
-        ToolProvider.getSystemJavaCompiler()
-            .run(
-                null,
-                null,
-                null,
-                "-d",
-                classes.toString(),
-                "-cp",
-                System.getProperty("java.class.path"),
-                SOURCE.resolve("org/example/PatrolZoomPolicy.java").toString());
-    assertEquals(0, exit);
-    Path services = Files.createDirectories(classes.resolve("META-INF/services"));
-    String service = ZoomPolicy.class.getName();
-    Files.copy(SOURCE.resolve("META-INF/services").resolve(service), services.resolve(service));
+  static void pack() throws IOException {
+    patrol = Example.pack("own-policy", folder);
   }
 
   @Test
-  void runsFromTheCommandLineWithNothingButItsClassPath(@TempDir Path out) throws Exception {
-    Process run =
-        Java.main(
-            System.getProperty("java.class.path") + File.pathSeparator + classes,
+  void runsFromTheCommandLineWithNothingButItsJar(@TempDir Path out) throws Exception {
+    Cli run =
+        patrol.run(
             "run",
             Cli.scenario("lattice-random"),
             "--policy",
@@ -61,25 +45,23 @@ class OwnPolicyTest {
             50,
             "--out",
             out);
-    String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertEquals(0, run.waitFor(), said);
+    assertEquals(0, run.exit(), run.out());
     assertTrue(Files.readString(out.resolve("summary.json")).contains("\"patrol:patience=3\""));
   }
 
   @Test
   void anUnknownOptionOfItIsAnErrorThatListsItsOwn(@TempDir Path out) throws Exception {
-    Process run =
-        Java.main(
-            System.getProperty("java.class.path") + File.pathSeparator + classes,
+    Cli run =
+        patrol.run(
             "run",
             Cli.scenario("lattice-random"),
             "--policy",
             "patrol:patients=3",
             "--out",
             out.resolve("none"));
-    String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertEquals(2, run.waitFor(), said);
-    assertTrue(said.contains("unknown option 'patients=3', expected one of patience"), said);
+    assertEquals(2, run.exit(), run.out());
+    assertTrue(
+        run.out().contains("unknown option 'patients=3', expected one of patience"), run.out());
   }
 
   @Test
@@ -102,7 +84,7 @@ class OwnPolicyTest {
 
   @TestFactory
   Stream<DynamicTest> keepsTheContractOfPolicies() throws Exception {
-    URLClassLoader loader = new URLClassLoader(new URL[] {classes.toUri().toURL()});
+    URLClassLoader loader = new URLClassLoader(new URL[] {patrol.jar().toUri().toURL()});
     return new ZoomPolicyContract(() -> patrol(loader), false).tests().onClose(() -> close(loader));
   }
 

@@ -8,10 +8,12 @@ package org.hificamsim.core;
 public final class InputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
+  /** A fault that the message tells in one line, its place in front where there is one. */
   public InputException(String message) {
     super(message);
   }
 
+  /** A fault that has another one behind it. */
   public InputException(String message, Throwable cause) {
     super(message, cause);
   }

@@ -47,6 +47,7 @@ public final class RunCoverage implements StepListener {
     }
   }
 
+  /** The number of steps so far. */
   public long steps() {
     return steps;
   }

@@ -59,11 +59,8 @@ public final class Simulation {
     policy.begin(network, new SplittableRandom(seed));
   }
 
-  /** Runs this many steps, from the first, telling the listeners when it starts and ends. */
+  /** Runs this many steps, and tells the listeners that the run has ended. */
   public void run(long steps) {
-    for (StepListener listener : listeners) {
-      listener.started(network);
-    }
     for (long i = 0; i < steps; i++) {
       step();
     }
@@ -72,8 +69,11 @@ public final class Simulation {
     }
   }
 
-  /** Runs one step. */
+  /** Runs one step; the first one tells the listeners that the run has started. */
   public void step() {
+    if (step == 0) {
+      start();
+    }
     world.fireEvents(step);
     network.beginStep(step);
     if (order == StepOrder.CAMSIM) {
@@ -92,6 +92,12 @@ public final class Simulation {
       world.moveTargets();
     }
     step++;
+  }
+
+  private void start() {
+    for (StepListener listener : listeners) {
+      listener.started(network);
+    }
   }
 
   /** The network as the last step left it. */

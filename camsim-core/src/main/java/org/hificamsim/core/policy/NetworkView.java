@@ -21,15 +21,19 @@ public interface NetworkView {
   /** A number that changes whenever a camera is added, moved or switched off. */
   int revision();
 
+  /** How many cameras there will ever be. */
   int cameras();
 
+  /** The name in the scenario file. */
   String cameraName(int camera);
 
   /** Whether the camera takes part: it has been added, and no event has switched it off. */
   boolean online(int camera);
 
+  /** Metres. */
   double cameraX(int camera);
 
+  /** Metres. */
   double cameraY(int camera);
 
   /** The number of zoom levels of this camera, 1 or more. */
@@ -38,19 +42,25 @@ public interface NetworkView {
   /** The camera's current level. */
   int level(int camera);
 
+  /** One of the camera's zoom levels. */
   ZoomLevel zoom(int camera, int level);
 
   /** How many targets the camera detected at the last observation; 0 while offline. */
   int detected(int camera);
 
+  /** How many targets there will ever be. */
   int targets();
 
+  /** The name in result files: the features value, as CamSim prints it. */
   String targetName(int target);
 
+  /** Whether the target has appeared and not been removed. */
   boolean present(int target);
 
+  /** Metres. */
   double targetX(int target);
 
+  /** Metres. */
   double targetY(int target);
 
   /** How many cameras detected the target at the last observation: k_j of section 7.1. */

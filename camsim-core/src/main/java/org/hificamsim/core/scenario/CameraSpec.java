@@ -22,6 +22,7 @@ public record CameraSpec(
     double range,
     AgentSpec agent,
     Map<String, String> extras) {
+  /** Copies what could change. */
   public CameraSpec {
     extras = Map.copyOf(extras);
   }

@@ -17,10 +17,12 @@ public record Field(double minX, double maxX, double minY, double maxY) {
     return y >= minY && y <= maxY;
   }
 
+  /** Metres. */
   public double width() {
     return maxX - minX;
   }
 
+  /** Metres. */
   public double height() {
     return maxY - minY;
   }

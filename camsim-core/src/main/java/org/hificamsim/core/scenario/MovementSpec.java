@@ -14,6 +14,7 @@ import java.util.List;
 public record MovementSpec(String name, double mean, double std, List<Waypoint> waypoints) {
   private static final String CAMSIM_PACKAGE = "epics.movement.";
 
+  /** Copies what could change. */
   public MovementSpec {
     waypoints = List.copyOf(waypoints);
   }

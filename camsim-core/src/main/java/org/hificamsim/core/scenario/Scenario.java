@@ -35,6 +35,7 @@ public record Scenario(
     List<ScenarioEvent> events,
     Optional<VisionGraph> visionGraph,
     Map<String, String> extras) {
+  /** Copies what could change. */
   public Scenario {
     zooms = List.copyOf(zooms);
     cameras = List.copyOf(cameras);

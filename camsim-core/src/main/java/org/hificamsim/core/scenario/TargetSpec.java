@@ -28,11 +28,15 @@ public record TargetSpec(
 
   /** The elements that bring a target. */
   public enum Origin {
+    /** {@code object}. */
     OBJECT,
+    /** {@code object_with_waypoints}. */
     OBJECT_WITH_WAYPOINTS,
+    /** An event that adds an object. */
     EVENT
   }
 
+  /** Copies what could change. */
   public TargetSpec {
     extras = Map.copyOf(extras);
   }

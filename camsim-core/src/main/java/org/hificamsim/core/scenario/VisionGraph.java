@@ -12,6 +12,7 @@ import java.util.Map;
  * @param neighbours names linked to, by camera name, in document order; names need not exist
  */
 public record VisionGraph(boolean isStatic, Map<String, List<String>> neighbours) {
+  /** Copies what could change. */
   public VisionGraph {
     neighbours = Collections.unmodifiableMap(new LinkedHashMap<>(neighbours));
   }

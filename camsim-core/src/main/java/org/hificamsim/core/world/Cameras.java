@@ -73,6 +73,7 @@ public final class Cameras {
     return x.length;
   }
 
+  /** The name in the scenario file. */
   public String name(int camera) {
     return names[camera];
   }
@@ -107,14 +108,17 @@ public final class Cameras {
     return headingY[camera];
   }
 
+  /** The number of zoom levels, 1 or more. */
   public int levels(int camera) {
     return zooms[camera].length;
   }
 
+  /** The current zoom level, from 0, the narrowest. */
   public int level(int camera) {
     return level[camera];
   }
 
+  /** One of the zoom levels. */
   public ZoomLevel zoom(int camera, int atLevel) {
     return zooms[camera][atLevel];
   }

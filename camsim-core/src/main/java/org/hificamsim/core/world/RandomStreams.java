@@ -10,6 +10,7 @@ public final class RandomStreams {
   private final Random turn;
   private final Random move;
 
+  /** The streams of one run; equal seeds give equal streams. */
   public RandomStreams(long seed) {
     this.turn = new Random(seed);
     this.move = new Random(seed);

@@ -51,10 +51,12 @@ public final class Targets {
     return x.length;
   }
 
+  /** The name in result files: the features value, as CamSim prints it. */
   public String name(int target) {
     return names[target];
   }
 
+  /** Whether the target has appeared and not been removed. */
   public boolean present(int target) {
     return present[target];
   }

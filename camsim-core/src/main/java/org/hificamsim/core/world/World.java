@@ -51,14 +51,17 @@ public final class World {
     scenario.targets().forEach(target -> addTarget());
   }
 
+  /** The scenario that this world was made from. */
   public Scenario scenario() {
     return scenario;
   }
 
+  /** The cameras, live. */
   public Cameras cameras() {
     return cameras;
   }
 
+  /** The targets, live. */
   public Targets targets() {
     return targets;
   }

@@ -1,0 +1,27 @@
+package org.example;
+
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+
+/** A listener of one's own: for how many steps on end some target was covered by no camera. */
+public final class LongestGapListener implements StepListener {
+  private long gap;
+  private long longest;
+
+  @Override
+  public String name() {
+    return "longest-gap";
+  }
+
+  @Override
+  public void stepped(NetworkView network, StepCoverage coverage) {
+    gap = coverage.kMin() == 0 ? gap + 1 : 0;
+    longest = Math.max(longest, gap);
+  }
+
+  @Override
+  public void ended(NetworkView network) {
+    System.out.println("longest gap in coverage: " + longest + " steps");
+  }
+}
