@@ -8,6 +8,7 @@ import org.hificamsim.experiments.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.Comparison;
 import org.hificamsim.experiments.compare.ComparisonRun;
+import org.hificamsim.experiments.compare.RunEngine;
 import org.hificamsim.experiments.output.ManifestFile;
 import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
@@ -26,13 +27,13 @@ final class BatchRun {
 
   private final CommandSpec command;
   private final BatchOptions options;
-  private final RunExecutor executor;
+  private final Catalogue catalogue;
   private final Instant started = Instant.now();
 
   BatchRun(CommandSpec command, BatchOptions options, Catalogue catalogue) {
     this.command = command;
     this.options = options;
-    this.executor = new RunExecutor(catalogue);
+    this.catalogue = catalogue;
   }
 
   /**
@@ -45,13 +46,14 @@ final class BatchRun {
   List<CaseResult> execute(
       List<RunPlan> plans, Path out, Writing writing, ComparisonRun.Extras extras)
       throws IOException {
-    plans.forEach(executor::check);
+    plans.forEach(new RunExecutor(catalogue)::check);
+    RunEngine engine = options.engine(catalogue);
     List<RunPlan> all = Comparison.withOptimum(plans);
     long runs = all.stream().mapToLong(RunPlan::repeats).sum();
     long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
     try (Progress progress =
         new Progress(command.name(), " runs", runs, command.commandLine().getErr())) {
-      Comparison comparison = new Comparison(executor, options.threads(), progress::advance);
+      Comparison comparison = new Comparison(engine, progress::advance);
       return writing.execute(
           new ComparisonRun(comparison, options.resume()),
           plans,
