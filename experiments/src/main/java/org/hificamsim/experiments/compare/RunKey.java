@@ -17,11 +17,11 @@ import org.hificamsim.experiments.run.RunPlan;
  * that an edited model file, or a user's changed jar, is another model. A policy is known by its
  * name and options alone.
  */
-final class RunKey {
+public final class RunKey {
   private RunKey() {}
 
   /** The key of a plan's repeats, but for their seed. */
-  static String of(RunPlan plan) {
+  public static String of(RunPlan plan) {
     String all =
         String.join(
             "\n",
