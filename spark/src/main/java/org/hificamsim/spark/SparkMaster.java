@@ -3,6 +3,7 @@ package org.hificamsim.spark;
 import java.io.IOException;
 import java.net.InetSocketAddress;
 import java.net.Socket;
+import java.net.UnknownHostException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -69,8 +70,14 @@ record SparkMaster(String url) {
     }
     throw new InputException(
         "--master '%s' does not answer (%s), expected the URL of a Spark master that is running"
-            .formatted(url, last.getMessage()),
+            .formatted(url, why(last)),
         last);
+  }
+
+  private static String why(IOException fault) {
+    return fault instanceof UnknownHostException
+        ? "unknown host " + fault.getMessage()
+        : fault.getMessage();
   }
 
   private static String expected() {
