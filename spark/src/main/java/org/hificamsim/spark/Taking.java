@@ -41,6 +41,10 @@ final class Taking extends AbstractFunction2<Object, Answer[], BoxedUnit> {
     finished.take(answer.task(), answer.outcome());
   }
 
+  synchronized boolean isFaulty() {
+    return fault != null;
+  }
+
   /** Throws the first fault again, if there was one. */
   synchronized void check() throws IOException {
     if (fault instanceof IOException io) {
