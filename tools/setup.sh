@@ -4,6 +4,8 @@
 : "${root:?}"
 
 gradle=/usr/share/gradle/bin/gradle # Debian's; the one on PATH may be another version
+lib=$root/experiments/build/install/hificamsim/lib
+archive=${lib%/*}.jsa
 
 say() { echo "hificamsim: $*" >&2; }
 die() { say "$@"; exit 1; }
@@ -78,9 +80,21 @@ stale() {
         -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
+# Dumps the classes of a short run, for the JVM to map them at the next start (docs/adr/0003-launcher.md).
+# Whatever goes wrong here, the command line starts without them.
+archive_classes() {
+    scratch=$(mktemp -d) || return 0
+    rm -f "$archive"
+    if java=$(run_home) && "$java/bin/java" -XX:+UseSerialGC -Xlog:disable "-XX:ArchiveClassesAtExit=$archive.new" \
+        -cp "$lib/*" org.hificamsim.experiments.cli.Main run "$root/scenarios/lattice-random.xml" --steps 100 --out "$scratch"; then
+        mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that
+    fi >/dev/null 2>&1
+    rm -rf "$scratch" "$archive.new"
+}
+
 # Builds $1 by the Gradle task $2 if that is needed; of several calls at once one builds and the others wait for it.
 build_if_stale() {
-    product=${1:-$root/experiments/build/install/hificamsim/lib}
+    product=${1:-$lib}
     goal=${2:-:experiments:installDist}
     stamp=${product%/*}.stamp
     stale "$product" "$stamp" || return 0
@@ -99,6 +113,7 @@ build_if_stale() {
             printf '%s\n' "$log" | without_chatter >&2
             die "the build failed"
         fi
+        [ "$product" != "$lib" ] || archive_classes
         mv "$stamp.new" "$stamp"
     ) 9>"$root/.gradle/hificamsim.lock"
 }
