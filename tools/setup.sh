@@ -1,9 +1,11 @@
 # Sourced by ./hificamsim and ./test with `root` set: finds or installs what the project needs, and builds.
 # Everything said here goes to standard error. Why it is so: docs/adr/0003-launcher.md.
 # shellcheck shell=sh
+: "${root:?}"
 
 gradle=/usr/share/gradle/bin/gradle # Debian's; the one on PATH may be another version
-stamp=${root:?}/experiments/build/install/hificamsim.stamp
+lib=$root/experiments/build/install/hificamsim/lib
+archive=${lib%/*}.jsa
 
 say() { echo "hificamsim: $*" >&2; }
 die() { say "$@"; exit 1; }
@@ -71,31 +73,47 @@ run_gradle() (
 )
 without_chatter() { grep -Ev '^(Download https?:|openjdk version |OpenJDK .*(Runtime|VM|warning))' || true; }
 
-# Whether the command line must be built: never built, or a source or build file (or its directory) is newer.
+# Whether $1 must be built: never built, or a source or build file (or its directory) is newer than its stamp $2.
 stale() {
-    [ -d "$root/experiments/build/install/hificamsim/lib" ] && [ -f "$stamp" ] || return 0
+    [ -e "$1" ] && [ -f "$2" ] || return 0
     [ -n "$(cd "$root" && find build.gradle settings.gradle gradle ./*/build.gradle ./*/src \
-        -path './*/src/test' -prune -o -newer "$stamp" -print -quit)" ]
+        -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
-# Builds the command line if that is needed; of several calls at once one builds and the others wait for it.
+# Dumps the classes of a short run, for the JVM to map them at the next start (docs/adr/0003-launcher.md).
+# Whatever goes wrong here, the command line starts without them.
+archive_classes() {
+    scratch=$(mktemp -d) || return 0
+    rm -f "$archive"
+    if java=$(run_home) && "$java/bin/java" -XX:+UseSerialGC -Xlog:disable "-XX:ArchiveClassesAtExit=$archive.new" \
+        -cp "$lib/*" org.hificamsim.experiments.cli.Main run "$root/scenarios/lattice-random.xml" --steps 100 --out "$scratch"; then
+        mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that
+    fi >/dev/null 2>&1
+    rm -rf "$scratch" "$archive.new"
+}
+
+# Builds $1 by the Gradle task $2 if that is needed; of several calls at once one builds and the others wait for it.
 build_if_stale() {
-    stale || return 0
+    product=${1:-$lib}
+    goal=${2:-:experiments:installDist}
+    stamp=${product%/*}.stamp
+    stale "$product" "$stamp" || return 0
     if ! [ -w "$root" ]; then
-        [ -d "$root/experiments/build/install/hificamsim/lib" ] || die "not built, and $root cannot be written"
+        [ -e "$product" ] || die "not built, and $root cannot be written"
         return 0
     fi
     install_missing
     mkdir -p "$root/.gradle" "$(dirname "$stamp")"
     (
         flock 9
-        stale || exit 0
+        stale "$product" "$stamp" || exit 0
         if [ -f "$stamp" ]; then say "building what has changed"; else say "building; the first time takes a minute"; fi
         touch "$stamp.new" # as of the start: what changes during the build is newer
-        if ! log=$(run_gradle --quiet :experiments:installDist); then
+        if ! log=$(run_gradle --quiet "$goal"); then
             printf '%s\n' "$log" | without_chatter >&2
             die "the build failed"
         fi
+        [ "$product" != "$lib" ] || archive_classes
         mv "$stamp.new" "$stamp"
     ) 9>"$root/.gradle/hificamsim.lock"
 }

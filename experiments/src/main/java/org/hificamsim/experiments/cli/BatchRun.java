@@ -4,11 +4,16 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.Comparison;
 import org.hificamsim.experiments.compare.ComparisonRun;
+import org.hificamsim.experiments.compare.RunEngine;
+import org.hificamsim.experiments.compare.Shard;
+import org.hificamsim.experiments.compare.ShardRun;
 import org.hificamsim.experiments.output.ManifestFile;
+import org.hificamsim.experiments.output.OutputFolder;
 import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
 import picocli.CommandLine.Model.CommandSpec;
@@ -26,44 +31,80 @@ final class BatchRun {
 
   private final CommandSpec command;
   private final BatchOptions options;
-  private final RunExecutor executor;
+  private final Catalogue catalogue;
   private final Instant started = Instant.now();
 
   BatchRun(CommandSpec command, BatchOptions options, Catalogue catalogue) {
     this.command = command;
     this.options = options;
-    this.executor = new RunExecutor(catalogue);
+    this.catalogue = catalogue;
   }
 
   /**
-   * Checks that every plan can start, then runs them all.
+   * Checks that every plan can start, then runs them all, or the part that was asked for.
    *
    * @param writing {@link ComparisonRun#execute} or its like without tables
    * @param extras the command's own files; the manifest is added to them
+   * @return one result per plan, or nothing when they are a part's and wait to be merged
    * @throws org.hificamsim.core.InputException when a plan cannot start; nothing was written then
    */
-  List<CaseResult> execute(
+  Optional<List<CaseResult>> execute(
       List<RunPlan> plans, Path out, Writing writing, ComparisonRun.Extras extras)
       throws IOException {
-    plans.forEach(executor::check);
+    plans.forEach(new RunExecutor(catalogue)::check);
+    Optional<Shard> shard = options.shard();
     List<RunPlan> all = Comparison.withOptimum(plans);
-    long runs = all.stream().mapToLong(RunPlan::repeats).sum();
+    RunEngine engine = options.engine(catalogue, all);
+    if (shard.isPresent()) {
+      part(shard.get(), engine, all, out);
+      return Optional.empty();
+    }
+    return Optional.of(whole(engine, plans, out, writing, extras));
+  }
+
+  private List<CaseResult> whole(
+      RunEngine engine, List<RunPlan> plans, Path out, Writing writing, ComparisonRun.Extras extras)
+      throws IOException {
+    List<RunPlan> all = Comparison.withOptimum(plans);
     long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
-    try (Progress progress =
-        new Progress(command.name(), " runs", runs, command.commandLine().getErr())) {
-      Comparison comparison = new Comparison(executor, options.threads(), progress::advance);
+    try (Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
+      Comparison comparison = new Comparison(engine, progress::advance);
       return writing.execute(
           new ComparisonRun(comparison, options.resume()),
           plans,
           out,
           (folder, results) -> {
             extras.write(folder, results);
-            ManifestFile.write(
-                folder.open("manifest.json"),
-                command.commandLine().getParent().getParseResult().originalArgs(),
-                started,
-                steps);
+            manifest(folder, steps);
           });
     }
+  }
+
+  private void part(Shard shard, RunEngine engine, List<RunPlan> all, Path out) throws IOException {
+    ShardRun run = new ShardRun(shard, all);
+    try (Progress progress = progress(run.runs())) {
+      run.execute(
+          engine,
+          options.resume(),
+          progress::advance,
+          out,
+          folder -> manifest(folder, run.steps()));
+    }
+    command
+        .commandLine()
+        .getOut()
+        .println("shard %s: %d runs\nfiles: %s".formatted(shard, run.runs(), out));
+  }
+
+  private Progress progress(long runs) {
+    return new Progress(command.name(), " runs", runs, command.commandLine().getErr());
+  }
+
+  private void manifest(OutputFolder folder, long steps) throws IOException {
+    ManifestFile.write(
+        folder.open("manifest.json"),
+        command.commandLine().getParent().getParseResult().originalArgs(),
+        started,
+        steps);
   }
 }

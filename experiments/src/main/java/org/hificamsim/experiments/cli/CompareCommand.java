@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -71,10 +72,10 @@ final class CompareCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    List<CaseResult> cases =
+    Optional<List<CaseResult>> cases =
         new BatchRun(spec, batch, catalogue)
             .execute(plans(catalogue), out, ComparisonRun::execute, ComparisonFigures::write);
-    ComparisonTable.print(spec.commandLine().getOut(), cases, out);
+    cases.ifPresent(all -> ComparisonTable.print(spec.commandLine().getOut(), all, out));
     return 0;
   }
 

@@ -52,8 +52,8 @@ final class ReproduceCommand implements Callable<Integer> {
             preset.plans(catalogue::detection),
             out,
             ComparisonRun::execute,
-            (folder, results) -> judgement = ReproductionFiles.write(folder, results));
-    JudgementTable.print(spec.commandLine().getOut(), judgement, out);
+            (folder, results) -> judgement = ReproductionFiles.write(folder, results))
+        .ifPresent(all -> JudgementTable.print(spec.commandLine().getOut(), judgement, out));
     return 0;
   }
 }

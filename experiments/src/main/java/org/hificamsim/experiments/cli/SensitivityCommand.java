@@ -50,8 +50,8 @@ final class SensitivityCommand implements Callable<Integer> {
             sweeps.plans(steps, batch.seed(), repeats),
             out,
             ComparisonRun::executeWithoutTables,
-            (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results));
-    spec.commandLine().getOut().println(findings + "files: " + out);
+            (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results))
+        .ifPresent(all -> spec.commandLine().getOut().println(findings + "files: " + out));
     return 0;
   }
 }

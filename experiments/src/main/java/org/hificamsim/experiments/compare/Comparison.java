@@ -6,21 +6,17 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
+import java.util.Optional;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
 
 /**
  * Runs plans side by side, every repeat a task of its own, and scores each run against the exact
  * optimum of its scenario, detection model and seed.
  *
- * <p>The results do not depend on the number of threads: a run depends on its plan and seed alone,
- * and sums over runs are sums of whole numbers.
+ * <p>The results do not depend on the engine or its threads: a run depends on its plan and seed
+ * alone, and sums over runs are sums of whole numbers.
  */
 public final class Comparison {
   static final String OPTIMAL = "optimal";
@@ -31,16 +27,15 @@ public final class Comparison {
     }
   }
 
-  private final RunExecutor executor;
-  private final int threads;
+  private final RunEngine engine;
   private final Runnable runFinished;
 
   /**
+   * @param engine where the runs are computed, configured
    * @param runFinished called after each run, from any thread
    */
-  public Comparison(RunExecutor executor, int threads, Runnable runFinished) {
-    this.executor = executor;
-    this.threads = threads;
+  public Comparison(RunEngine engine, Runnable runFinished) {
+    this.engine = engine;
     this.runFinished = runFinished;
   }
 
@@ -65,45 +60,42 @@ public final class Comparison {
    * @return one result per plan, in their order
    */
   List<CaseResult> run(List<RunPlan> plans, Journal journal) throws IOException {
-    ExecutorService pool = Executors.newFixedThreadPool(threads);
-    try {
-      List<CaseUnderWay> cases = plans.stream().map(CaseUnderWay::new).toList();
-      List<Future<?>> tasks = new ArrayList<>();
-      for (int run = 0; run < plans.get(0).repeats(); run++) {
-        for (CaseUnderWay one : cases) {
-          int repeat = run;
-          tasks.add(
-              pool.submit(
-                  () -> {
-                    one.run(repeat, journal);
-                    return null;
-                  }));
-        }
+    List<CaseUnderWay> cases = plans.stream().map(CaseUnderWay::new).toList();
+    List<RunTask> missing = new ArrayList<>();
+    for (RunTask task : tasks(plans)) {
+      CaseUnderWay one = cases.get(task.plan());
+      Optional<Outcome> found = journal.find(one.key, one.plan.seed(task.repeat()));
+      if (found.isPresent()) {
+        take(one, task, found.get());
+      } else {
+        missing.add(task);
       }
-      for (Future<?> task : tasks) {
-        await(task);
-      }
-      return score(cases);
-    } finally {
-      pool.shutdownNow();
     }
+    engine.run(
+        plans,
+        missing,
+        (task, outcome) -> {
+          CaseUnderWay one = cases.get(task.plan());
+          journal.add(one.key, one.plan.seed(task.repeat()), outcome);
+          take(one, task, outcome);
+        });
+    return score(cases);
   }
 
-  private static void await(Future<?> task) throws IOException {
-    try {
-      task.get();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new IOException("interrupted", e);
-    } catch (ExecutionException e) {
-      if (e.getCause() instanceof RuntimeException fault) {
-        throw fault;
+  private void take(CaseUnderWay one, RunTask task, Outcome outcome) {
+    one.take(task.repeat(), outcome);
+    runFinished.run();
+  }
+
+  /** Every run, seed by seed, so that all cases make headway together. */
+  private static List<RunTask> tasks(List<RunPlan> plans) {
+    List<RunTask> tasks = new ArrayList<>();
+    for (int repeat = 0; repeat < plans.get(0).repeats(); repeat++) {
+      for (int plan = 0; plan < plans.size(); plan++) {
+        tasks.add(new RunTask(plan, repeat));
       }
-      if (e.getCause() instanceof IOException fault) {
-        throw fault;
-      }
-      throw new IllegalStateException(e.getCause());
     }
+    return tasks;
   }
 
   private static List<CaseResult> score(List<CaseUnderWay> cases) {
@@ -117,7 +109,7 @@ public final class Comparison {
   }
 
   /** A plan whose repeats are being run, by several threads. */
-  private final class CaseUnderWay {
+  private static final class CaseUnderWay {
     private final RunPlan plan;
     private final String key;
     private final Outcome[] outcomes;
@@ -134,27 +126,7 @@ public final class Comparison {
       this.sums = new long[plan.steps()];
     }
 
-    void run(int repeat, Journal journal) throws IOException {
-      Outcome outcome = journal.find(key, plan.seed(repeat)).orElse(null);
-      if (outcome == null) {
-        outcome = simulate(repeat);
-        journal.add(key, plan.seed(repeat), outcome);
-      }
-      take(repeat, outcome);
-      runFinished.run();
-    }
-
-    private Outcome simulate(int repeat) {
-      int[] kMin = new int[plan.steps()];
-      return new Outcome(
-          executor.repeat(
-              plan,
-              repeat,
-              List.of((network, coverage) -> kMin[(int) network.step()] = coverage.kMin())),
-          kMin);
-    }
-
-    private synchronized void take(int repeat, Outcome outcome) {
+    synchronized void take(int repeat, Outcome outcome) {
       for (int step = 0; step < sums.length; step++) {
         sums[step] += outcome.kMin()[step];
       }

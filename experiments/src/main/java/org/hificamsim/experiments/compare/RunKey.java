@@ -4,6 +4,8 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
+import java.util.List;
+import java.util.stream.Collectors;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.ScenarioWriter;
@@ -17,11 +19,11 @@ import org.hificamsim.experiments.run.RunPlan;
  * that an edited model file, or a user's changed jar, is another model. A policy is known by its
  * name and options alone.
  */
-final class RunKey {
+public final class RunKey {
   private RunKey() {}
 
   /** The key of a plan's repeats, but for their seed. */
-  static String of(RunPlan plan) {
+  public static String of(RunPlan plan) {
     String all =
         String.join(
             "\n",
@@ -31,7 +33,19 @@ final class RunKey {
             plan.policy(),
             String.valueOf(plan.steps()),
             values(plan.detection(), plan.scenario().mountHeight().orElse(Double.NaN)));
-    return HexFormat.of().formatHex(digest().digest(all.getBytes(StandardCharsets.UTF_8)));
+    return digest(all);
+  }
+
+  /** The key of all runs of a sweep. */
+  static String of(List<RunPlan> plans) {
+    return digest(
+        plans.stream()
+            .map(plan -> of(plan) + " " + plan.seed() + " " + plan.repeats())
+            .collect(Collectors.joining("\n")));
+  }
+
+  private static String digest(String text) {
+    return HexFormat.of().formatHex(digest().digest(text.getBytes(StandardCharsets.UTF_8)));
   }
 
   private static String values(Detection detection, double mountHeight) {

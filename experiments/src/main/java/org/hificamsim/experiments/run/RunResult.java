@@ -1,5 +1,6 @@
 package org.hificamsim.experiments.run;
 
+import java.io.Serializable;
 import org.hificamsim.core.engine.RunCoverage;
 
 /**
@@ -26,7 +27,8 @@ public record RunResult(
     double meanK,
     long detections,
     long zoomChanges,
-    long messages) {
+    long messages)
+    implements Serializable {
   /** The result of a repeat whose coverage has been added up. */
   public static RunResult of(int run, long seed, RunCoverage coverage, long messages) {
     return new RunResult(

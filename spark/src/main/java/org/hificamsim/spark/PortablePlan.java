@@ -1,0 +1,78 @@
+package org.hificamsim.spark;
+
+import java.io.IOException;
+import java.io.Serializable;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.experiments.compare.RunKey;
+import org.hificamsim.experiments.run.RunPlan;
+
+/**
+ * A plan as text, for machines that share no files with this one.
+ *
+ * @param scenario its name
+ * @param xml the scenario's content
+ * @param key of the plan's results: a machine that comes to another one would compute another plan
+ */
+record PortablePlan(
+    String scenario,
+    String xml,
+    PortableDetection detection,
+    String policy,
+    int steps,
+    long seed,
+    int repeats,
+    String key)
+    implements Serializable {
+  /**
+   * The plan as text.
+   *
+   * @throws InputException when the text does not give the same plan
+   */
+  static PortablePlan of(RunPlan plan, Catalogue catalogue) {
+    PortablePlan portable =
+        new PortablePlan(
+            plan.scenario().name(),
+            ScenarioWriter.write(plan.scenario()),
+            PortableDetection.of(plan.detection(), catalogue),
+            plan.policy(),
+            plan.steps(),
+            plan.seed(),
+            plan.repeats(),
+            RunKey.of(plan));
+    portable.plan(catalogue);
+    return portable;
+  }
+
+  /**
+   * The plan with the same results.
+   *
+   * @throws InputException when models, jars or the version here are others than where it was made
+   */
+  RunPlan plan(Catalogue catalogue) {
+    RunPlan plan =
+        new RunPlan(
+            readScenario(catalogue), detection.detection(catalogue), policy, steps, seed, repeats);
+    if (!RunKey.of(plan).equals(key)) {
+      throw new InputException(
+          "scenario '%s' with detection '%s' is another on an executor than here, expected the same version and jars"
+              .formatted(scenario, detection.name()));
+    }
+    return plan;
+  }
+
+  private Scenario readScenario(Catalogue catalogue) {
+    try (TemporaryFile file = new TemporaryFile(scenario + ".xml")) {
+      Files.writeString(file.path(), xml);
+      return ScenarioReader.read(
+          file.path(), catalogue.movements().names()::contains, warning -> {});
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,34 @@
+package org.hificamsim.spark;
+
+import java.io.Serializable;
+import java.util.ArrayList;
+import java.util.List;
+import org.apache.spark.TaskContext;
+import org.apache.spark.broadcast.Broadcast;
+import org.hificamsim.experiments.compare.RunTask;
+import scala.collection.Iterator;
+import scala.runtime.AbstractFunction2;
+
+/** Computes the runs of a partition, on an executor; stops after a fault. */
+final class RunPartition extends AbstractFunction2<TaskContext, Iterator<RunTask>, Answer[]>
+    implements Serializable {
+  private static final long serialVersionUID = 1L;
+
+  private final Broadcast<PortableSweep> sweep;
+
+  RunPartition(Broadcast<PortableSweep> sweep) {
+    this.sweep = sweep;
+  }
+
+  @Override
+  public Answer[] apply(TaskContext context, Iterator<RunTask> tasks) {
+    List<Answer> answers = new ArrayList<>();
+    boolean sound = true;
+    while (sound && tasks.hasNext()) {
+      Answer answer = Answer.to(tasks.next(), sweep.value());
+      answers.add(answer);
+      sound = answer.fault() == null;
+    }
+    return answers.toArray(new Answer[0]);
+  }
+}

@@ -1,0 +1,50 @@
+package org.hificamsim.spark;
+
+import java.io.IOException;
+import java.util.List;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.experiments.compare.EngineSettings;
+import org.hificamsim.experiments.compare.RunEngine;
+import org.hificamsim.experiments.compare.RunTask;
+import org.hificamsim.experiments.run.RunPlan;
+
+/**
+ * Computes runs on Apache Spark: each a task that any executor can do, since plans travel as text.
+ *
+ * <p>Spark computes what a lost executor had under way anew. Outcomes come back one by one, so that
+ * the driver's journal is as complete as that of the local engine at any moment.
+ */
+public final class SparkEngine implements RunEngine {
+  private SparkMaster master;
+  private Catalogue catalogue;
+
+  @Override
+  public String name() {
+    return "spark";
+  }
+
+  @Override
+  public void configure(EngineSettings settings) {
+    requireSpark();
+    master = SparkMaster.of(settings.master());
+    master.requireAnswer();
+    catalogue = settings.catalogue();
+  }
+
+  @Override
+  public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
+    if (!tasks.isEmpty()) {
+      new SparkJob(master, PortableSweep.of(plans, catalogue)).run(tasks, finished);
+    }
+  }
+
+  private static void requireSpark() {
+    try {
+      Class.forName("org.apache.spark.SparkContext", false, SparkEngine.class.getClassLoader());
+    } catch (ClassNotFoundException e) {
+      throw new InputException(
+          "--engine spark: Spark is not on the class path, expected its jars beside this one", e);
+    }
+  }
+}

@@ -1,0 +1,123 @@
+package org.hificamsim.spark;
+
+import java.io.File;
+import java.io.IOException;
+import java.net.URISyntaxException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.FutureTask;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.regex.Pattern;
+import org.apache.spark.SparkConf;
+import org.apache.spark.SparkContext;
+import org.apache.spark.api.java.JavaSparkContext;
+import org.apache.spark.broadcast.Broadcast;
+import org.apache.spark.rdd.RDD;
+import org.hificamsim.core.InputException;
+import org.hificamsim.experiments.compare.RunEngine;
+import org.hificamsim.experiments.compare.RunTask;
+import scala.reflect.ClassTag$;
+
+/** A sweep as one Spark job. Every run is a task of its own, until there are too many for Spark. */
+final class SparkJob {
+  private static final int MOST_PARTITIONS = 10_000;
+  private static final int PATIENCE_SECONDS = 30;
+
+  private final SparkMaster master;
+  private final PortableSweep sweep;
+
+  SparkJob(SparkMaster master, PortableSweep sweep) {
+    this.master = master;
+    this.sweep = sweep;
+  }
+
+  /** Computes the tasks and hands each outcome to {@code finished} as it arrives. */
+  void run(List<RunTask> tasks, RunEngine.Finished finished) throws IOException {
+    SparkConf conf = conf();
+    try (ClassPathJars jars = new ClassPathJars(ships(conf) ? classPath() : List.of(), sparks())) {
+      if (ships(conf)) {
+        conf.setJars(jars.paths().toArray(new String[0]));
+      }
+      try (JavaSparkContext context = connect(conf)) {
+        compute(context, tasks, finished);
+      }
+    }
+  }
+
+  private void compute(JavaSparkContext context, List<RunTask> tasks, RunEngine.Finished finished)
+      throws IOException {
+    RDD<RunTask> partitions =
+        context.parallelize(tasks, Math.min(tasks.size(), MOST_PARTITIONS)).rdd();
+    Broadcast<PortableSweep> shared = context.broadcast(sweep);
+    Taking taking = new Taking(finished);
+    try {
+      context
+          .sc()
+          .runJob(
+              partitions,
+              new RunPartition(shared),
+              taking,
+              ClassTag$.MODULE$.<Answer[]>apply(Answer[].class));
+    } finally {
+      if (taking.isFaulty()) {
+        context.setLogLevel("OFF"); // what it says about the tasks that are dropped
+      }
+      taking.check();
+    }
+  }
+
+  private SparkConf conf() {
+    return new SparkConf()
+        .setMaster(master.url())
+        .setIfMissing("spark.app.name", "hificamsim")
+        .setIfMissing("spark.ui.enabled", "false")
+        .setIfMissing("spark.driver.maxResultSize", "0") // outcomes are handed on, not collected
+        .set("spark.serializer", "org.apache.spark.serializer.JavaSerializer");
+  }
+
+  /** Whether the jars are to be sent from here; {@code spark-submit} does so itself. */
+  private boolean ships(SparkConf conf) {
+    return !master.isLocal() && !conf.contains("spark.submit.deployMode");
+  }
+
+  private static List<Path> classPath() {
+    return Pattern.compile(File.pathSeparator, Pattern.LITERAL)
+        .splitAsStream(System.getProperty("java.class.path"))
+        .filter(entry -> !entry.isEmpty())
+        .map(Path::of)
+        .toList();
+  }
+
+  private static Path sparks() {
+    try {
+      return Path.of(SparkContext.class.getProtectionDomain().getCodeSource().getLocation().toURI())
+          .getParent();
+    } catch (URISyntaxException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** Spark itself would try for a minute, then stop with a stack trace. */
+  private JavaSparkContext connect(SparkConf conf) throws IOException {
+    FutureTask<JavaSparkContext> connecting = new FutureTask<>(() -> new JavaSparkContext(conf));
+    Thread thread = new Thread(connecting, "spark-connect");
+    thread.setDaemon(true);
+    thread.start();
+    try {
+      return connecting.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
+    } catch (TimeoutException e) {
+      throw new InputException(
+          "--master '%s' has not taken the job within %d s, expected the URL of a Spark master"
+              .formatted(master.url(), PATIENCE_SECONDS),
+          e);
+    } catch (ExecutionException e) {
+      throw new InputException(
+          "--master '%s': Spark does not start (%s)".formatted(master.url(), e.getCause()), e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IOException("interrupted", e);
+    }
+  }
+}

@@ -1,0 +1,104 @@
+package org.hificamsim.spark;
+
+import java.io.IOException;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.net.UnknownHostException;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.Pattern;
+import org.hificamsim.core.InputException;
+
+/**
+ * A cluster's master.
+ *
+ * @param url as Spark takes it
+ */
+record SparkMaster(String url) {
+  private static final int PATIENCE_MILLIS = 3000;
+  private static final String STANDALONE = "spark://";
+  private static final String HOST = "(?:[\\w.-]+|\\[[0-9a-fA-F:]+\\]):\\d{1,5}";
+  private static final Pattern KNOWN =
+      Pattern.compile(
+          "local|local\\[(?:\\*|[1-9]\\d{0,3})(?:, ?[1-9]\\d{0,3})?\\]"
+              + ("|" + STANDALONE + HOST + "(?:," + HOST + ")*")
+              + "|yarn|k8s://.+");
+
+  /** What {@code spark-submit} sets. */
+  private static final String SUBMITTED = "spark.master";
+
+  /**
+   * The master asked for, else that of {@code spark-submit}.
+   *
+   * @throws InputException when there is none, or it is no master's URL
+   */
+  static SparkMaster of(Optional<String> asked) {
+    String url =
+        asked
+            .or(() -> Optional.ofNullable(System.getProperty(SUBMITTED)))
+            .orElseThrow(() -> new InputException("--master is missing, expected " + expected()));
+    if (!KNOWN.matcher(url).matches() || !addresses(url).stream().allMatch(SparkMaster::hasPort)) {
+      throw new InputException("--master is '%s', expected %s".formatted(url, expected()));
+    }
+    return new SparkMaster(url);
+  }
+
+  /** Whether driver and executors are one process. */
+  boolean isLocal() {
+    return url.startsWith("local");
+  }
+
+  /**
+   * Makes sure that something listens, where that can be told: Spark itself tries for a minute.
+   *
+   * @throws InputException when none of the addresses takes a connection
+   */
+  void requireAnswer() {
+    List<String> addresses = addresses(url);
+    if (addresses.isEmpty()) {
+      return;
+    }
+    IOException last = null;
+    for (String address : addresses) {
+      try (Socket socket = new Socket()) {
+        socket.connect(new InetSocketAddress(host(address), port(address)), PATIENCE_MILLIS);
+        return;
+      } catch (IOException e) {
+        last = e;
+      }
+    }
+    throw new InputException(
+        "--master '%s' does not answer (%s), expected the URL of a Spark master that is running"
+            .formatted(url, why(last)),
+        last);
+  }
+
+  private static String why(IOException fault) {
+    return fault instanceof UnknownHostException
+        ? "unknown host " + fault.getMessage()
+        : fault.getMessage();
+  }
+
+  private static String expected() {
+    return "spark://HOST:PORT, local[*], local[N], yarn or k8s://...";
+  }
+
+  private static List<String> addresses(String url) {
+    return url.startsWith(STANDALONE)
+        ? Arrays.asList(url.substring(STANDALONE.length()).split(","))
+        : List.of();
+  }
+
+  private static boolean hasPort(String address) {
+    return port(address) >= 1 && port(address) <= 65_535;
+  }
+
+  private static String host(String address) {
+    return address.substring(0, address.lastIndexOf(':'));
+  }
+
+  private static int port(String address) {
+    return Integer.parseInt(address.substring(address.lastIndexOf(':') + 1));
+  }
+}

@@ -1,0 +1,23 @@
+package org.hificamsim.spark;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+
+/**
+ * A file of a given name in a folder of its own, gone when it is closed.
+ *
+ * @param path not there until it is written
+ */
+record TemporaryFile(Path path) implements Closeable {
+  TemporaryFile(String name) throws IOException {
+    this(Files.createTempDirectory("hificamsim").resolve(name));
+  }
+
+  @Override
+  public void close() throws IOException {
+    Files.deleteIfExists(path);
+    Files.delete(path.getParent());
+  }
+}

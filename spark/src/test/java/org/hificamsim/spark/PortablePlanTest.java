@@ -1,0 +1,75 @@
+package org.hificamsim.spark;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.experiments.run.RunPlan;
+import org.junit.jupiter.api.Test;
+
+class PortablePlanTest {
+  private static final Catalogue CATALOGUE = Catalogue.load();
+  private static final Path FILE =
+      Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "cluster-scripted.xml");
+
+  /** A model that no catalogue has under its name. */
+  private record Unknown(String name) implements DetectionModel {
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return 1;
+    }
+  }
+
+  @Test
+  void everyModelOfTheCatalogueComesBackAsItWas() {
+    int models = 0;
+    for (String name : CATALOGUE.detections().names()) {
+      RunPlan plan = plan(CATALOGUE.detection(name));
+      assertEquals(
+          name, PortablePlan.of(plan, CATALOGUE).plan(CATALOGUE).detection().model().name());
+      models++;
+    }
+    assertTrue(models > 20, models + " models");
+  }
+
+  @Test
+  void aModelThatOtherMachinesCannotKnowIsRefused() {
+    InputException fault =
+        assertThrows(
+            InputException.class, () -> PortablePlan.of(plan(new Unknown("mine")), CATALOGUE));
+    assertTrue(fault.getMessage().contains("unknown detection 'mine'"), fault.getMessage());
+  }
+
+  @Test
+  void aPlanThatIsAnotherOnTheExecutorIsAnError() {
+    PortablePlan here = PortablePlan.of(plan(CATALOGUE.detection("geometric")), CATALOGUE);
+    PortablePlan there =
+        new PortablePlan(
+            here.scenario(),
+            here.xml(),
+            PortableDetection.of(
+                new Detection(CATALOGUE.detection("hifi:orb-lin"), 0.1), CATALOGUE),
+            here.policy(),
+            here.steps(),
+            here.seed(),
+            here.repeats(),
+            here.key());
+    InputException fault = assertThrows(InputException.class, () -> there.plan(CATALOGUE));
+    assertTrue(fault.getMessage().contains("expected the same version and jars"));
+  }
+
+  private static RunPlan plan(DetectionModel model) {
+    Scenario scenario =
+        ScenarioReader.read(FILE, CATALOGUE.movements().names()::contains, warning -> {});
+    return new RunPlan(
+        scenario, new Detection(model, model.defaultThreshold()), "zoom-out", 10, 0, 1);
+  }
+}

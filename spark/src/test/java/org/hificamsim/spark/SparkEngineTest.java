@@ -1,0 +1,34 @@
+package org.hificamsim.spark;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.experiments.compare.EngineSettings;
+import org.hificamsim.experiments.compare.Engines;
+import org.hificamsim.experiments.compare.RunEngine;
+import org.hificamsim.experiments.compare.RunEngineContract;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+
+/** Spark in this process, {@code local[2]}. */
+class SparkEngineTest {
+  @BeforeAll
+  static void requireSpark() {
+    SparkHome.require();
+  }
+
+  @TestFactory
+  Stream<DynamicTest> keepsTheContractOfEngines() {
+    assertEquals(SparkEngine.class, engine().getClass());
+    return new RunEngineContract(SparkEngineTest::engine).tests();
+  }
+
+  private static RunEngine engine() {
+    RunEngine engine = Engines.registry().create("spark");
+    engine.configure(new EngineSettings(Catalogue.load(), 1, Optional.of("local[2]")));
+    return engine;
+  }
+}
