@@ -1,0 +1,184 @@
+package org.hificamsim.bridge;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What the agent does where it cannot work: one line, and CamSim is left alone, or stopped. */
+class RefusalTest {
+  private static final String UNCHANGED = "; CamSim runs on unchanged\n";
+  private static final List<String> ARGUMENTS =
+      List.of("-t", "30", "-o", "output.csv", CamSimRun.CROSSING.toString());
+
+  @TempDir Path folder;
+  private CamSimRun without;
+
+  @BeforeEach
+  void runWithoutAgent() {
+    without =
+        CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, CamSimRun.CROSSING, 30);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+detection=hifi:orb-line          | unknown detection 'hifi:orb-line', expected one of camsim-standard
+detection=none.json              | none.json: no such file, expected a model in JSON
+policy=sarsa:gama=0.9            | policy sarsa: unknown option 'gama=0.9', expected one of
+policy=best-fixed                | policy 'best-fixed' has to see the run before it begins, expected one that
+detektion=geometric              | options: unknown option 'detektion=geometric', expected one of detection, threshold
+detection=geometric,threshold=2  | options: threshold is '2', expected a number from 0.0 to 1.0
+threshold=0.5                    | threshold is '0.5' without detection, expected both
+policy=random,zooms=5;3          | zooms has '3' after 5.0, expected rising radii, each once
+policy=random,zooms=0;3          | options: zooms is '0', expected a number from
+out=without/output.csv/x         | --out 'without/output.csv/x' cannot be made
+strict=perhaps,policy=random     | options: strict is 'perhaps', expected one of false, true
+policy=random,policy=zoom-in     | options: option 'policy=zoom-in', expected key=value with each key once
+""")
+  void aWrongOptionIsOneLineAndCamSimRunsOn(String options, String problem) {
+    CamSimRun with =
+        CamSimRun.of(
+            folder.resolve("with"),
+            options.replace("without/", "../without/"),
+            CamSimRun.CROSSING,
+            30);
+    assertEquals(without.all(), with.all());
+    assertEquals(1, with.err().lines().count(), with.err());
+    assertTrue(
+        with.err().startsWith("hificamsim-bridge: " + problem.replace("without/", "../without/")),
+        with.err());
+    assertTrue(with.err().endsWith(UNCHANGED), with.err());
+  }
+
+  @Test
+  void strictStopsBeforeCamSimStarts() {
+    CamSimRun with = CamSimRun.of(folder.resolve("with"), "detection=none,strict=true");
+    assertEquals(2, with.exit());
+    assertEquals("", with.out());
+    assertEquals(1, with.err().lines().count(), with.err());
+    assertFalse(Files.exists(with.folder().resolve("output.csv")));
+  }
+
+  @Test
+  void strictAloneDoesNothing() {
+    CamSimRun with = CamSimRun.of(folder.resolve("with"), "strict=true", CamSimRun.CROSSING, 30);
+    assertEquals(without.all(), with.all());
+    assertEquals("", with.err());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+update_visiblity         | update_visibility        | method epics.camsim.core.CameraController.update_visiblity(TraceableObject) returning double
+double update_visiblity  | Double update_visiblity  | method epics.camsim.core.CameraController.update_visiblity(TraceableObject) returning double
+addVisibleObject         | show                     | method epics.camsim.core.CameraController.addVisibleObject(TraceableObject, double)
+removeVisibleObject      | hide                     | method epics.camsim.core.CameraController.removeVisibleObject(TraceableObject)
+change(                  | alter(                   | method epics.camsim.core.CameraController.change(double, double, double, double, double)
+getHeading               | heading                  | method epics.camsim.core.CameraController.getHeading() returning double
+SimCore                  | OtherCore                | class epics.camsim.core.SimCore
+TraceableObject          | Thing                    | class epics.camsim.core.TraceableObject
+update()                 | advance()                | method epics.camsim.core.SimCore.update()
+close_files              | finish                   | method epics.camsim.core.SimCore.close_files()
+""")
+  void anotherCamSimIsOneLineThatNamesWhatIsMissing(String text, String replacement, String missing)
+      throws IOException {
+    Path classes = Variant.of(folder, text, replacement);
+    CamSimRun with = start("detection=geometric,policy=random,out=results", classes);
+    assertEquals(without.all(), with.all());
+    assertTrue(
+        with.err().startsWith("hificamsim-bridge: not found in CamSim: " + missing), with.err());
+    assertTrue(with.err().endsWith(UNCHANGED), with.err());
+    assertEquals(1, with.err().lines().count(), with.err());
+    assertFalse(Files.exists(with.folder().resolve("results")));
+  }
+
+  @Test
+  void aClassPathWithoutCamSimIsOneLine() throws IOException {
+    Path classes =
+        Variant.compile(
+            folder,
+            "Hello.java",
+            "class Hello { public static void main(String... a) { System.out.println(1 + 1); } }");
+    CamSimRun with =
+        CamSimRun.start(
+            folder.resolve("hello"), "policy=random", List.of(classes), "Hello", List.of());
+    assertEquals(0, with.exit());
+    assertEquals("2\n", with.out());
+    assertEquals(
+        "hificamsim-bridge: not found in CamSim: class epics.camsim.core.SimCore, class"
+            + " epics.camsim.core.CameraController, class epics.camsim.core.TraceableObject"
+            + UNCHANGED,
+        with.err());
+  }
+
+  @Test
+  void whatTheOptionsDoNotNeedMayBeMissing() throws IOException {
+    Path classes = Variant.of(folder, "change(", "alter(");
+    CamSimRun with = start("detection=camsim-visibility", classes);
+    assertEquals(without.all(), with.all());
+    assertEquals("", with.err());
+  }
+
+  @Test
+  void aFailureInTheMiddleLeavesCamSimToItselfWithItsOwnRanges() throws IOException {
+    CamSimRun with = start("policy=random,out=results", failingOnce());
+    assertEquals(0, with.exit());
+    assertEquals(
+        "hificamsim-bridge: java.lang.IllegalStateException: CamSim's own method failed:"
+            + " java.lang.IllegalStateException: stuck"
+            + UNCHANGED,
+        with.err());
+    int steps = with.rows("results/steps.csv").size();
+    assertTrue(steps > 1 && steps < 10, steps + " steps before the failure");
+    assertEquals(without.rows("output.csv").size(), with.rows("output.csv").size());
+    List<Look> looks = with.rows("looks.csv").stream().map(Look::of).toList();
+    assertTrue(looks.stream().anyMatch(look -> look.camera().equals("A") && look.range() == 4));
+    assertTrue(
+        looks.stream()
+            .filter(look -> look.camera().equals("A") && look.step() >= steps)
+            .allMatch(look -> look.range() == 12));
+  }
+
+  @Test
+  void strictStopsAtAFailureInTheMiddle() throws IOException {
+    CamSimRun with = start("policy=random,out=results,strict=true", failingOnce());
+    assertEquals(2, with.exit());
+    assertEquals(1, with.err().lines().count(), with.err());
+    assertFalse(Files.exists(with.folder().resolve("output.csv")));
+    assertTrue(Files.exists(with.folder().resolve("results/steps.csv")));
+  }
+
+  /** A CamSim in which the eleventh change of a range fails. */
+  private Path failingOnce() throws IOException {
+    return Variant.of(
+        folder,
+        "    x = newX == -1 ? x : newX;",
+        """
+            if (Integer.getInteger("changes", 0) == 10) {
+              System.setProperty("changes", "11");
+              throw new IllegalStateException("stuck");
+            }
+            System.setProperty("changes", "" + (Integer.getInteger("changes", 0) + 1));
+            x = newX == -1 ? x : newX;
+        """);
+  }
+
+  private CamSimRun start(String options, Path classes) {
+    return CamSimRun.start(
+        folder.resolve("with"), options, List.of(classes), "epics.camwin.Main", ARGUMENTS);
+  }
+}
