@@ -30,6 +30,7 @@ class PolicyTest {
         "zoom-out",
         "zoom-in",
         "fixed:2",
+        "fixed:0;1;2;3;1",
         "random",
         "optimal",
         "one-hop",
@@ -114,7 +115,7 @@ class PolicyTest {
     CamSimRun with = run("with", "policy=fixed:0;1");
     assertEquals(run("without", CamSimRun.WITHOUT_AGENT).all(), with.all());
     assertEquals(
-        "hificamsim-bridge: policy fixed: levels has 2 values, expected 1 for all cameras or 4,"
+        "hificamsim-bridge: policy fixed: levels has 2 values, expected 1 for all cameras or 5,"
             + " one for each; CamSim runs on unchanged\n",
         with.err());
   }

@@ -8,7 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -20,13 +20,14 @@ class RefusalTest {
   private static final List<String> ARGUMENTS =
       List.of("-t", "30", "-o", "output.csv", CamSimRun.CROSSING.toString());
 
-  @TempDir Path folder;
-  private CamSimRun without;
+  @TempDir static Path plain;
+  private static CamSimRun without;
 
-  @BeforeEach
-  void runWithoutAgent() {
-    without =
-        CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, CamSimRun.CROSSING, 30);
+  @TempDir Path folder;
+
+  @BeforeAll
+  static void runWithoutAgent() {
+    without = CamSimRun.of(plain, CamSimRun.WITHOUT_AGENT, CamSimRun.CROSSING, 30);
   }
 
   @ParameterizedTest
@@ -48,17 +49,10 @@ strict=perhaps,policy=random     | options: strict is 'perhaps', expected one of
 policy=random,policy=zoom-in     | options: option 'policy=zoom-in', expected key=value with each key once
 """)
   void aWrongOptionIsOneLineAndCamSimRunsOn(String options, String problem) {
-    CamSimRun with =
-        CamSimRun.of(
-            folder.resolve("with"),
-            options.replace("without/", "../without/"),
-            CamSimRun.CROSSING,
-            30);
+    CamSimRun with = CamSimRun.of(folder.resolve("with"), options, CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
     assertEquals(1, with.err().lines().count(), with.err());
-    assertTrue(
-        with.err().startsWith("hificamsim-bridge: " + problem.replace("without/", "../without/")),
-        with.err());
+    assertTrue(with.err().startsWith("hificamsim-bridge: " + problem), with.err());
     assertTrue(with.err().endsWith(UNCHANGED), with.err());
   }
 
@@ -100,7 +94,9 @@ close_files              | finish                   | method epics.camsim.core.S
     CamSimRun with = start("detection=geometric,policy=random,out=results", classes);
     assertEquals(without.all(), with.all());
     assertTrue(
-        with.err().startsWith("hificamsim-bridge: not found in CamSim: " + missing), with.err());
+        with.err().startsWith("hificamsim-bridge: not found in CamSim: ")
+            && with.err().contains(missing),
+        with.err());
     assertTrue(with.err().endsWith(UNCHANGED), with.err());
     assertEquals(1, with.err().lines().count(), with.err());
     assertFalse(Files.exists(with.folder().resolve("results")));

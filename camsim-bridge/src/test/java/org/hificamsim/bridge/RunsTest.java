@@ -120,22 +120,22 @@ public class Threads {
   }
 
   @Test
-  void moreObjectsThanThereWasRoomForMakeThePolicyBeginAnew() throws IOException {
-    StringBuilder scenario = new StringBuilder();
-    scenario.append("<root><simulation min_x='-50' max_x='50' min_y='-50' max_y='50'>");
-    scenario.append(
-        "<camera name='A' x='0' y='0' heading='0' viewing_angle='360' range='15' comm='0'/>");
-    for (int i = 0; i < 150; i++) {
-      scenario.append(
-          "<event timestep='%d' participant='object' event='add' name='%d' x='0' y='1' heading='90' speed='0.01'/>"
-              .formatted(i, i));
-    }
-    Path file = folder.resolve("crowd.xml");
-    Files.writeString(file, scenario.append("</simulation></root>"));
-    CamSimRun crowd = CamSimRun.of(folder.resolve("run"), "policy=sarsa,out=results", file, 200);
-    assertEquals("", crowd.err());
-    assertEquals(200, crowd.rows("results/steps.csv").size());
-    assertTrue(crowd.text("results/steps.csv").contains("\n0,199,1,150,0,150,0,1.0\n"));
+  void moreThanCouldBeExpectedMakesThePolicyBeginAnew() throws IOException {
+    Path file = folder.resolve("hidden.scenario"); // not told by its name to be a scenario
+    Files.copy(CamSimRun.CROSSING, file);
+    CamSimRun run =
+        CamSimRun.of(folder.resolve("run"), "policy=qb-sarsa:k=1,out=results", file, 100);
+    assertEquals(
+        "hificamsim-bridge: step 55: more cameras or objects than expected:"
+            + " policy qb-sarsa:k=1 begins anew\n",
+        run.err());
+    assertEquals(100, run.rows("results/steps.csv").size());
+    assertEquals(
+        45, run.rows("results/zooms.csv").stream().filter(row -> row.contains(",E,")).count());
+    String summary = run.text("results/summary.json");
+    assertTrue(summary.contains("\"scenario\" : \"camsim\""), summary);
+    int messages = 2 * (4 * 40 + 3 * 15 + 4 * 45); // a query and an answer for each online camera
+    assertTrue(summary.contains("\"messages\" : " + messages + "\n"), summary);
   }
 
   private CamSimRun start(String main, String options, String... arguments) {

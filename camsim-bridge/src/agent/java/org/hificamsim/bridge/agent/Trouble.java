@@ -13,10 +13,15 @@ public final class Trouble {
    */
   public static void tell(String problem, boolean strict) {
     String outcome = strict ? "stopped, as strict=true asks" : "CamSim runs on unchanged";
-    System.err.println("hificamsim-bridge: " + problem + "; " + outcome);
+    note(problem + "; " + outcome);
     if (strict) {
       System.exit(STOPPED);
     }
+  }
+
+  /** Tells what is worth knowing: one line on standard error. */
+  public static void note(String text) {
+    System.err.println("hificamsim-bridge: " + text);
   }
 
   /** Whether the options ask to stop, also when they are wrong otherwise. */

@@ -11,9 +11,11 @@ import org.hificamsim.core.scenario.CameraSpec;
  * The cameras and objects of a running CamSim, as policies and listeners know a network.
  *
  * <p>CamSim does not say who is to come: the counts hold room for some that are not online (not
- * present) yet, see {@link #reserve}.
+ * present) yet, see {@link #expect}.
  */
 final class LiveNetwork implements NetworkView {
+  private static final int LEAST_ROOM = 8;
+
   private final CamSim camsim;
   private final Object core;
   private final Sight sight;
@@ -57,15 +59,20 @@ final class LiveNetwork implements NetworkView {
     targets.all().forEach(LiveTarget::uncover);
   }
 
-  /** Counts so many more cameras and targets than there are, for those that events bring. */
-  void reserve(int moreCameras, int moreTargets) {
-    cameras.reserve(moreCameras);
-    targets.reserve(moreTargets);
+  /** Counts so many cameras and targets, of which some are to come. */
+  void expect(int allCameras, int allTargets) {
+    cameras.reserve(allCameras);
+    targets.reserve(allTargets);
   }
 
-  /** Whether events have brought more than there was room for. */
+  /** Whether there are more cameras or targets than were expected. */
   boolean outgrown() {
     return cameras.outgrown() || targets.outgrown();
+  }
+
+  /** Counts the cameras there are, and twice the targets, which come more often. */
+  void makeRoom() {
+    expect(cameras.all().size(), 2 * targets.all().size() + LEAST_ROOM);
   }
 
   /** Sets a camera's level, and CamSim's range by it. */
@@ -76,6 +83,11 @@ final class LiveNetwork implements NetworkView {
   /** Gives all cameras back the ranges they had before any policy. */
   void restoreRanges() {
     cameras.all().forEach(camera -> camera.restore(camsim));
+  }
+
+  /** The names of the cameras that there have been; empty where one is not known. */
+  List<String> cameraNames() {
+    return cameras.all().stream().map(LiveCamera::name).toList();
   }
 
   /** The cameras that there have been, as a scenario describes them. */

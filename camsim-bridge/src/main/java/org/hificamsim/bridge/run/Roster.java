@@ -66,9 +66,9 @@ final class Roster<T> {
     return all;
   }
 
-  /** Counts so many more than have been seen. */
-  void reserve(int more) {
-    room = all.size() + more;
+  /** Counts so many from now on, or all that have been seen if these are more. */
+  void reserve(int newRoom) {
+    room = newRoom;
   }
 
   /** How many there are, those to come included. */

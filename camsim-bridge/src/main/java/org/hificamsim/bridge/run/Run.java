@@ -2,9 +2,16 @@ package org.hificamsim.bridge.run;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.experiments.run.RunPlan;
 
 /**
@@ -16,6 +23,7 @@ import org.hificamsim.experiments.run.RunPlan;
  */
 final class Run {
   private static final String NO_POLICY = "none";
+  private static final String NO_SCENARIO = "camsim";
 
   private final Setup setup;
   private final int number;
@@ -25,6 +33,7 @@ final class Run {
   private final Optional<Steering> steering;
   private final Optional<Recording> recording;
   private final StepCoverage coverage = new StepCoverage();
+  private Optional<ScenarioFile> scenario = Optional.empty();
   private long step;
   private boolean prepared;
   private boolean ended;
@@ -120,6 +129,10 @@ final class Run {
     if (!prepared) {
       prepared = true;
       network.refresh(step);
+      if (step == 0) {
+        scenario = ScenarioFile.with(network.cameraNames());
+        scenario.ifPresent(file -> network.expect(file.allCameras(), file.allTargets()));
+      }
       steering.ifPresent(policy -> policy.decide(network));
       network.forget();
     }
@@ -127,12 +140,29 @@ final class Run {
 
   private RunPlan plan(int steps) {
     return new RunPlan(
-        RunningScenario.of(setup.zooms(), network.cameraSpecs()),
+        described(),
         setup.seen(),
         setup.policy().map(Setup.Policy::spec).orElse(NO_POLICY),
         steps,
         seed(),
         1);
+  }
+
+  /** What result files say of the scenario; the field and what moves in it are not asked for. */
+  private Scenario described() {
+    return new Scenario(
+        scenario.map(ScenarioFile::name).orElse(NO_SCENARIO),
+        new Field(Double.NaN, Double.NaN, Double.NaN, Double.NaN),
+        StepOrder.CAMSIM,
+        Headings.DEGREES,
+        OptionalDouble.empty(),
+        OptionalDouble.empty(),
+        setup.zooms(),
+        network.cameraSpecs(),
+        List.of(),
+        List.of(),
+        Optional.empty(),
+        Map.of());
   }
 
   private long seed() {

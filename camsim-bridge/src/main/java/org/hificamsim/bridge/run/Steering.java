@@ -1,21 +1,16 @@
 package org.hificamsim.bridge.run;
 
 import java.util.SplittableRandom;
-import org.hificamsim.core.InputException;
+import org.hificamsim.bridge.agent.Trouble;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
  * A zoom policy that sets the ranges of CamSim's cameras.
  *
- * <p>Policies size their tables when they begin, and CamSim does not say what its events will
- * bring: so they are told of more cameras and targets than there are. One that insists on the exact
- * number, as levels given one by one do, gets it. Where events bring still more, the policy begins
- * anew and has to learn again.
+ * <p>Policies size their tables when they begin. Where events bring more cameras or targets than
+ * were expected then, the policy begins anew and has to learn again, which is told.
  */
 final class Steering {
-  private static final int ROOM_FOR_CAMERAS = 16;
-  private static final int ROOM_FOR_TARGETS = 64;
-
   private final Setup.Policy given;
   private final long seed;
   private ZoomPolicy policy;
@@ -30,7 +25,7 @@ final class Steering {
   /**
    * All cameras decide from the same snapshot, then all ranges are set.
    *
-   * @throws InputException when the policy does not suit the cameras
+   * @throws org.hificamsim.core.InputException when the policy does not suit the cameras
    */
   void decide(LiveNetwork network) {
     if (policy == null || network.outgrown()) {
@@ -58,25 +53,18 @@ final class Steering {
   }
 
   private void begin(LiveNetwork network) {
-    earlierMessages = messages();
-    policy = begun(network);
-    levels = new int[network.cameras()];
-  }
-
-  private ZoomPolicy begun(LiveNetwork network) {
-    try {
-      network.reserve(ROOM_FOR_CAMERAS, ROOM_FOR_TARGETS);
-      return newPolicy(network);
-    } catch (InputException e) {
-      network.reserve(0, ROOM_FOR_TARGETS);
-      return newPolicy(network);
+    if (policy != null) {
+      Trouble.note(
+          "step %d: more cameras or objects than expected: policy %s begins anew"
+              .formatted(network.step(), given.spec()));
     }
-  }
-
-  private ZoomPolicy newPolicy(LiveNetwork network) {
-    ZoomPolicy made = given.maker().get();
-    made.begin(network, new SplittableRandom(seed));
-    return made;
+    if (network.outgrown()) {
+      network.makeRoom();
+    }
+    earlierMessages = messages();
+    policy = given.maker().get();
+    policy.begin(network, new SplittableRandom(seed));
+    levels = new int[network.cameras()];
   }
 
   private int checked(LiveNetwork network, int camera) {
