@@ -44,7 +44,7 @@ detection=geometric,threshold=2  | options: threshold is '2', expected a number 
 threshold=0.5                    | threshold is '0.5' without detection, expected both
 policy=random,zooms=5;3          | zooms has '3' after 5.0, expected rising radii, each once
 policy=random,zooms=0;3          | options: zooms is '0', expected a number from
-out=without/output.csv/x         | --out 'without/output.csv/x' cannot be made
+          out=stdout                       | --out 'stdout' is a file, expected a folder
 strict=perhaps,policy=random     | options: strict is 'perhaps', expected one of false, true
 policy=random,policy=zoom-in     | options: option 'policy=zoom-in', expected key=value with each key once
 """)

@@ -81,7 +81,8 @@ record ScenarioFile(String name, List<String> cameras, int allCameras, int allTa
         && "add".equals(xml.getAttributeValue(null, "event"));
   }
 
-  private boolean starts(List<String> names) {
+  /** Whether a run that begins with these cameras may be one of this file. */
+  boolean starts(List<String> names) {
     if (names.size() < cameras.size() || names.size() > allCameras) {
       return false;
     }
