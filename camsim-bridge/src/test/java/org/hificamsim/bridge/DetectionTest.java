@@ -18,6 +18,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -25,12 +26,20 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What cameras of CamSim see under the agent. */
 class DetectionTest {
+  @TempDir static Path plain;
+  private static CamSimRun without;
+
   @TempDir Path folder;
+
+  @BeforeAll
+  static void runWithoutAgent() {
+    without = CamSimRun.of(plain, CamSimRun.WITHOUT_AGENT);
+  }
 
   @Test
   void withoutAnOptionNothingChanges() {
     CamSimRun with = run("with", CamSimRun.WITHOUT_OPTIONS);
-    assertEquals(run("without", CamSimRun.WITHOUT_AGENT).all(), with.all());
+    assertEquals(without.all(), with.all());
     assertEquals("", with.err());
     assertEquals(200, with.rows("output.csv").size());
   }
@@ -38,7 +47,7 @@ class DetectionTest {
   @Test
   void camSimsOwnVisibilityGivesCamSimsOwnNumbers() {
     CamSimRun with = run("with", "detection=camsim-visibility");
-    assertEquals(run("without", CamSimRun.WITHOUT_AGENT).all(), with.all());
+    assertEquals(without.all(), with.all());
     assertEquals("", with.err());
   }
 
@@ -47,18 +56,17 @@ class DetectionTest {
   void camSimsOwnVisibilityGivesCamSimsOwnNumbersForItsOwnScenarios(String name) {
     Path scenario = CamSimRun.reference("scenarios/" + name + ".xml");
     assumeTrue(Files.exists(scenario), scenario + " is missing");
-    CamSimRun without =
-        CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, scenario, 300);
+    CamSimRun own = CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, scenario, 300);
     CamSimRun with =
         CamSimRun.of(folder.resolve("with"), "detection=camsim-visibility", scenario, 300);
-    assertEquals(without.all(), with.all());
+    assertEquals(own.all(), with.all());
     assertTrue(with.rows("looks.csv").size() > 1000);
   }
 
   @Test
   void watchingChangesNothing() {
     CamSimRun with = run("with", "out=results");
-    assertEquals(run("without", CamSimRun.WITHOUT_AGENT).all(), with.all());
+    assertEquals(without.all(), with.all());
     assertEquals("", with.err());
   }
 
@@ -69,7 +77,7 @@ class DetectionTest {
     Detection detection = Engine.detection("hifi:orb-lin");
     int visible = assertFollows(with, detection, TargetSpec.DEFAULT_SIZE);
     assertTrue(visible > 50, visible + " looks saw anything");
-    assertNotEquals(run("without", CamSimRun.WITHOUT_AGENT).all(), with.all());
+    assertNotEquals(without.all(), with.all());
   }
 
   @Test

@@ -27,18 +27,13 @@ class PolicyTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "zoom-out",
-        "zoom-in",
-        "fixed:2",
         "fixed:0;1;2;3;1",
         "random",
         "optimal",
         "one-hop",
         "epsilon-greedy:epsilon=0.2",
         "ucb1",
-        "softmax",
         "sarsa:gamma=0.9;epsilon=0.1",
-        "q-learning",
         "qb-sarsa:k=2"
       })
   void decidesAsInOurOwnEngineWhileCamerasAndObjectsComeAndGo(String policy) throws IOException {
