@@ -102,9 +102,10 @@ class RefusalTest {
         with.err());
   }
 
-  @Test
-  void whatTheOptionsDoNotNeedMayBeMissing() throws IOException {
-    Path classes = Variant.of(folder, "change(", "alter(");
+  @ParameterizedTest
+  @CsvSource({"change(, alter(", "getFeatures, identity", "close_files, finish"})
+  void whatTheOptionsDoNotNeedMayBeMissing(String text, String replacement) throws IOException {
+    Path classes = Variant.of(folder, text, replacement);
     CamSimRun with = start("detection=camsim-visibility", classes);
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());

@@ -124,8 +124,11 @@ public final class CamSim {
     return number(objectY, object);
   }
 
-  /** The object's features, several between semicolons. */
+  /** The object's features, several between semicolons; empty where this CamSim tells none. */
   public String features(Object object) {
+    if (features == null) {
+      return "";
+    }
     Object value = any(features, object);
     return value instanceof Collection<?> several
         ? several.stream().map(String::valueOf).collect(Collectors.joining(";"))
@@ -162,7 +165,7 @@ public final class CamSim {
     }
   }
 
-  /** A method as a handle of this type; null where this CamSim has none, and nobody calls it. */
+  /** A method as a handle of this type; null where this CamSim has none, and no option needs it. */
   private MethodHandle bind(Method method, MethodType type) {
     try {
       for (Class<?> owner = Class.forName(method.type(), false, loader);

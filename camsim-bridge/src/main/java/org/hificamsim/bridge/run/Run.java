@@ -127,15 +127,19 @@ final class Run {
 
   private void prepare() {
     if (!prepared) {
-      prepared = true;
-      network.refresh(step);
-      if (step == 0) {
-        scenario = ScenarioFile.with(network.cameraNames());
-        scenario.ifPresent(file -> network.expect(file.allCameras(), file.allTargets()));
-      }
-      steering.ifPresent(policy -> policy.decide(network));
-      network.forget();
+      prepared = true; // before CamSim is called, which may call back
+      readAndSteer();
     }
+  }
+
+  private synchronized void readAndSteer() {
+    network.refresh(step);
+    if (step == 0) {
+      scenario = ScenarioFile.with(network.cameraNames());
+      scenario.ifPresent(file -> network.expect(file.allCameras(), file.allTargets()));
+    }
+    steering.ifPresent(policy -> policy.decide(network));
+    network.forget();
   }
 
   private RunPlan plan(int steps) {
