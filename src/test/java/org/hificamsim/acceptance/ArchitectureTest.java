@@ -42,18 +42,23 @@ class ArchitectureTest {
           .definedBy("org.hificamsim.hifi..")
           .layer("core")
           .definedBy("org.hificamsim.core..")
-          .whereLayer("experiments")
+          .layer("bridge")
+          .definedBy("org.hificamsim.bridge..")
+          .whereLayer("bridge")
           .mayNotBeAccessedByAnyLayer()
+          .whereLayer("experiments")
+          .mayOnlyBeAccessedByLayers("bridge")
           .whereLayer("profiling")
           .mayOnlyBeAccessedByLayers("experiments")
           .whereLayer("catalogue")
-          .mayOnlyBeAccessedByLayers("experiments")
+          .mayOnlyBeAccessedByLayers("experiments", "bridge")
           .whereLayer("agents")
-          .mayOnlyBeAccessedByLayers("experiments", "catalogue")
+          .mayOnlyBeAccessedByLayers("catalogue", "experiments", "bridge")
           .whereLayer("hifi")
-          .mayOnlyBeAccessedByLayers("experiments", "catalogue", "profiling")
+          .mayOnlyBeAccessedByLayers("catalogue", "experiments", "profiling", "bridge")
           .whereLayer("core")
-          .mayOnlyBeAccessedByLayers("experiments", "catalogue", "profiling", "agents", "hifi");
+          .mayOnlyBeAccessedByLayers(
+              "catalogue", "experiments", "profiling", "agents", "hifi", "bridge");
 
   @ArchTest
   static final ArchRule coreNeedsTheJdkAlone =
@@ -63,6 +68,42 @@ class ArchitectureTest {
           .should()
           .onlyDependOnClassesThat()
           .resideInAnyPackage("org.hificamsim.core..", "java..", "javax.xml..", "org.xml.sax..");
+
+  /** What of the command line is inside the agent's jar, and stays as light as it is. */
+  @ArchTest
+  static final ArchRule theBridgeTakesNothingHeavyFromExperiments =
+      classes()
+          .that()
+          .resideInAnyPackage(
+              "org.hificamsim.bridge..",
+              "org.hificamsim.catalogue..",
+              "org.hificamsim.experiments.output..",
+              "org.hificamsim.experiments.run..")
+          .should()
+          .onlyDependOnClassesThat()
+          .resideInAnyPackage(
+              "org.hificamsim.bridge..",
+              "org.hificamsim.catalogue..",
+              "org.hificamsim.experiments.output..",
+              "org.hificamsim.experiments.run..",
+              "org.hificamsim.agents..",
+              "org.hificamsim.hifi..",
+              "org.hificamsim.core..",
+              "com.fasterxml.jackson..",
+              "org.apache.commons.math3..",
+              "net.bytebuddy..",
+              "java..",
+              "javax.xml.stream..");
+
+  /** CamSim's class loader sees these, whatever its Java. */
+  @ArchTest
+  static final ArchRule theAgentNeedsTheJdkAlone =
+      classes()
+          .that()
+          .resideInAPackage("org.hificamsim.bridge.agent..")
+          .should()
+          .onlyDependOnClassesThat()
+          .resideInAnyPackage("org.hificamsim.bridge.agent..", "java..");
 
   @ArchTest
   static final ArchRule stablePackagesExposeNothingThatMayChange =

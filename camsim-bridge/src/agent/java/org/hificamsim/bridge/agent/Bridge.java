@@ -1,0 +1,27 @@
+package org.hificamsim.bridge.agent;
+
+/** What CamSim calls, through {@link Hooks}, from the places where the agent has changed it. */
+public interface Bridge {
+  /** {@code SimCore.update()} begins. */
+  void stepBegins(Object core);
+
+  /** {@code SimCore.update()} has returned. */
+  void stepEnds(Object core);
+
+  /** {@code SimCore.close_files()} has returned. */
+  void runEnds(Object core);
+
+  /**
+   * A camera looks at an object, in the place of {@code CameraController.update_visiblity}.
+   *
+   * @return the confidence, 0 where the object is not visible; NaN when CamSim is to look itself
+   */
+  double look(Object camera, Object object);
+
+  /**
+   * CamSim has looked itself.
+   *
+   * @param confidence above 0 where the object is visible
+   */
+  void looked(Object camera, Object object, double confidence);
+}

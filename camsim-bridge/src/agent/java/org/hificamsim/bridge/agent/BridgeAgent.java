@@ -1,0 +1,47 @@
+package org.hificamsim.bridge.agent;
+
+import java.lang.instrument.Instrumentation;
+import java.net.URL;
+import java.util.function.BiConsumer;
+
+/**
+ * The Java agent {@code -javaagent:hificamsim-bridge.jar=OPTIONS}. Compiled for Java 8, so that an
+ * older JVM gets one line and not a stack trace.
+ */
+public final class BridgeAgent {
+  private static final String INSTALLER = "org.hificamsim.bridge.Installer";
+  private static final double OLDEST_JAVA = 17;
+
+  private BridgeAgent() {}
+
+  /**
+   * Called by the JVM before CamSim's main method. Without an option nothing is loaded or changed.
+   */
+  public static void premain(String options, Instrumentation instrumentation) {
+    if (options == null || options.trim().isEmpty()) {
+      return;
+    }
+    String java = System.getProperty("java.specification.version");
+    if (Double.parseDouble(java) < OLDEST_JAVA) {
+      refuse(options, "Java 17 or later is needed, this is " + java);
+      return;
+    }
+    try {
+      installer().accept(options, instrumentation);
+    } catch (ReflectiveOperationException | java.io.IOException | LinkageError e) {
+      refuse(options, "the agent's jar is not whole: " + e);
+    }
+  }
+
+  @SuppressWarnings("unchecked") // Installer is one
+  private static BiConsumer<String, Instrumentation> installer()
+      throws ReflectiveOperationException, java.io.IOException {
+    URL jar = BridgeAgent.class.getProtectionDomain().getCodeSource().getLocation();
+    Class<?> installer = new IsolatedLoader(jar).loadClass(INSTALLER);
+    return (BiConsumer<String, Instrumentation>) installer.getConstructor().newInstance();
+  }
+
+  private static void refuse(String options, String problem) {
+    Trouble.tell(problem, Trouble.strict(options));
+  }
+}

@@ -1,0 +1,29 @@
+package org.hificamsim.bridge.agent;
+
+import java.net.MalformedURLException;
+import java.net.URL;
+import java.net.URLClassLoader;
+
+/**
+ * Loads the bridge and its libraries from the folder {@code isolated/} of the agent's jar. CamSim's
+ * class path is none of its parents, and it is none of CamSim's: neither sees the other's
+ * libraries, whatever their versions. Only this package is shared.
+ */
+final class IsolatedLoader extends URLClassLoader {
+  private static final String SHARED = IsolatedLoader.class.getPackage().getName() + ".";
+
+  /**
+   * @param jar the agent's jar
+   */
+  IsolatedLoader(URL jar) throws MalformedURLException {
+    // The parent of the system class loader has the JDK's classes and nothing of the class path.
+    super(
+        new URL[] {new URL("jar:" + jar + "!/isolated/")},
+        ClassLoader.getSystemClassLoader().getParent());
+  }
+
+  @Override
+  protected Class<?> findClass(String name) throws ClassNotFoundException {
+    return name.startsWith(SHARED) ? Class.forName(name) : super.findClass(name);
+  }
+}

@@ -1,0 +1,31 @@
+package org.hificamsim.bridge.agent;
+
+/** Says what keeps the bridge from working: one line on standard error. */
+public final class Trouble {
+  private static final int STOPPED = 2;
+
+  private Trouble() {}
+
+  /**
+   * Tells a problem.
+   *
+   * @param strict whether the JVM stops, with exit code 2; else CamSim runs on without the bridge
+   */
+  public static void tell(String problem, boolean strict) {
+    String outcome = strict ? "stopped, as strict=true asks" : "CamSim runs on unchanged";
+    note(problem + "; " + outcome);
+    if (strict) {
+      System.exit(STOPPED);
+    }
+  }
+
+  /** Tells what is worth knowing: one line on standard error. */
+  public static void note(String text) {
+    System.err.println("hificamsim-bridge: " + text);
+  }
+
+  /** Whether the options ask to stop, also when they are wrong otherwise. */
+  public static boolean strict(String options) {
+    return ("," + options.replace(" ", "") + ",").contains(",strict=true,");
+  }
+}

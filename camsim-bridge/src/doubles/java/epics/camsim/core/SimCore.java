@@ -1,0 +1,286 @@
+package epics.camsim.core;
+
+import java.io.File;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
+import org.w3c.dom.Element;
+import org.xml.sax.SAXException;
+
+/** The simulated world, and its steps. */
+public class SimCore {
+  private static final String HEADER =
+      "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;proportion";
+
+  private final ArrayList<CameraController> cameras = new ArrayList<>();
+  private final ArrayList<TraceableObject> objects = new ArrayList<>();
+  private final List<Attributes> events;
+  private final Random turn;
+  private final Path output;
+  private final List<String> rows = new ArrayList<>();
+  private final List<String> looks = new ArrayList<>();
+  private final double minX;
+  private final double maxX;
+  private final double minY;
+  private final double maxY;
+  private int time;
+
+  /** The world of a scenario file; its table goes to {@code output}. */
+  public SimCore(File scenario, long seed, Path output) throws IOException {
+    Element root = root(scenario);
+    this.output = output;
+    this.turn = new Random(seed);
+    Attributes field = Attributes.all(root, "simulation").get(0);
+    minX = field.number("min_x");
+    maxX = field.number("max_x");
+    minY = field.number("min_y");
+    maxY = field.number("max_y");
+    for (Attributes camera : Attributes.all(root, "camera")) {
+      add(camera(camera));
+    }
+    for (Attributes object : Attributes.all(root, "object")) {
+      add(object(object));
+    }
+    events = Attributes.all(root, "event");
+  }
+
+  private static Element root(File scenario) throws IOException {
+    try {
+      return DocumentBuilderFactory.newInstance()
+          .newDocumentBuilder()
+          .parse(scenario)
+          .getDocumentElement();
+    } catch (ParserConfigurationException | SAXException e) {
+      throw new IOException(e);
+    }
+  }
+
+  /** Left border, metres. */
+  public double get_min_x() {
+    return minX;
+  }
+
+  /** Right border, metres. */
+  public double get_max_x() {
+    return maxX;
+  }
+
+  /** Lower border, metres. */
+  public double get_min_y() {
+    return minY;
+  }
+
+  /** Upper border, metres. */
+  public double get_max_y() {
+    return maxY;
+  }
+
+  /** All cameras. */
+  public List<CameraController> getCameras() {
+    return cameras;
+  }
+
+  /** The objects in the world. */
+  public List<TraceableObject> getObjects() {
+    return objects;
+  }
+
+  boolean contains(double x, double y) {
+    return !(x > maxX || x < minX || y > maxY || y < minY);
+  }
+
+  /** CamSim's ordinate from the top. */
+  double top(double y) {
+    return (minY + y) * -1;
+  }
+
+  /** One step. */
+  public void update() {
+    for (Attributes event : events) {
+      if (event.integer("timestep") == time) {
+        fire(event);
+      }
+    }
+    for (TraceableObject object : objects) {
+      object.move(this, turn);
+    }
+    for (CameraController camera : cameras) {
+      if (!camera.isOffline()) {
+        for (TraceableObject object : objects) {
+          log(camera, object, camera.update_visiblity(object));
+        }
+      }
+    }
+    trade();
+    time++;
+  }
+
+  private void log(CameraController camera, TraceableObject object, double confidence) {
+    Double kept = camera.visible().get(object);
+    looks.add(
+        time
+            + ","
+            + camera.getName()
+            + ","
+            + object.getFeatures().get(0)
+            + ","
+            + camera.getRange()
+            + ","
+            + object.getX()
+            + ","
+            + object.getY()
+            + ","
+            + confidence
+            + ","
+            + (kept == null ? "" : kept));
+  }
+
+  private void trade() {
+    List<CameraController> online = new ArrayList<>(cameras);
+    online.removeIf(CameraController::isOffline);
+    int delivered = 0;
+    int sent = 0;
+    for (CameraController camera : online) {
+      delivered += camera.advertise();
+    }
+    online.forEach(CameraController::lookForSearched);
+    double overlap = 0;
+    double confidence = 0;
+    int tracked = 0;
+    int handovers = 0;
+    for (int i = 0; i < online.size(); i++) {
+      CameraController camera = online.get(i);
+      sent += camera.sent();
+      handovers += camera.settle();
+      for (CameraController later : online.subList(i + 1, online.size())) {
+        overlap += Overlap.of(this, camera, later);
+      }
+      confidence += camera.certainty(this);
+      tracked += camera.tracked().size();
+    }
+    double utility = 0;
+    for (CameraController camera : online) {
+      utility += camera.utility();
+    }
+    double proportion = tracked == 0 || objects.isEmpty() ? 0 : (double) tracked / objects.size();
+    rows.add(
+        time
+            + ";"
+            + utility
+            + ";"
+            + delivered
+            + ";0;0;0.0;"
+            + sent
+            + ";"
+            + overlap
+            + ";"
+            + confidence
+            + ";"
+            + proportion);
+    System.out.println("step " + time + ": " + handovers + " handovers");
+  }
+
+  private void fire(Attributes event) {
+    String what = event.text("participant") + " " + event.text("event");
+    if (what.equals("camera error")) {
+      online(event.text("name")).switchOff();
+    } else if (what.equals("camera change")) {
+      online(event.text("name"))
+          .change(
+              event.number("x"),
+              event.number("y"),
+              event.number("heading"),
+              event.number("viewing_angle"),
+              event.number("range"));
+    } else if (what.equals("camera add")) {
+      add(camera(event));
+    } else if (what.equals("object add")) {
+      add(added(event));
+    } else if (what.equals("object error")) {
+      remove(event.number("name"));
+    }
+  }
+
+  private CameraController online(String name) {
+    return cameras.stream().filter(camera -> camera.getName().equals(name)).findFirst().get();
+  }
+
+  private static CameraController camera(Attributes given) {
+    return new CameraController(
+        given.text("name"),
+        given.number("x"),
+        given.number("y"),
+        Math.toRadians(given.number("heading")),
+        Math.toRadians(given.number("viewing_angle")),
+        given.number("range"));
+  }
+
+  /** Waypoints by class name swap speed and heading: CamSim's quirk Q3. */
+  private static TraceableObject object(Attributes given) {
+    Place start = new Place(given.number("x"), given.number("y"));
+    double heading = Math.toRadians(given.number("heading"));
+    boolean path = given.text("move").endsWith("Waypoints");
+    return new TraceableObject(
+        given.number("features"),
+        start,
+        heading,
+        path ? heading : given.number("speed"),
+        path ? given.waypoints() : Collections.emptyList());
+  }
+
+  private static TraceableObject added(Attributes event) {
+    List<Place> path = event.waypoints();
+    Place start = path.isEmpty() ? new Place(event.number("x"), event.number("y")) : path.get(0);
+    double heading = Math.toRadians(event.number("heading"));
+    return new TraceableObject(event.number("name"), start, heading, event.number("speed"), path);
+  }
+
+  private void add(CameraController camera) {
+    for (CameraController other : cameras) {
+      camera.meet(other);
+      if (!other.isOffline()) {
+        other.meet(camera);
+      }
+    }
+    cameras.add(camera);
+  }
+
+  private void add(TraceableObject object) {
+    objects.add(object);
+    for (CameraController camera : cameras) {
+      if (!camera.isOffline()) {
+        camera.announce(object);
+      }
+    }
+  }
+
+  private void remove(double features) {
+    for (TraceableObject object : new ArrayList<>(objects)) {
+      if (object.getFeatures().get(0) == features) {
+        objects.remove(object);
+        cameras.stream().filter(c -> !c.isOffline()).forEach(c -> c.forget(object));
+      }
+    }
+  }
+
+  /** Writes the table of steps, and beside it who saw what. */
+  public void close_files() throws IOException {
+    write(output, HEADER, rows);
+    write(output.resolveSibling("looks.csv"), "time,camera,object,range,x,y,returned,kept", looks);
+  }
+
+  private static void write(Path file, String header, List<String> rows) throws IOException {
+    try (PrintWriter out = new PrintWriter(Files.newBufferedWriter(file, StandardCharsets.UTF_8))) {
+      out.println(header);
+      rows.forEach(out::println);
+    }
+  }
+}

@@ -1,0 +1,67 @@
+package epics.camsim.core;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.Random;
+
+/** An object that moves straight or along waypoints, and turns about at the border. */
+public class TraceableObject {
+  private static final double CLOSE = 1 - 0.00001;
+
+  private final List<Double> features;
+  private final List<Place> waypoints;
+  private double x;
+  private double y;
+  private double heading;
+  private double speed;
+  private int waypoint = 1;
+
+  TraceableObject(double features, Place start, double heading, double speed, List<Place> path) {
+    this.features = Collections.singletonList(features);
+    this.waypoints = path;
+    this.x = start.x;
+    this.y = start.y;
+    this.heading = heading;
+    this.speed = speed;
+  }
+
+  /** Metres. */
+  public double getX() {
+    return x;
+  }
+
+  /** Metres. */
+  public double getY() {
+    return y;
+  }
+
+  List<Double> getFeatures() {
+    return features;
+  }
+
+  void move(SimCore world, Random turn) {
+    if (!waypoints.isEmpty()) {
+      head();
+    }
+    double dx = Math.sin(heading) * speed;
+    double dy = Math.cos(heading) * speed;
+    x += dx;
+    y += dy;
+    if (!world.contains(x, y)) {
+      heading += Math.PI + (((turn.nextDouble() * 2 - 1) * Math.PI) / 6);
+      x -= dx;
+      y -= dy;
+    }
+  }
+
+  private void head() {
+    Place target = waypoints.get(waypoint);
+    double ex = x - target.x;
+    double ey = y - target.y;
+    if (Math.sqrt(ex * ex + ey * ey) < CLOSE) {
+      waypoint = (waypoint + 1) % waypoints.size();
+      target = waypoints.get(waypoint);
+    }
+    heading = Math.atan2(1, 0) - Math.atan2(target.y - y, target.x - x);
+  }
+}

@@ -1,0 +1,2 @@
+/** The stand-in for CamSim's command line. */
+package epics.camwin;

@@ -1,0 +1,123 @@
+package org.hificamsim.bridge;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.bridge.run.Setup;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
+import org.hificamsim.core.registry.Options;
+import org.hificamsim.core.scenario.TargetSpec;
+
+/** Reads the text after {@code -javaagent:hificamsim-bridge.jar=}. */
+final class BridgeOptions {
+  private static final int MOST_LEVELS = 1000;
+  private static final double LARGEST = 1e6;
+
+  private final Catalogue catalogue;
+  private final Options given;
+
+  private BridgeOptions(String text, Catalogue catalogue) {
+    this.catalogue = catalogue;
+    this.given = Options.parse("options", text);
+  }
+
+  /**
+   * The setup that {@code text} asks for.
+   *
+   * @throws InputException naming the option that is unknown, malformed or without effect
+   */
+  static Setup parse(String text, Catalogue catalogue) {
+    return new BridgeOptions(text, catalogue).setup();
+  }
+
+  private Setup setup() {
+    Optional<String> model = text("detection", "name or file of the detection model");
+    Optional<String> threshold = text("threshold", "what counts as detected, 0 to 1");
+    Optional<String> size = text("size", "target size, m");
+    Optional<String> policy = text("policy", "name and options of the zoom policy");
+    Optional<String> zooms = text("zooms", "radii, m");
+    int seed = given.integer("seed", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "seed of the policy");
+    Optional<String> out = text("out", "folder for result files");
+    given.choice("strict", Strict.FALSE, "whether to stop when something is wrong");
+    given.rejectUnknown();
+    requireFor("threshold", threshold, model.isPresent(), "detection");
+    requireFor("size", size, model.isPresent(), "detection");
+    requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
+    return new Setup(
+        model.map(name -> detection(name, threshold)),
+        size.map(value -> number("size", value, Double.MIN_VALUE, LARGEST))
+            .orElse(TargetSpec.DEFAULT_SIZE),
+        policy.map(this::policy),
+        zooms.map(BridgeOptions::radii).orElse(List.of()),
+        seed,
+        out.map(Path::of));
+  }
+
+  private Optional<String> text(String key, String meaning) {
+    return Optional.ofNullable(given.text(key, null, meaning));
+  }
+
+  private Detection detection(String name, Optional<String> threshold) {
+    DetectionModel model = catalogue.detection(name);
+    return new Detection(
+        model,
+        threshold.map(value -> number("threshold", value, 0, 1)).orElse(model.defaultThreshold()));
+  }
+
+  /** Commas separate the agent's own options: a policy's are separated by semicolons. */
+  private Setup.Policy policy(String given) {
+    String spec = given.replace(';', ',');
+    if (catalogue.policies().create(spec) instanceof HindsightZoomPolicy) {
+      throw new InputException(
+          "policy '"
+              + spec
+              + "' has to see the run before it begins, expected one that learns"
+              + " or decides as the run goes");
+    }
+    return new Setup.Policy(spec, () -> catalogue.policies().create(spec));
+  }
+
+  private static List<Double> radii(String text) {
+    List<Double> radii = new ArrayList<>();
+    for (String item : text.strip().split("[;,\\s]+")) {
+      double radius = number("zooms", item, Double.MIN_VALUE, LARGEST);
+      if (!radii.isEmpty() && radius <= radii.get(radii.size() - 1)) {
+        throw new InputException(
+            "zooms has '"
+                + item
+                + "' after "
+                + radii.get(radii.size() - 1)
+                + ", expected rising radii, each once, such as 2.5;5;7.5");
+      }
+      radii.add(radius);
+    }
+    if (radii.size() > MOST_LEVELS) {
+      throw new InputException(
+          "zooms has " + radii.size() + " radii, expected at most " + MOST_LEVELS);
+    }
+    return radii;
+  }
+
+  private static double number(String key, String text, double least, double most) {
+    return Options.parse("options", key + "=" + text).number(key, least, least, most, key);
+  }
+
+  private static void requireFor(
+      String key, Optional<String> value, boolean present, String needed) {
+    if (value.isPresent() && !present) {
+      throw new InputException(
+          key + " is '" + value.get() + "' without " + needed + ", expected both");
+    }
+  }
+
+  /** The words of {@code strict}. */
+  private enum Strict {
+    FALSE,
+    TRUE
+  }
+}

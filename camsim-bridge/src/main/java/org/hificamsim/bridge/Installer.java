@@ -1,0 +1,73 @@
+package org.hificamsim.bridge;
+
+import java.io.IOException;
+import java.lang.instrument.Instrumentation;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiConsumer;
+import org.hificamsim.bridge.agent.Hooks;
+import org.hificamsim.bridge.agent.Trouble;
+import org.hificamsim.bridge.camsim.Shape;
+import org.hificamsim.bridge.camsim.Weaver;
+import org.hificamsim.bridge.run.LiveBridge;
+import org.hificamsim.bridge.run.Setup;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.hificamsim.experiments.output.OutputFolder;
+
+/**
+ * Reads the options, makes sure that this CamSim has what they need, and has the hooks woven into
+ * its classes as the JVM loads them. Nothing is installed when anything is wrong.
+ */
+public final class Installer implements BiConsumer<String, Instrumentation> {
+  @Override
+  public void accept(String options, Instrumentation instrumentation) {
+    boolean strict = Trouble.strict(options);
+    try {
+      Setup setup = BridgeOptions.parse(options, catalogue());
+      if (setup.asksForAnything()) {
+        check(setup);
+        install(setup, instrumentation, strict);
+      }
+    } catch (InputException e) {
+      Trouble.tell(Place.printable(e.getMessage()), strict);
+    } catch (IOException | RuntimeException | LinkageError e) {
+      Trouble.tell(Place.printable(e.toString()), strict);
+    }
+  }
+
+  /** What comes with the bridge; what lies on CamSim's class path is none of its business. */
+  private static Catalogue catalogue() {
+    Thread thread = Thread.currentThread();
+    ClassLoader before = thread.getContextClassLoader();
+    thread.setContextClassLoader(Installer.class.getClassLoader());
+    try {
+      return Catalogue.load();
+    } finally {
+      thread.setContextClassLoader(before);
+    }
+  }
+
+  private static void check(Setup setup) throws IOException {
+    Shape shape =
+        new Shape(
+            setup.detection().isPresent(), setup.policy().isPresent(), setup.out().isPresent());
+    List<String> missing = shape.missing(ClassLoader.getSystemClassLoader());
+    if (!missing.isEmpty()) {
+      throw new InputException("not found in CamSim: " + String.join(", ", missing));
+    }
+    Optional<Path> out = setup.out();
+    if (out.isPresent()) {
+      new OutputFolder(out.get()).close();
+    }
+  }
+
+  private static void install(Setup setup, Instrumentation instrumentation, boolean strict) {
+    LiveBridge bridge = new LiveBridge(setup, strict);
+    Hooks.connect(bridge);
+    Runtime.getRuntime().addShutdownHook(new Thread(bridge::close, "hificamsim-bridge"));
+    Weaver.weave(instrumentation, bridge::fail);
+  }
+}

@@ -1,0 +1,235 @@
+package org.hificamsim.bridge.run;
+
+import java.util.List;
+import org.hificamsim.bridge.camsim.CamSim;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.scenario.CameraSpec;
+
+/**
+ * The cameras and objects of a running CamSim, as policies and listeners know a network.
+ *
+ * <p>CamSim does not say who is to come: the counts hold room for some that are not online (not
+ * present) yet, see {@link #expect}.
+ */
+final class LiveNetwork implements NetworkView {
+  private static final int LEAST_ROOM = 8;
+
+  private final CamSim camsim;
+  private final Object core;
+  private final Sight sight;
+  private final Zooms zooms;
+  private final Roster<LiveCamera> cameras;
+  private final Roster<LiveTarget> targets = new Roster<>(LiveTarget.TO_COME);
+  private int revision;
+  private long step;
+
+  /**
+   * @param core CamSim's {@code SimCore}
+   */
+  LiveNetwork(CamSim camsim, Object core, Sight sight, Zooms zooms) {
+    this.camsim = camsim;
+    this.core = core;
+    this.sight = sight;
+    this.zooms = zooms;
+    this.cameras = new Roster<>(LiveCamera.toCome(zooms));
+  }
+
+  /** Takes note of where everything is in this step; what was seen stays. */
+  void refresh(long newStep) {
+    step = newStep;
+    cameras.update(camsim.cameras(core), handle -> LiveCamera.of(handle, camsim, zooms));
+    for (int camera = 0; camera < cameras.all().size(); camera++) {
+      LiveCamera eye = cameras.get(camera);
+      boolean changed = cameras.isThere(camera) ? eye.refresh(camsim) : eye.switchOff();
+      revision += changed ? 1 : 0;
+    }
+    targets.update(camsim.objects(core), handle -> new LiveTarget(handle, camsim.features(handle)));
+    for (int target = 0; target < targets.all().size(); target++) {
+      targets.get(target).refresh(camsim, targets.isThere(target));
+    }
+  }
+
+  /** Forgets what was seen. */
+  void forget() {
+    for (LiveCamera camera : cameras.all()) {
+      camera.seen().clear();
+    }
+    targets.all().forEach(LiveTarget::uncover);
+  }
+
+  /** Counts so many cameras and targets, of which some are to come. */
+  void expect(int allCameras, int allTargets) {
+    cameras.reserve(allCameras);
+    targets.reserve(allTargets);
+  }
+
+  /** Whether there are more cameras or targets than were expected. */
+  boolean outgrown() {
+    return cameras.outgrown() || targets.outgrown();
+  }
+
+  /** Counts the cameras there are, and twice the targets, which come more often. */
+  void makeRoom() {
+    expect(cameras.all().size(), 2 * targets.all().size() + LEAST_ROOM);
+  }
+
+  /** Sets a camera's level, and CamSim's range by it. */
+  void zoomTo(int camera, int level) {
+    cameras.get(camera).zoomTo(level, camsim);
+  }
+
+  /** Gives all cameras back the ranges they had before any policy. */
+  void restoreRanges() {
+    cameras.all().forEach(camera -> camera.restore(camsim));
+  }
+
+  /** The names of the cameras that there have been; empty where one is not known. */
+  List<String> cameraNames() {
+    return cameras.all().stream().map(LiveCamera::name).toList();
+  }
+
+  /** The cameras that there have been, as a scenario describes them. */
+  List<CameraSpec> cameraSpecs() {
+    return cameras.all().stream().map(LiveCamera::spec).toList();
+  }
+
+  /**
+   * One of CamSim's cameras looks at one of its objects.
+   *
+   * @return the confidence; 0 where it is not visible; NaN where CamSim's lists lack one of them
+   */
+  double look(Object camera, Object object) {
+    if (cameras.number(camera) < 0 || targets.number(object) < 0) {
+      refresh(step);
+    }
+    int eye = cameras.number(camera);
+    int target = targets.number(object);
+    if (eye < 0 || target < 0) {
+      return Double.NaN;
+    }
+    targets.get(target).refresh(camsim, true);
+    LiveCamera looking = cameras.get(eye);
+    double confidence = sight.confidence(looking, looking.zoom(), targetX(target), targetY(target));
+    saw(camera, object, confidence > 0);
+    return confidence;
+  }
+
+  /** Records what came of a camera's look at an object in this step. */
+  void saw(Object camera, Object object, boolean visible) {
+    int eye = cameras.number(camera);
+    int target = targets.number(object);
+    if (eye >= 0 && target >= 0 && cameras.get(eye).seen().get(target) != visible) {
+      cameras.get(eye).seen().set(target, visible);
+      targets.get(target).cover(visible ? 1 : -1);
+    }
+  }
+
+  @Override
+  public long step() {
+    return step;
+  }
+
+  @Override
+  public int revision() {
+    return revision;
+  }
+
+  @Override
+  public int cameras() {
+    return cameras.count();
+  }
+
+  @Override
+  public String cameraName(int camera) {
+    return cameras.get(camera).name();
+  }
+
+  @Override
+  public boolean online(int camera) {
+    return cameras.get(camera).online();
+  }
+
+  @Override
+  public double cameraX(int camera) {
+    return cameras.get(camera).x();
+  }
+
+  @Override
+  public double cameraY(int camera) {
+    return cameras.get(camera).y();
+  }
+
+  @Override
+  public int levels(int camera) {
+    return zooms.levels();
+  }
+
+  @Override
+  public int level(int camera) {
+    return cameras.get(camera).level();
+  }
+
+  @Override
+  public ZoomLevel zoom(int camera, int level) {
+    return cameras.get(camera).zoom(level);
+  }
+
+  @Override
+  public int detected(int camera) {
+    LiveCamera eye = cameras.get(camera);
+    return eye.online() ? eye.seen().cardinality() : 0;
+  }
+
+  @Override
+  public int targets() {
+    return targets.count();
+  }
+
+  @Override
+  public String targetName(int target) {
+    return targets.get(target).name();
+  }
+
+  @Override
+  public boolean present(int target) {
+    return targets.get(target).present();
+  }
+
+  @Override
+  public double targetX(int target) {
+    return targets.get(target).x();
+  }
+
+  @Override
+  public double targetY(int target) {
+    return targets.get(target).y();
+  }
+
+  @Override
+  public int coverage(int target) {
+    return targets.get(target).coverage();
+  }
+
+  @Override
+  public double confidence(int camera, int target) {
+    LiveCamera eye = cameras.get(camera);
+    return present(target)
+        ? DetectionModel.clamp(sight.value(eye, eye.zoom(), targetX(target), targetY(target)))
+        : 0;
+  }
+
+  @Override
+  public boolean detects(int camera, int level, int target) {
+    LiveCamera eye = cameras.get(camera);
+    return present(target)
+        && sight.confidence(eye, eye.zoom(level), targetX(target), targetY(target)) > 0;
+  }
+
+  @Override
+  public boolean dominates(int camera, int level, int other) {
+    LiveCamera eye = cameras.get(camera);
+    return sight.dominates(eye.zoom(level), eye.zoom(other));
+  }
+}

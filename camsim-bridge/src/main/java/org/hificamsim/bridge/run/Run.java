@@ -1,0 +1,180 @@
+package org.hificamsim.bridge.run;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.hificamsim.bridge.camsim.CamSim;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.experiments.run.RunPlan;
+
+/**
+ * One run of CamSim, from the first step of a {@code SimCore} to its end.
+ *
+ * <p>CamSim's step is: events, move, cameras look, auctions. The policy decides, and ranges are
+ * set, when the first camera is about to look; the policy learns, and coverage is measured, when
+ * the step is over.
+ */
+final class Run {
+  private static final String NO_POLICY = "none";
+  private static final String NO_SCENARIO = "camsim";
+
+  private final Setup setup;
+  private final int number;
+  private final Object core;
+  private final CamSim camsim;
+  private final LiveNetwork network;
+  private final Optional<Steering> steering;
+  private final Optional<Recording> recording;
+  private final StepCoverage coverage = new StepCoverage();
+  private Optional<ScenarioFile> scenario = Optional.empty();
+  private long step;
+  private boolean prepared;
+  private boolean ended;
+
+  /**
+   * @param number counts the runs of this JVM, from 0
+   */
+  Run(Setup setup, int number, Object core) throws IOException {
+    this.setup = setup;
+    this.number = number;
+    this.core = core;
+    this.camsim = new CamSim(core);
+    this.network =
+        new LiveNetwork(
+            camsim,
+            core,
+            new Sight(setup.seen(), setup.size()),
+            new Zooms(setup.policy().isPresent(), setup.zooms()));
+    this.steering = setup.policy().map(policy -> new Steering(policy, seed()));
+    this.recording =
+        setup.out().isPresent()
+            ? Optional.of(new Recording(folder(setup.out().get(), number), number))
+            : Optional.empty();
+  }
+
+  /** Whether this is the run of that core. */
+  boolean isOf(Object otherCore) {
+    return core == otherCore;
+  }
+
+  /** CamSim's own {@code SimCore}. */
+  Object core() {
+    return core;
+  }
+
+  /** A step begins. */
+  void stepBegins() {
+    prepared = false;
+  }
+
+  /**
+   * A camera looks at an object, which CamSim's own visible set of the camera will say.
+   *
+   * @return the confidence, 0 where it is not visible; NaN where CamSim is to look itself
+   */
+  double look(Object camera, Object object) {
+    prepare();
+    if (setup.detection().isEmpty()) {
+      return Double.NaN;
+    }
+    double confidence = network.look(camera, object);
+    if (!Double.isNaN(confidence)) {
+      camsim.setVisible(camera, object, confidence);
+    }
+    return confidence;
+  }
+
+  /** CamSim has looked itself. */
+  void looked(Object camera, Object object, double confidence) {
+    network.saw(camera, object, confidence > 0);
+  }
+
+  /** A step is over. */
+  synchronized void stepEnds() {
+    prepare();
+    steering.ifPresent(policy -> policy.learn(network));
+    coverage.measure(network);
+    if (!ended) {
+      recording.ifPresent(files -> files.stepped(network, coverage));
+    }
+    step++;
+  }
+
+  /** Puts the files into place, once. */
+  synchronized void end() throws IOException {
+    if (!ended) {
+      ended = true;
+      if (recording.isPresent()) {
+        Recording files = recording.get();
+        files.commit(plan(files.steps()), steering.map(Steering::messages).orElse(0L));
+      }
+    }
+  }
+
+  /** Leaves CamSim as it would be without a policy. */
+  void letGo() {
+    if (steering.isPresent()) {
+      network.restoreRanges();
+    }
+  }
+
+  private void prepare() {
+    if (!prepared) {
+      prepared = true; // before CamSim is called, which may call back
+      readAndSteer();
+    }
+  }
+
+  private synchronized void readAndSteer() {
+    network.refresh(step);
+    if (step == 0) {
+      scenario = ScenarioFile.with(network.cameraNames());
+      scenario.ifPresent(file -> network.expect(file.allCameras(), file.allTargets()));
+    }
+    steering.ifPresent(policy -> policy.decide(network));
+    network.forget();
+  }
+
+  private RunPlan plan(int steps) {
+    return new RunPlan(
+        described(),
+        setup.seen(),
+        setup.policy().map(Setup.Policy::spec).orElse(NO_POLICY),
+        steps,
+        seed(),
+        1);
+  }
+
+  /** What result files say of the scenario; the field and what moves in it are not asked for. */
+  private Scenario described() {
+    return new Scenario(
+        scenario.map(ScenarioFile::name).orElse(NO_SCENARIO),
+        new Field(Double.NaN, Double.NaN, Double.NaN, Double.NaN),
+        StepOrder.CAMSIM,
+        Headings.DEGREES,
+        OptionalDouble.empty(),
+        OptionalDouble.empty(),
+        setup.zooms(),
+        network.cameraSpecs(),
+        List.of(),
+        List.of(),
+        Optional.empty(),
+        Map.of());
+  }
+
+  private long seed() {
+    return (long) setup.seed() + number;
+  }
+
+  /** The first run's files go into the folder itself, those of run i into {@code run-i} in it. */
+  private static Path folder(Path out, int number) {
+    return number == 0 ? out : out.resolve("run-" + number);
+  }
+}

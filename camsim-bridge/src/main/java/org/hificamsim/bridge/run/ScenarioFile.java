@@ -1,0 +1,96 @@
+package org.hificamsim.bridge.run;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import javax.xml.stream.XMLInputFactory;
+import javax.xml.stream.XMLStreamConstants;
+import javax.xml.stream.XMLStreamException;
+import javax.xml.stream.XMLStreamReader;
+
+/**
+ * The scenario file that CamSim was started with, as far as the bridge needs it: CamSim's cores do
+ * not tell their scenario's name, nor who is to come.
+ *
+ * @param name the file's name without its ending
+ * @param cameras names of the cameras of the start, in order
+ * @param allCameras how many cameras there will ever be
+ * @param allTargets how many targets there will ever be
+ */
+record ScenarioFile(String name, List<String> cameras, int allCameras, int allTargets) {
+  private static final String ENDING = ".xml";
+  private static final Set<String> TARGETS = Set.of("object", "object_with_waypoints");
+
+  /**
+   * The file on the JVM's command line that has these cameras.
+   *
+   * @param names of the cameras in the first step; empty for one whose name is not known
+   */
+  static Optional<ScenarioFile> with(List<String> names) {
+    String[] arguments = ProcessHandle.current().info().arguments().orElse(new String[0]);
+    return Arrays.stream(arguments)
+        .filter(argument -> argument.toLowerCase(Locale.ROOT).endsWith(ENDING))
+        .flatMap(argument -> read(Path.of(argument)))
+        .filter(file -> file.starts(names))
+        .findFirst();
+  }
+
+  /** The file; nothing where it cannot be read, which is CamSim's matter. */
+  static Stream<ScenarioFile> read(Path file) {
+    XMLInputFactory factory = XMLInputFactory.newDefaultFactory();
+    factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
+    try (InputStream in = Files.newInputStream(file)) {
+      String name = file.getFileName().toString();
+      return Stream.of(
+          read(
+              name.substring(0, name.length() - ENDING.length()),
+              factory.createXMLStreamReader(in)));
+    } catch (IOException | XMLStreamException e) {
+      return Stream.empty();
+    }
+  }
+
+  private static ScenarioFile read(String name, XMLStreamReader xml) throws XMLStreamException {
+    List<String> cameras = new ArrayList<>();
+    int cameraEvents = 0;
+    int targets = 0;
+    while (xml.hasNext()) {
+      if (xml.next() == XMLStreamConstants.START_ELEMENT) {
+        String tag = xml.getLocalName();
+        if (tag.equals("camera")) {
+          cameras.add(String.valueOf(xml.getAttributeValue(null, "name")));
+        }
+        cameraEvents += adds(xml, "camera") ? 1 : 0;
+        targets += TARGETS.contains(tag) || adds(xml, "object") ? 1 : 0;
+      }
+    }
+    return new ScenarioFile(name, cameras, cameras.size() + cameraEvents, targets);
+  }
+
+  private static boolean adds(XMLStreamReader xml, String participant) {
+    return xml.getLocalName().equals("event")
+        && participant.equals(xml.getAttributeValue(null, "participant"))
+        && "add".equals(xml.getAttributeValue(null, "event"));
+  }
+
+  /** Whether a run that begins with these cameras may be one of this file. */
+  boolean starts(List<String> names) {
+    if (names.size() < cameras.size() || names.size() > allCameras) {
+      return false;
+    }
+    for (int i = 0; i < cameras.size(); i++) {
+      if (!names.get(i).isEmpty() && !names.get(i).equals(cameras.get(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+}

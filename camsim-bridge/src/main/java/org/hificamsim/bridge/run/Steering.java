@@ -1,0 +1,82 @@
+package org.hificamsim.bridge.run;
+
+import java.util.SplittableRandom;
+import org.hificamsim.bridge.agent.Trouble;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/**
+ * A zoom policy that sets the ranges of CamSim's cameras.
+ *
+ * <p>Policies size their tables when they begin. Where events bring more cameras or targets than
+ * were expected then, the policy begins anew and has to learn again, which is told.
+ */
+final class Steering {
+  private final Setup.Policy given;
+  private final long seed;
+  private ZoomPolicy policy;
+  private int[] levels;
+  private long earlierMessages;
+
+  Steering(Setup.Policy given, long seed) {
+    this.given = given;
+    this.seed = seed;
+  }
+
+  /**
+   * All cameras decide from the same snapshot, then all ranges are set.
+   *
+   * @throws org.hificamsim.core.InputException when the policy does not suit the cameras
+   */
+  void decide(LiveNetwork network) {
+    if (policy == null || network.outgrown()) {
+      begin(network);
+    }
+    for (int camera = 0; camera < levels.length; camera++) {
+      levels[camera] = network.level(camera);
+    }
+    policy.decide(network, levels);
+    for (int camera = 0; camera < levels.length; camera++) {
+      if (network.online(camera)) {
+        network.zoomTo(camera, checked(network, camera));
+      }
+    }
+  }
+
+  /** Rewards the policy for what the cameras saw. */
+  void learn(LiveNetwork network) {
+    policy.learn(network);
+  }
+
+  /** The number of messages that the cameras have sent each other for the policy's sake. */
+  long messages() {
+    return earlierMessages + (policy == null ? 0 : policy.messages());
+  }
+
+  private void begin(LiveNetwork network) {
+    if (policy != null) {
+      Trouble.note(
+          "step %d: more cameras or objects than expected: policy %s begins anew"
+              .formatted(network.step(), given.spec()));
+    }
+    if (network.outgrown()) {
+      network.makeRoom();
+    }
+    earlierMessages = messages();
+    policy = given.maker().get();
+    policy.begin(network, new SplittableRandom(seed));
+    levels = new int[network.cameras()];
+  }
+
+  private int checked(LiveNetwork network, int camera) {
+    if (levels[camera] < 0 || levels[camera] >= network.levels(camera)) {
+      throw new IllegalStateException(
+          "policy %s chose level %d for camera %s, expected 0 to %d"
+              .formatted(
+                  given.spec(),
+                  levels[camera],
+                  network.cameraName(camera),
+                  network.levels(camera) - 1));
+    }
+    return levels[camera];
+  }
+}

@@ -1,0 +1,100 @@
+package org.hificamsim.bridge;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.params.provider.Arguments.arguments;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.hificamsim.bridge.run.Setup;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class BridgeOptionsTest {
+  @Test
+  void readsAll() {
+    Setup setup =
+        parse(
+            "detection=hifi:orb-lin,policy=sarsa:gamma=0.9;epsilon=0.1,threshold=0.0441,size=1.5,"
+                + "seed=-3,zooms=2.5;5;7.5,out=results/one,strict=true");
+    assertEquals("hifi:orb-lin", setup.detection().orElseThrow().model().name());
+    assertEquals(0.0441, setup.detection().orElseThrow().threshold());
+    assertEquals("sarsa:gamma=0.9,epsilon=0.1", setup.policy().orElseThrow().spec());
+    assertEquals("sarsa", setup.policy().orElseThrow().maker().get().name());
+    assertEquals(1.5, setup.size());
+    assertEquals(-3, setup.seed());
+    assertEquals(List.of(2.5, 5.0, 7.5), setup.zooms());
+    assertEquals(Optional.of(Path.of("results/one")), setup.out());
+  }
+
+  @Test
+  void defaultsAreTheModelsThresholdAndTheLargestTargetOfTheLab() {
+    Setup setup = parse("detection=hifi:orb-lin");
+    double own = Engine.detection("hifi:orb-lin").threshold();
+    assertEquals(own, setup.detection().orElseThrow().threshold());
+    assertEquals(0.66, setup.size());
+    assertEquals(0, setup.seed());
+    assertEquals(Optional.empty(), setup.policy());
+    assertEquals(Optional.empty(), setup.out());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"zooms=2.5;5;7.5", "zooms=2.5 5 7.5", "zooms=2.5,5,7.5"})
+  void radiiStandBetweenSemicolonsBlanksOrCommas(String zooms) {
+    assertEquals(List.of(2.5, 5.0, 7.5), parse("policy=random," + zooms).zooms());
+  }
+
+  @Test
+  void asksForNothingWithoutDetectionPolicyAndOut() {
+    assertFalse(parse("strict=true,seed=4").asksForAnything());
+    assertTrue(parse("out=results").asksForAnything());
+  }
+
+  @ParameterizedTest
+  @MethodSource
+  void whatIsWrongIsNamedWithWhatWasExpected(String options, String problem) {
+    InputException thrown = assertThrows(InputException.class, () -> parse(options));
+    assertTrue(thrown.getMessage().startsWith(problem), thrown.getMessage());
+  }
+
+  static Stream<Arguments> whatIsWrongIsNamedWithWhatWasExpected() {
+    return Stream.of(
+        arguments(
+            "detection=hifi:orb-line",
+            "unknown detection 'hifi:orb-line', expected one of camsim-standard"),
+        arguments("detection=none.json", "none.json: no such file, expected a model in JSON"),
+        arguments(
+            "policy=sarsa:gama=0.9", "policy sarsa: unknown option 'gama=0.9', expected one of"),
+        arguments(
+            "policy=best-fixed",
+            "policy 'best-fixed' has to see the run before it begins, expected one that"),
+        arguments(
+            "detektion=geometric",
+            "options: unknown option 'detektion=geometric', expected one of detection, threshold"),
+        arguments(
+            "detection=geometric,threshold=2",
+            "options: threshold is '2', expected a number from 0.0 to 1.0"),
+        arguments("threshold=0.5", "threshold is '0.5' without detection, expected both"),
+        arguments(
+            "policy=random,zooms=5;3", "zooms has '3' after 5.0, expected rising radii, each once"),
+        arguments("policy=random,zooms=0;3", "options: zooms is '0', expected a number from"),
+        arguments(
+            "strict=perhaps,policy=random",
+            "options: strict is 'perhaps', expected one of false, true"),
+        arguments(
+            "policy=random,policy=zoom-in",
+            "options: option 'policy=zoom-in', expected key=value with each key once"));
+  }
+
+  private static Setup parse(String options) {
+    return BridgeOptions.parse(options, Engine.CATALOGUE);
+  }
+}

@@ -1,0 +1,63 @@
+package org.hificamsim.bridge;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.world.World;
+import org.hificamsim.experiments.output.OutputFolder;
+import org.hificamsim.experiments.output.RunRecorder;
+
+/** This project's own engine on CamSim's scenarios: what the bridge has to agree with. */
+final class Engine {
+  static final Catalogue CATALOGUE = Catalogue.load();
+
+  private Engine() {}
+
+  /** Runs a scenario in CamSim's order, with seed 0, and writes the files of a record. */
+  static RunCoverage record(
+      Path folder, Path file, List<Double> zooms, Detection detection, String policy, int steps)
+      throws IOException {
+    Scenario scenario = scenario(file, zooms);
+    World world = new World(scenario, CATALOGUE.movements(), 0);
+    ZoomPolicy zooming = CATALOGUE.policies().create(policy);
+    RunCoverage coverage = new RunCoverage();
+    try (OutputFolder output = new OutputFolder(folder)) {
+      try (RunRecorder recorder = new RunRecorder(output, true)) {
+        new Simulation(world, detection, zooming, 0, List.of(coverage, recorder.listener(0)))
+            .run(steps);
+      }
+      output.commit(List.of());
+    }
+    return coverage;
+  }
+
+  /** A detection model with its own threshold. */
+  static Detection detection(String name) {
+    return Detection.of(CATALOGUE.detection(name));
+  }
+
+  static Scenario scenario(Path file, List<Double> zooms) {
+    Scenario read = ScenarioReader.read(file, name -> true, warning -> {});
+    return new Scenario(
+        read.name(),
+        read.field(),
+        StepOrder.CAMSIM,
+        read.headings(),
+        read.threshold(),
+        read.mountHeight(),
+        zooms,
+        read.cameras(),
+        read.targets(),
+        read.events(),
+        read.visionGraph(),
+        read.extras());
+  }
+}

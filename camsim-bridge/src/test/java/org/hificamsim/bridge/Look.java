@@ -1,0 +1,30 @@
+package org.hificamsim.bridge;
+
+/**
+ * A row of the doubles' own log: what a camera saw of an object.
+ *
+ * @param returned by {@code update_visiblity}
+ * @param kept in the camera's visible set; 0 when the object is not in it
+ */
+record Look(
+    int step,
+    String camera,
+    String object,
+    double range,
+    double x,
+    double y,
+    double returned,
+    double kept) {
+  static Look of(String row) {
+    String[] cells = row.split(",", -1);
+    return new Look(
+        Integer.parseInt(cells[0]),
+        cells[1],
+        cells[2],
+        Double.parseDouble(cells[3]),
+        Double.parseDouble(cells[4]),
+        Double.parseDouble(cells[5]),
+        Double.parseDouble(cells[6]),
+        cells[7].isEmpty() ? 0 : Double.parseDouble(cells[7]));
+  }
+}
