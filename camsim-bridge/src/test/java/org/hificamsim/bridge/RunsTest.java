@@ -6,6 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -136,6 +138,21 @@ public class Threads {
     assertTrue(summary.contains("\"scenario\" : \"camsim\""), summary);
     int messages = 2 * (4 * 40 + 3 * 15 + 4 * 45); // a query and an answer for each online camera
     assertTrue(summary.contains("\"messages\" : " + messages + "\n"), summary);
+  }
+
+  @Test
+  void theScenarioIsFoundBehindALongClassPath() {
+    List<Path> classPath = new ArrayList<>(Collections.nCopies(500, Path.of("libraries/none.jar")));
+    classPath.add(CamSimRun.DOUBLES);
+    CamSimRun run =
+        CamSimRun.start(
+            folder.resolve("run"),
+            "out=results",
+            classPath,
+            "epics.camwin.Main",
+            List.of("-t", "5", OTHER.toString()));
+    String summary = run.text("results/summary.json");
+    assertTrue(summary.contains("\"scenario\" : \"tutorial-camsim\""), summary);
   }
 
   private CamSimRun start(String main, String options, String... arguments) {

@@ -35,12 +35,19 @@ record ScenarioFile(String name, List<String> cameras, int allCameras, int allTa
    * @param names of the cameras in the first step; empty for one whose name is not known
    */
   static Optional<ScenarioFile> with(List<String> names) {
-    String[] arguments = ProcessHandle.current().info().arguments().orElse(new String[0]);
-    return Arrays.stream(arguments)
+    return Arrays.stream(arguments())
         .filter(argument -> argument.toLowerCase(Locale.ROOT).endsWith(ENDING))
         .flatMap(argument -> read(Path.of(argument)))
         .filter(file -> file.starts(names))
         .findFirst();
+  }
+
+  /** What follows {@code java}; not every system tells it, and none tells one that is long. */
+  private static String[] arguments() {
+    return ProcessHandle.current()
+        .info()
+        .arguments()
+        .orElseGet(() -> System.getProperty("sun.java.command", "").split(" "));
   }
 
   /** The file; nothing where it cannot be read, which is CamSim's matter. */
