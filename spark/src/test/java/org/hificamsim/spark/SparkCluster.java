@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 
 /** A standalone cluster on loopback: a master and workers of one core, each a process. */
 final class SparkCluster implements Closeable {
-  private static final Duration PATIENCE = Duration.ofSeconds(60);
+  private static final Duration PATIENCE = Duration.ofMinutes(4);
   private static final Pattern PORT =
       Pattern.compile("Successfully started service 'sparkMaster' on port (\\d+)");
 
@@ -70,7 +70,7 @@ final class SparkCluster implements Closeable {
         throw new IllegalStateException("not within " + PATIENCE);
       }
       try {
-        TimeUnit.MILLISECONDS.sleep(100);
+        TimeUnit.MILLISECONDS.sleep(50);
       } catch (InterruptedException e) {
         throw new IllegalStateException(e);
       }

@@ -66,11 +66,15 @@ class SparkClusterTest {
   void losesNothingWhenAWorkerIsKilledInTheMiddle() throws Exception {
     Process driver =
         driver("killed", List.of("--engine", "spark", "--master", cluster.url())).start();
-    SparkCluster.await(() -> !driver.isAlive() || journalled("killed") >= FEW);
-    assertTrue(driver.isAlive(), log("killed"));
-    assertTrue(cluster.kill(2) > 0, "the worker had no executor");
-    assertFalse(Files.exists(folder.resolve("killed/results.csv")), "killed after the end");
-    assertEquals(0, driver.waitFor(), log("killed"));
+    try {
+      SparkCluster.await(() -> !driver.isAlive() || journalled("killed") >= FEW);
+      assertTrue(driver.isAlive(), log("killed"));
+      assertTrue(cluster.kill(2) > 0, "the worker had no executor");
+      assertFalse(Files.exists(folder.resolve("killed/results.csv")), "killed after the end");
+      assertEquals(0, driver.waitFor(), log("killed"));
+    } finally {
+      driver.destroyForcibly();
+    }
     assertTrue(log("killed").contains("Lost executor"), log("killed"));
     assertSameFiles("killed");
   }
@@ -122,7 +126,7 @@ class SparkClusterTest {
     words.addAll(List.of("compare", ROOT.resolve("scenarios/cluster-random.xml").toString()));
     words.addAll(List.of("--detections", "camsim-range," + model));
     words.addAll(List.of("--policies", "sarsa:gamma=0.9,patrol:patience=3"));
-    words.addAll(List.of("--steps", "20000", "--repeat", "12", "--seed", "3"));
+    words.addAll(List.of("--steps", "30000", "--repeat", "12", "--seed", "3"));
     words.addAll(List.of("--out", folder.resolve(name).toString()));
     words.addAll(engine);
     return words;
