@@ -35,4 +35,9 @@ final class BearingSight implements Sight {
   public boolean dominates(int camera, int level, int other) {
     return level == other;
   }
+
+  @Override
+  public double reach(int camera, int level) {
+    return Reach.of(world.cameras().zoom(camera, level).radius());
+  }
 }
