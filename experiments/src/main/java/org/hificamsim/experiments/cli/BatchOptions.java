@@ -6,7 +6,6 @@ import picocli.CommandLine.Option;
 final class BatchOptions {
   private static final int MOST_STEPS = 10_000_000;
   private static final int MOST_REPEATS = 100_000;
-  private static final int MOST_THREADS = 1024;
 
   @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "First seed.")
   private long seed;
@@ -25,7 +24,7 @@ final class BatchOptions {
   void check(int steps, int repeats) {
     Numbers.inRange("--steps", steps, 1, MOST_STEPS);
     Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
-    Numbers.inRange("--threads", threads, 0, MOST_THREADS);
+    Threads.check(threads);
   }
 
   long seed() {
@@ -37,6 +36,6 @@ final class BatchOptions {
   }
 
   int threads() {
-    return threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+    return Threads.number(threads);
   }
 }
