@@ -53,7 +53,7 @@ public final class RunExecutor {
       rehearse(plan, run, hindsight);
     }
     simulation(plan, run, policy, all).run(plan.steps());
-    return RunResult.of(run, plan.seed(run), coverage, policy.messages());
+    return RunResult.of(run, plan.seed(run), coverage, policy);
   }
 
   /**

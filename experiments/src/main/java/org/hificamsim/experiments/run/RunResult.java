@@ -1,6 +1,8 @@
 package org.hificamsim.experiments.run;
 
+import java.util.Optional;
 import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
  * The coverage of one repeat.
@@ -14,6 +16,7 @@ import org.hificamsim.core.engine.RunCoverage;
  * @param detections one for each camera, target and step
  * @param zoomChanges how often a camera's level differed from the one of the step before
  * @param messages sent between cameras
+ * @param proof how far the configurations are proven to be the best, where the policy says so
  */
 public record RunResult(
     int run,
@@ -26,9 +29,48 @@ public record RunResult(
     double meanK,
     long detections,
     long zoomChanges,
-    long messages) {
+    long messages,
+    Optional<Proof> proof) {
+  /** A result whose policy proves nothing. */
+  public RunResult(
+      int run,
+      long seed,
+      long performance,
+      double meanKMin,
+      double covered0,
+      double covered1,
+      double coveredK,
+      double meanK,
+      long detections,
+      long zoomChanges,
+      long messages) {
+    this(
+        run,
+        seed,
+        performance,
+        meanKMin,
+        covered0,
+        covered1,
+        coveredK,
+        meanK,
+        detections,
+        zoomChanges,
+        messages,
+        Optional.empty());
+  }
+
+  /** The result of a repeat whose coverage has been added up, under a policy. */
+  public static RunResult of(int run, long seed, RunCoverage coverage, ZoomPolicy policy) {
+    return of(run, seed, coverage, policy.messages(), Proof.of(policy));
+  }
+
   /** The result of a repeat whose coverage has been added up. */
   public static RunResult of(int run, long seed, RunCoverage coverage, long messages) {
+    return of(run, seed, coverage, messages, Optional.empty());
+  }
+
+  private static RunResult of(
+      int run, long seed, RunCoverage coverage, long messages, Optional<Proof> proof) {
     return new RunResult(
         run,
         seed,
@@ -40,7 +82,8 @@ public record RunResult(
         coverage.meanK(),
         coverage.detections(),
         coverage.zoomChanges(),
-        messages);
+        messages,
+        proof);
   }
 
   /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
@@ -56,6 +99,7 @@ public record RunResult(
         meanK,
         detections,
         zoomChanges,
-        messages);
+        messages,
+        proof);
   }
 }
