@@ -134,7 +134,17 @@ final class DistanceSight implements Sight {
   @Override
   public int look(int camera, int level, PointGrid targets, int begin, int end, int[] coverage) {
     int row = row(camera, level);
-    boolean simple = sizes.length == 1 && single[row] && allRound[camera];
+    return sizes.length == 1 && single[row] && allRound[camera]
+        ? lookAllRound(camera, row, targets, begin, end, coverage)
+        : Sight.super.look(camera, level, targets, begin, end, coverage);
+  }
+
+  /**
+   * Compares with one interval and without branches, which would be guessed wrong half of the time:
+   * a target is missed where one of two differences is negative, so that its sign bit is set.
+   */
+  private int lookAllRound(
+      int camera, int row, PointGrid targets, int begin, int end, int[] coverage) {
     double x = cameras.x(camera);
     double y = cameras.y(camera);
     double least = from[row];
@@ -144,13 +154,11 @@ final class DistanceSight implements Sight {
       double dx = targets.x(i) - x;
       double dy = targets.y(i) - y;
       double squared = dx * dx + dy * dy;
-      int target = targets.point(i);
-      boolean seen =
-          simple ? squared >= least && squared <= most : detects(camera, level, target, squared);
-      if (seen) {
-        coverage[target]++;
-        count++;
-      }
+      long signs =
+          Double.doubleToRawLongBits(squared - least) | Double.doubleToRawLongBits(most - squared);
+      int seen = 1 - (int) (signs >>> 63);
+      coverage[targets.point(i)] += seen;
+      count += seen;
     }
     return count;
   }

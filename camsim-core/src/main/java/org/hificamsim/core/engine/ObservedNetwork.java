@@ -55,12 +55,17 @@ final class ObservedNetwork implements NetworkView {
     sight.refresh();
   }
 
-  /** Takes note of where the targets are, for the decisions and the observation that follow. */
+  /**
+   * Takes note of where the targets are, for the decisions and the observation that follow. One
+   * whose place is no number is nowhere: no camera detects it.
+   */
   void locate() {
     places.clear();
     for (int target = 0; target < coverage.length; target++) {
-      if (targets.present(target)) {
-        places.add(target, targets.x(target), targets.y(target));
+      double x = targets.x(target);
+      double y = targets.y(target);
+      if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
+        places.add(target, x, y);
       }
     }
     places.sort();

@@ -137,7 +137,13 @@ public final class ActionValues {
   /** Moves the entry by {@code alpha} of its distance to {@code target} (Eq 7.6). */
   void learn(int camera, int row, int action, double alpha, double target) {
     double[] table = tables[camera];
-    table[row + action] += alpha * (target - table[row + action]);
-    findBest(camera, row);
+    double before = table[row + action];
+    double after = before + alpha * (target - before);
+    table[row + action] = after;
+    int best = (int) table[row + levels[camera]];
+    boolean challenged = action == best ? after < before : after >= table[row + best];
+    if (challenged) {
+      findBest(camera, row);
+    }
   }
 }
