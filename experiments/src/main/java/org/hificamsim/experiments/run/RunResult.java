@@ -16,7 +16,9 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param detections one for each camera, target and step
  * @param zoomChanges how often a camera's level differed from the one of the step before
  * @param messages sent between cameras
- * @param proof how far the configurations are proven to be the best, where the policy says so
+ * @param unprovenSteps steps whose configuration is not proven to be the best that the policy could
+ *     take; -1 under a policy that does not claim it to be
+ * @param gap what the performance might gain in those steps at most
  */
 public record RunResult(
     int run,
@@ -30,7 +32,10 @@ public record RunResult(
     long detections,
     long zoomChanges,
     long messages,
-    Optional<Proof> proof) {
+    long unprovenSteps,
+    long gap) {
+  private static final Proof NO_CLAIM = new Proof(-1, 0);
+
   /** A result whose policy proves nothing. */
   public RunResult(
       int run,
@@ -56,21 +61,27 @@ public record RunResult(
         detections,
         zoomChanges,
         messages,
-        Optional.empty());
+        NO_CLAIM.unprovenSteps(),
+        NO_CLAIM.gap());
+  }
+
+  /** What the policy proved; empty under one that does not claim to be the best. */
+  public Optional<Proof> proof() {
+    return unprovenSteps < 0 ? Optional.empty() : Optional.of(new Proof(unprovenSteps, gap));
   }
 
   /** The result of a repeat whose coverage has been added up, under a policy. */
   public static RunResult of(int run, long seed, RunCoverage coverage, ZoomPolicy policy) {
-    return of(run, seed, coverage, policy.messages(), Proof.of(policy));
+    return of(run, seed, coverage, policy.messages(), Proof.of(policy).orElse(NO_CLAIM));
   }
 
   /** The result of a repeat whose coverage has been added up. */
   public static RunResult of(int run, long seed, RunCoverage coverage, long messages) {
-    return of(run, seed, coverage, messages, Optional.empty());
+    return of(run, seed, coverage, messages, NO_CLAIM);
   }
 
   private static RunResult of(
-      int run, long seed, RunCoverage coverage, long messages, Optional<Proof> proof) {
+      int run, long seed, RunCoverage coverage, long messages, Proof proof) {
     return new RunResult(
         run,
         seed,
@@ -83,7 +94,8 @@ public record RunResult(
         coverage.detections(),
         coverage.zoomChanges(),
         messages,
-        proof);
+        proof.unprovenSteps(),
+        proof.gap());
   }
 
   /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
@@ -100,6 +112,7 @@ public record RunResult(
         detections,
         zoomChanges,
         messages,
-        proof);
+        unprovenSteps,
+        gap);
   }
 }
