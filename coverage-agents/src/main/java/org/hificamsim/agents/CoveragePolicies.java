@@ -31,7 +31,7 @@ public final class CoveragePolicies {
         .register(
             OptimalZoomPolicy.NAME,
             "the exactly best k_min of each step, with global knowledge",
-            OptimalZoomPolicy::new)
+            OptimalZoomPolicy::from)
         .register(
             OneHopZoomPolicy.NAME,
             "the exactly best k_min when each camera moves at most one level, global knowledge",

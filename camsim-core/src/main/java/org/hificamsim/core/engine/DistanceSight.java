@@ -6,6 +6,7 @@ import java.util.Map;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
@@ -14,45 +15,42 @@ import org.hificamsim.core.world.World;
  * The sight of models that depend on distance alone: the model is asked once per zoom level and
  * target size, and observing is a test of the squared distance.
  *
- * <p>Reaches are kept per camera, level and size class, in rows of one size class after the other.
- * Nearly all are a single interval, held in two flat arrays; the others are looked up in full.
+ * <p>Reaches are kept in rows, one for each zoom level, with one entry for each size class; cameras
+ * with equal zoom levels share them. Nearly all are a single interval, held in two flat arrays; the
+ * others are looked up in full.
  */
 final class DistanceSight implements Sight {
-  private record Key(ZoomLevel zoom, double size) {}
-
   private final Cameras cameras;
-  private final Targets targets;
   private final FieldOfView view;
   private final Detection detection;
   private final double[] sizes;
   private final int[] sizeClass;
-  private final int[] firstRow;
-  private final Map<Key, DetectedDistances> known = new HashMap<>();
-  private final DetectedDistances[] reach;
-  private final double[] from;
-  private final double[] to;
-  private final boolean[] single;
+  private final Map<ZoomLevel, Integer> known = new HashMap<>();
+  private final int[] firstLevel;
+  private final ZoomLevel[] zooms;
+  private final int[] rows;
   private final boolean[] allRound;
+  private DetectedDistances[] reach = new DetectedDistances[1];
+  private double[] from = new double[1];
+  private double[] to = new double[1];
+  private boolean[] single = new boolean[1];
   private int revision = -1;
 
   DistanceSight(World world, Detection detection) {
     this.cameras = world.cameras();
-    this.targets = world.targets();
-    this.view = new FieldOfView(cameras, targets);
+    this.view = new FieldOfView(cameras, world.targets());
     this.detection = detection;
-    this.sizes = distinctSizes(targets);
-    this.sizeClass = new int[targets.count()];
-    Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, targets.size(target)));
-    this.firstRow = new int[cameras.count()];
-    int rows = 0;
-    for (int camera = 0; camera < firstRow.length; camera++) {
-      firstRow[camera] = rows;
-      rows += cameras.levels(camera) * sizes.length;
+    this.sizes = distinctSizes(world.targets());
+    this.sizeClass = new int[world.targets().count()];
+    Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, world.targets().size(target)));
+    this.firstLevel = new int[cameras.count()];
+    int levels = 0;
+    for (int camera = 0; camera < firstLevel.length; camera++) {
+      firstLevel[camera] = levels;
+      levels += cameras.levels(camera);
     }
-    reach = new DetectedDistances[rows];
-    from = new double[rows];
-    to = new double[rows];
-    single = new boolean[rows];
+    zooms = new ZoomLevel[levels];
+    rows = new int[levels];
     allRound = new boolean[cameras.count()];
     refresh();
   }
@@ -66,22 +64,121 @@ final class DistanceSight implements Sight {
     for (int camera = 0; camera < cameras.count(); camera++) {
       allRound[camera] = cameras.zoom(camera, 0).viewingAngle() >= 2 * Math.PI;
       for (int level = 0; level < cameras.levels(camera); level++) {
-        for (int size = 0; size < sizes.length; size++) {
-          fill(firstRow[camera] + level * sizes.length + size, cameras.zoom(camera, level), size);
-        }
+        refresh(firstLevel[camera] + level, cameras.zoom(camera, level));
       }
     }
   }
 
+  @SuppressWarnings("ReferenceEquality") // the map below tells equal levels
+  private void refresh(int entry, ZoomLevel zoom) {
+    if (zooms[entry] != zoom) {
+      zooms[entry] = zoom;
+      rows[entry] = known.computeIfAbsent(zoom, this::newRow);
+    }
+  }
+
+  private int newRow(ZoomLevel zoom) {
+    int row = known.size() * sizes.length;
+    makeRoom(row + sizes.length);
+    for (int size = 0; size < sizes.length; size++) {
+      fill(row + size, detection.distances(sizes[size], zoom));
+    }
+    return row;
+  }
+
+  private void makeRoom(int entries) {
+    if (entries > reach.length) {
+      int length = Math.max(entries, 2 * reach.length);
+      reach = Arrays.copyOf(reach, length);
+      from = Arrays.copyOf(from, length);
+      to = Arrays.copyOf(to, length);
+      single = Arrays.copyOf(single, length);
+    }
+  }
+
+  private void fill(int at, DetectedDistances set) {
+    reach[at] = set;
+    single[at] = set.intervals() == 1;
+    from[at] = set.intervals() == 0 ? Double.POSITIVE_INFINITY : set.from(0);
+    to[at] = set.intervals() == 0 ? -1 : set.to(set.intervals() - 1);
+  }
+
+  private int row(int camera, int level) {
+    return rows[firstLevel[camera] + level];
+  }
+
   @Override
   public boolean detects(int camera, int level, int target) {
-    int row = firstRow[camera] + level * sizes.length + sizeClass[target];
-    double squared = view.squaredDistance(camera, target);
-    if (!(squared >= from[row] && squared <= to[row])) {
+    return detects(camera, level, target, view.squaredDistance(camera, target));
+  }
+
+  private boolean detects(int camera, int level, int target, double squared) {
+    int at = row(camera, level) + sizeClass[target];
+    if (!(squared >= from[at] && squared <= to[at])) {
       return false;
     }
-    return (single[row] || reach[row].contains(squared))
+    return (single[at] || reach[at].contains(squared))
         && (allRound[camera] || view.withinAngle(camera, level, target));
+  }
+
+  @Override
+  public double reach(int camera, int level) {
+    int row = row(camera, level);
+    double squared = to[row];
+    for (int size = 1; size < sizes.length; size++) {
+      squared = Math.max(squared, to[row + size]);
+    }
+    return Reach.ofSquared(squared);
+  }
+
+  @Override
+  public int look(int camera, int level, PointGrid targets, int begin, int end, int[] coverage) {
+    int row = row(camera, level);
+    return sizes.length == 1 && single[row] && allRound[camera]
+        ? lookAllRound(camera, row, targets, begin, end, coverage)
+        : Sight.super.look(camera, level, targets, begin, end, coverage);
+  }
+
+  /**
+   * Compares with one interval and without branches, which would be guessed wrong half of the time:
+   * a target is missed where one of two differences is negative, so that its sign bit is set.
+   */
+  private int lookAllRound(
+      int camera, int row, PointGrid targets, int begin, int end, int[] coverage) {
+    double x = cameras.x(camera);
+    double y = cameras.y(camera);
+    double least = from[row];
+    double most = to[row];
+    int count = 0;
+    for (int i = begin; i < end; i++) {
+      double dx = targets.x(i) - x;
+      double dy = targets.y(i) - y;
+      double squared = dx * dx + dy * dy;
+      long signs =
+          Double.doubleToRawLongBits(squared - least) | Double.doubleToRawLongBits(most - squared);
+      int seen = 1 - (int) (signs >>> 63);
+      coverage[targets.point(i)] += seen;
+      count += seen;
+    }
+    return count;
+  }
+
+  @Override
+  public void mark(
+      int camera, int levels, PointGrid targets, int begin, int end, long[] masks, int words) {
+    double x = cameras.x(camera);
+    double y = cameras.y(camera);
+    for (int i = begin; i < end; i++) {
+      double dx = targets.x(i) - x;
+      double dy = targets.y(i) - y;
+      double squared = dx * dx + dy * dy;
+      int target = targets.point(i);
+      for (int level = 0; level < levels; level++) {
+        if (detects(camera, level, target, squared)) {
+          masks[level * words + (target >> 6)] |= 1L << target;
+        }
+      }
+    }
   }
 
   @Override
@@ -90,22 +187,12 @@ final class DistanceSight implements Sight {
       return false;
     }
     for (int size = 0; size < sizes.length; size++) {
-      DetectedDistances mine = reach[firstRow[camera] + level * sizes.length + size];
-      if (!mine.includes(reach[firstRow[camera] + other * sizes.length + size])) {
+      DetectedDistances mine = reach[row(camera, level) + size];
+      if (!mine.includes(reach[row(camera, other) + size])) {
         return false;
       }
     }
     return true;
-  }
-
-  private void fill(int row, ZoomLevel zoom, int size) {
-    DetectedDistances set =
-        known.computeIfAbsent(
-            new Key(zoom, sizes[size]), key -> detection.distances(key.size(), key.zoom()));
-    reach[row] = set;
-    single[row] = set.intervals() == 1;
-    from[row] = set.intervals() == 0 ? Double.POSITIVE_INFINITY : set.from(0);
-    to[row] = set.intervals() == 0 ? -1 : set.to(set.intervals() - 1);
   }
 
   private static double[] distinctSizes(Targets targets) {

@@ -4,7 +4,9 @@ import java.util.Arrays;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
@@ -18,9 +20,22 @@ final class ObservedNetwork implements NetworkView {
   private final FieldOfView view;
   private final int[] detected;
   private final int[] coverage;
+  private final PointGrid places;
+  private final Workers workers;
+  private final int[][] counts;
+  private final Workers.Share looking = this::look;
+  private final Workers.Share adding = this::addUp;
+  private final Division division = new Division();
   private long step;
 
-  ObservedNetwork(World world, Detection detection) {
+  ObservedNetwork(World world, Detection detection, Workers workers) {
+    this(world, detection, workers, Places.of(world, detection));
+  }
+
+  /**
+   * @param places an empty grid with room for all targets
+   */
+  ObservedNetwork(World world, Detection detection, Workers workers, PointGrid places) {
     this.cameras = world.cameras();
     this.targets = world.targets();
     this.detection = detection;
@@ -28,6 +43,10 @@ final class ObservedNetwork implements NetworkView {
     this.view = new FieldOfView(cameras, targets);
     this.detected = new int[cameras.count()];
     this.coverage = new int[targets.count()];
+    this.places = places;
+    this.workers = workers;
+    this.counts = new int[workers.count()][];
+    Arrays.setAll(counts, worker -> worker == 0 ? coverage : new int[coverage.length]);
   }
 
   /** Says which step is under way, and takes note of what its events changed. */
@@ -36,23 +55,63 @@ final class ObservedNetwork implements NetworkView {
     sight.refresh();
   }
 
-  /** Every online camera looks at every target, each at its current level. */
+  /**
+   * Takes note of where the targets are, for the decisions and the observation that follow. One
+   * whose place is no number is nowhere: no camera detects it.
+   */
+  void locate() {
+    places.clear();
+    for (int target = 0; target < coverage.length; target++) {
+      double x = targets.x(target);
+      double y = targets.y(target);
+      if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
+        places.add(target, x, y);
+      }
+    }
+    places.sort();
+  }
+
+  /** Every online camera looks at the targets, each at its current level. */
   void observe() {
-    Arrays.fill(coverage, 0);
-    for (int camera = 0; camera < detected.length; camera++) {
-      detected[camera] = cameras.online(camera) ? look(camera, cameras.level(camera)) : 0;
+    workers.run(looking);
+    if (counts.length > 1) {
+      workers.run(adding);
     }
   }
 
-  private int look(int camera, int level) {
-    int count = 0;
-    for (int target = 0; target < coverage.length; target++) {
-      if (targets.present(target) && sight.detects(camera, level, target)) {
-        coverage[target]++;
-        count++;
+  private void look(int worker) {
+    Arrays.fill(counts[worker], 0);
+    int end = workers.first(worker + 1, detected.length);
+    for (int camera = workers.first(worker, detected.length); camera < end; camera++) {
+      detected[camera] =
+          cameras.online(camera) ? look(camera, cameras.level(camera), counts[worker]) : 0;
+    }
+  }
+
+  private int look(int camera, int level, int[] count) {
+    if (places.cells() == 1) {
+      return sight.look(camera, level, places, 0, places.count(), count);
+    }
+    double reach = sight.reach(camera, level);
+    int left = places.column(cameras.x(camera) - reach);
+    int right = places.column(cameras.x(camera) + reach);
+    int top = places.row(cameras.y(camera) + reach);
+    int seen = 0;
+    for (int row = places.row(cameras.y(camera) - reach); row <= top; row++) {
+      seen +=
+          sight.look(camera, level, places, places.start(row, left), places.end(row, right), count);
+    }
+    return seen;
+  }
+
+  /** Adds what the other workers counted to the first one's, each worker for some targets. */
+  private void addUp(int worker) {
+    int end = workers.first(worker + 1, coverage.length);
+    for (int other = 1; other < counts.length; other++) {
+      for (int target = workers.first(worker, coverage.length); target < end; target++) {
+        coverage[target] += counts[other][target];
       }
     }
-    return count;
   }
 
   @Override
@@ -165,5 +224,51 @@ final class ObservedNetwork implements NetworkView {
   @Override
   public boolean dominates(int camera, int level, int other) {
     return sight.dominates(camera, level, other);
+  }
+
+  @Override
+  public void detections(int camera, long[] masks, int words) {
+    int levels = cameras.levels(camera);
+    Arrays.fill(masks, 0, levels * words, 0);
+    if (places.cells() == 1) {
+      sight.mark(camera, levels, places, 0, places.count(), masks, words);
+      return;
+    }
+    double reach = 0;
+    for (int level = 0; level < levels; level++) {
+      reach = Math.max(reach, sight.reach(camera, level));
+    }
+    int left = places.column(cameras.x(camera) - reach);
+    int right = places.column(cameras.x(camera) + reach);
+    int top = places.row(cameras.y(camera) + reach);
+    for (int row = places.row(cameras.y(camera) - reach); row <= top; row++) {
+      sight.mark(
+          camera, levels, places, places.start(row, left), places.end(row, right), masks, words);
+    }
+  }
+
+  @Override
+  public <T> void divide(T work, CameraTask<T> task) {
+    division.run(work, task);
+  }
+
+  /** A policy's task, divided among the workers. */
+  private final class Division implements Workers.Share {
+    private Object work;
+    private CameraTask<Object> task;
+
+    @SuppressWarnings("unchecked") // both are of one type, see divide
+    <T> void run(T newWork, CameraTask<T> newTask) {
+      work = newWork;
+      task = (CameraTask<Object>) newTask;
+      workers.run(this);
+    }
+
+    @Override
+    public void run(int worker) {
+      int all = cameras.count();
+      task.run(
+          ObservedNetwork.this, work, workers.first(worker, all), workers.first(worker + 1, all));
+    }
   }
 }

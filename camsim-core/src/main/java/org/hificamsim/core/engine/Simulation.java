@@ -37,11 +37,7 @@ public final class Simulation {
     this(world, detection, policy, Cooperation.NONE, seed, listeners);
   }
 
-  /**
-   * @param cooperation what the cameras do together
-   * @param seed seeds the policy's generator; world and cooperation have been seeded on their own
-   * @param listeners called in this order
-   */
+  /** A run in the caller's thread alone. */
   public Simulation(
       World world,
       Detection detection,
@@ -49,12 +45,29 @@ public final class Simulation {
       Cooperation cooperation,
       long seed,
       List<? extends StepListener> listeners) {
+    this(world, detection, policy, cooperation, seed, listeners, Workers.CALLER);
+  }
+
+  /**
+   * @param cooperation what the cameras do together
+   * @param seed seeds the policy's generator; world and cooperation have been seeded on their own
+   * @param listeners called in this order
+   * @param workers who share the work of a step; results do not depend on their number
+   */
+  public Simulation(
+      World world,
+      Detection detection,
+      ZoomPolicy policy,
+      Cooperation cooperation,
+      long seed,
+      List<? extends StepListener> listeners,
+      Workers workers) {
     this.world = world;
     this.cooperation = cooperation;
     this.order = world.scenario().order();
     this.policy = policy;
     this.listeners = listeners.toArray(StepListener[]::new);
-    this.network = new ObservedNetwork(world, detection);
+    this.network = new ObservedNetwork(world, detection, workers);
     this.levels = new int[world.cameras().count()];
     policy.begin(network, new SplittableRandom(seed));
   }
@@ -80,6 +93,7 @@ public final class Simulation {
       world.moveTargets();
     }
     cooperation.prepare();
+    network.locate();
     decide();
     network.observe();
     cooperation.cooperate();

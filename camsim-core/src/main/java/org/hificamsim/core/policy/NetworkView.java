@@ -1,5 +1,6 @@
 package org.hificamsim.core.policy;
 
+import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
 
 /**
@@ -80,4 +81,33 @@ public interface NetworkView {
    * targets stand; false where that is not known.
    */
   boolean dominates(int camera, int level, int other);
+
+  /**
+   * What the camera would detect at each of its levels, where all are now: {@link #detects} for all
+   * targets at once.
+   *
+   * @param masks filled with {@code words} words for each level, level 0 first; target t is at bit
+   *     {@code t % 64} of word {@code t / 64}
+   * @param words the number of words of a level, enough for all targets
+   */
+  default void detections(int camera, long[] masks, int words) {
+    Arrays.fill(masks, 0, levels(camera) * words, 0);
+    for (int level = 0; level < levels(camera); level++) {
+      for (int target = 0; target < targets(); target++) {
+        if (present(target) && detects(camera, level, target)) {
+          masks[level * words + (target >> 6)] |= 1L << target;
+        }
+      }
+    }
+  }
+
+  /**
+   * Does a task for all cameras, in parts side by side where the run has several threads.
+   *
+   * <p>The task must come to the same result however the cameras are divided: what it writes of one
+   * camera it must not read of another. All is done on return.
+   */
+  default <T> void divide(T work, CameraTask<T> task) {
+    task.run(this, work, 0, cameras());
+  }
 }

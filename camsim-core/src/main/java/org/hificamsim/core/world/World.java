@@ -2,7 +2,9 @@ package org.hificamsim.core.world;
 
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.CameraSpec;
@@ -22,6 +24,8 @@ public final class World {
   private final Targets targets;
   private final List<CameraSpec> cameraSpecs = new ArrayList<>();
   private final List<TargetSpec> targetSpecs = new ArrayList<>();
+  private final Map<String, Integer> cameraNumbers = new HashMap<>();
+  private final ZoomLevels zoomLevels;
   private final Movement[] movements;
   private final ScenarioEvent[] events;
   private final RandomStreams random;
@@ -37,6 +41,7 @@ public final class World {
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
     this.scenario = scenario;
+    this.zoomLevels = new ZoomLevels(scenario);
     this.random = new RandomStreams(seed);
     this.events =
         scenario.events().stream()
@@ -93,7 +98,7 @@ public final class World {
    */
   public void reach(int camera, double range) {
     double angle = cameras.zoom(camera, 0).viewingAngle();
-    cameras.refit(camera, ZoomLevels.of(scenario, range, angle));
+    cameras.refit(camera, zoomLevels.of(range, angle));
   }
 
   /** Fires the events of this step. */
@@ -149,7 +154,7 @@ public final class World {
             ? cameras.zoom(camera, 0).viewingAngle()
             : Math.toRadians(change.viewingAngle());
     double range = changed(change.range(), cameras.zoom(camera, 0).radius());
-    cameras.refit(camera, ZoomLevels.of(scenario, range, angle));
+    cameras.refit(camera, zoomLevels.of(range, angle));
   }
 
   private static double changed(double given, double before) {
@@ -165,12 +170,8 @@ public final class World {
   }
 
   private int onlineCamera(String name) {
-    for (int camera = 0; camera < cameras.count(); camera++) {
-      if (cameras.online(camera) && cameras.name(camera).equals(name)) {
-        return camera;
-      }
-    }
-    return -1;
+    int camera = cameraNumbers.getOrDefault(name, -1);
+    return camera >= 0 && cameras.online(camera) ? camera : -1;
   }
 
   private int addTarget() {
@@ -206,9 +207,10 @@ public final class World {
   private void defineAll(Registry<Movement> registry) {
     for (int camera = 0; camera < cameraSpecs.size(); camera++) {
       CameraSpec spec = cameraSpecs.get(camera);
+      cameraNumbers.putIfAbsent(spec.name(), camera);
       double range = ZoomLevels.clampedRange(spec.range());
       double angle = Math.toRadians(spec.viewingAngle());
-      cameras.define(camera, spec.name(), ZoomLevels.of(scenario, range, angle));
+      cameras.define(camera, spec.name(), zoomLevels.of(range, angle));
     }
     for (int target = 0; target < targetSpecs.size(); target++) {
       TargetSpec spec = targetSpecs.get(target);

@@ -1,6 +1,8 @@
 package org.hificamsim.core.world;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Scenario;
 
@@ -11,7 +13,14 @@ final class ZoomLevels {
 
   private static final double CLAMPED = MOST - MOST * 0.2;
 
-  private ZoomLevels() {}
+  private record Kind(double range, double viewingAngle) {}
+
+  private final Scenario scenario;
+  private final Map<Kind, ZoomLevel[]> made = new HashMap<>();
+
+  ZoomLevels(Scenario scenario) {
+    this.scenario = scenario;
+  }
 
   /** CamSim's rule for the range of a camera that is created (its quirk Q10). */
   static double clampedRange(double range) {
@@ -19,16 +28,23 @@ final class ZoomLevels {
   }
 
   /**
+   * The levels of a camera; cameras of a kind share them.
+   *
    * @param range used where the scenario has no zoom list, metres
    * @param viewingAngle radians
    */
-  static ZoomLevel[] of(Scenario scenario, double range, double viewingAngle) {
-    List<Double> radii = scenario.inCoverageDialect() ? scenario.zooms() : List.of(range);
+  ZoomLevel[] of(double range, double viewingAngle) {
+    double own = scenario.inCoverageDialect() ? 0 : range;
+    return made.computeIfAbsent(new Kind(own, viewingAngle), this::make);
+  }
+
+  private ZoomLevel[] make(Kind kind) {
+    List<Double> radii = scenario.inCoverageDialect() ? scenario.zooms() : List.of(kind.range);
     double narrowest = radii.get(0);
     double widest = radii.get(radii.size() - 1);
     double height = scenario.mountHeight().orElse(Double.NaN);
     return radii.stream()
-        .map(radius -> new ZoomLevel(radius, narrowest, widest, height, viewingAngle))
+        .map(radius -> new ZoomLevel(radius, narrowest, widest, height, kind.viewingAngle))
         .toArray(ZoomLevel[]::new);
   }
 }

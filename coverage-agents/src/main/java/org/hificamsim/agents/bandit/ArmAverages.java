@@ -1,6 +1,7 @@
 package org.hificamsim.agents.bandit;
 
 import org.hificamsim.agents.choice.LevelTable;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
@@ -11,6 +12,8 @@ import org.hificamsim.core.policy.NetworkView;
  * factor lambda of that equation scales all averages alike and so changes no comparison of them.
  */
 final class ArmAverages {
+  private static final CameraTask<ArmAverages> LEARNING = ArmAverages::learn;
+
   private final LevelTable table;
   private final double[] means;
   private final long[] pulls;
@@ -23,13 +26,20 @@ final class ArmAverages {
 
   /** Credits each online camera's current level with what it just detected. */
   void learn(NetworkView network) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
+    network.divide(this, LEARNING);
+  }
+
+  private static void learn(NetworkView network, ArmAverages arms, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
-        int arm = table.offset(camera) + network.level(camera);
-        pulls[arm]++;
-        means[arm] += (network.detected(camera) - means[arm]) / pulls[arm];
+        arms.credit(arms.offset(camera) + network.level(camera), network.detected(camera));
       }
     }
+  }
+
+  private void credit(int arm, int detected) {
+    pulls[arm]++;
+    means[arm] += (detected - means[arm]) / pulls[arm];
   }
 
   /** The index in {@link #means} and {@link #pulls} of the camera's narrowest level. */

@@ -3,6 +3,7 @@ package org.hificamsim.agents.bandit;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.agents.choice.Ties;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
@@ -18,6 +19,7 @@ import org.hificamsim.core.registry.Options;
 public final class EpsilonGreedyZoomPolicy implements ZoomPolicy {
   public static final String NAME = "epsilon-greedy";
 
+  private final CameraTask<int[]> deciding = this::decide;
   private final EpsilonGreedyChoice choice;
   private final Ties ties;
   private ArmAverages arms;
@@ -46,7 +48,11 @@ public final class EpsilonGreedyZoomPolicy implements ZoomPolicy {
 
   @Override
   public void decide(NetworkView network, int[] levels) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
+    network.divide(levels, deciding);
+  }
+
+  private void decide(NetworkView network, int[] levels, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
         int count = network.levels(camera);
         int best = ties.best(arms.means(), arms.offset(camera), count);

@@ -2,6 +2,7 @@ package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.CameraRandoms;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
@@ -13,6 +14,7 @@ import org.hificamsim.core.registry.Options;
 public final class SoftmaxZoomPolicy implements ZoomPolicy {
   public static final String NAME = "softmax";
 
+  private final CameraTask<int[]> deciding = this::decide;
   private final double temperature;
   private ArmAverages arms;
   private double[] weights;
@@ -45,7 +47,11 @@ public final class SoftmaxZoomPolicy implements ZoomPolicy {
 
   @Override
   public void decide(NetworkView network, int[] levels) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
+    network.divide(levels, deciding);
+  }
+
+  private void decide(NetworkView network, int[] levels, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
         double sum = weigh(arms.offset(camera), network.levels(camera));
         double drawn = randoms[camera].nextDouble() * sum;

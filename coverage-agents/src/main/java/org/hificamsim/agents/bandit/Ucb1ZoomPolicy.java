@@ -2,6 +2,7 @@ package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.Ties;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
@@ -17,6 +18,7 @@ import org.hificamsim.core.registry.Options;
 public final class Ucb1ZoomPolicy implements ZoomPolicy {
   public static final String NAME = "ucb1";
 
+  private final CameraTask<int[]> deciding = this::decide;
   private final double exploration;
   private final Ties ties;
   private ArmAverages arms;
@@ -52,7 +54,11 @@ public final class Ucb1ZoomPolicy implements ZoomPolicy {
 
   @Override
   public void decide(NetworkView network, int[] levels) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
+    network.divide(levels, deciding);
+  }
+
+  private void decide(NetworkView network, int[] levels, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
         bound(arms.offset(camera), network.levels(camera));
         levels[camera] = ties.best(bounds, arms.offset(camera), network.levels(camera));

@@ -2,6 +2,7 @@ package org.hificamsim.agents.baseline;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.CameraRandoms;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
@@ -9,6 +10,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 public final class RandomZoomPolicy implements ZoomPolicy {
   public static final String NAME = "random";
 
+  private final CameraTask<int[]> deciding = this::decide;
   private SplittableRandom[] randoms = {};
 
   @Override
@@ -23,7 +25,11 @@ public final class RandomZoomPolicy implements ZoomPolicy {
 
   @Override
   public void decide(NetworkView network, int[] levels) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
+    network.divide(levels, deciding);
+  }
+
+  private void decide(NetworkView network, int[] levels, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
         levels[camera] = randoms[camera].nextInt(network.levels(camera));
       }

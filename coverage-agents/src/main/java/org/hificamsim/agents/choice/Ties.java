@@ -20,12 +20,12 @@ public enum Ties {
    */
   public int best(double[] values, int from, int levels) {
     int best = 0;
+    double most = values[from];
     for (int level = 1; level < levels; level++) {
-      double most = values[from + best];
       double value = values[from + level];
-      if (value > most || (value == most && this == WIDEST)) {
-        best = level;
-      }
+      boolean better = value > most || (value == most && this == WIDEST);
+      best = better ? level : best;
+      most = better ? value : most;
     }
     return best;
   }

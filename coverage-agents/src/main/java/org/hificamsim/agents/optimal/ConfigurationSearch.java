@@ -3,14 +3,22 @@ package org.hificamsim.agents.optimal;
 import org.hificamsim.agents.search.CoverageSolver;
 import org.hificamsim.core.policy.NetworkView;
 
-/** Finds the configuration of candidate levels with the best k_min (Eq 7.1) where targets are. */
+/**
+ * Finds the configuration of candidate levels with the best k_min (Eq 7.1) where targets are, and
+ * counts where it gave up the proof.
+ */
 final class ConfigurationSearch {
   private final DetectionSets sets;
   private final CoverageSolver solver;
+  private long unprovenSteps;
+  private long gap;
 
-  ConfigurationSearch(NetworkView network, Preference preference) {
+  /**
+   * @param nodes search nodes after which a step's proof is given up
+   */
+  ConfigurationSearch(NetworkView network, Preference preference, long nodes) {
     sets = new DetectionSets(network, preference);
-    solver = new CoverageSolver(sets.problem(), CoverageSolver.UNLIMITED);
+    solver = new CoverageSolver(sets.problem(), nodes);
   }
 
   /** Writes the best configuration into {@code levels}; leaves them when no target is present. */
@@ -19,11 +27,21 @@ final class ConfigurationSearch {
       return;
     }
     solver.solve();
+    unprovenSteps += solver.proven() ? 0 : 1;
+    gap += solver.bound() - solver.value();
     int online = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
         levels[camera] = sets.levelOf(solver.chosen(online++));
       }
     }
+  }
+
+  long unprovenSteps() {
+    return unprovenSteps;
+  }
+
+  long gap() {
+    return gap;
   }
 }

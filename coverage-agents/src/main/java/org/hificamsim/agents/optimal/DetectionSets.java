@@ -1,5 +1,6 @@
 package org.hificamsim.agents.optimal;
 
+import java.util.Arrays;
 import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -13,12 +14,15 @@ import org.hificamsim.core.policy.NetworkView;
 final class DetectionSets {
   private final Preference preference;
   private final CoverageProblem problem;
-  private final int[] present;
+  private final int[] placeOf;
   private final int[] levelOf;
+  private final int allWords;
+  private final long[] seen;
   private final long[] masks;
   private final int[] order;
   private final int[] sizes;
   private int targets;
+  private boolean everyTarget;
   private int words;
 
   DetectionSets(NetworkView network, Preference preference) {
@@ -30,9 +34,11 @@ final class DetectionSets {
       all += network.levels(camera);
     }
     problem = new CoverageProblem(network.cameras(), all, network.targets());
-    present = new int[network.targets()];
+    placeOf = new int[network.targets()];
     levelOf = new int[all];
-    masks = new long[most * CoverageProblem.wordsFor(network.targets())];
+    allWords = CoverageProblem.wordsFor(network.targets());
+    seen = new long[most * allWords];
+    masks = new long[most * allWords];
     order = new int[most];
     sizes = new int[most];
   }
@@ -72,15 +78,17 @@ final class DetectionSets {
     targets = 0;
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
-        present[targets++] = target;
+        placeOf[target] = targets++;
       }
     }
+    everyTarget = targets == network.targets();
   }
 
   private void add(NetworkView network, int camera, CandidateLevels candidates) {
     int count = candidates.count(camera);
+    network.detections(camera, seen, allWords);
     for (int i = 0; i < count; i++) {
-      look(network, camera, candidates.level(camera, i), i);
+      look(candidates.level(camera, i) * allWords, i);
       place(i);
     }
     int first = problem.sets();
@@ -92,18 +100,20 @@ final class DetectionSets {
     }
   }
 
-  private void look(NetworkView network, int camera, int level, int row) {
+  /** Copies what is seen at a level, by target, into a row, by target present. */
+  private void look(int from, int row) {
+    Arrays.fill(masks, row * words, (row + 1) * words, 0);
     int size = 0;
-    for (int word = 0; word < words; word++) {
-      long bits = 0;
-      int end = Math.min(targets, (word + 1) * Long.SIZE);
-      for (int target = word * Long.SIZE; target < end; target++) {
-        if (network.detects(camera, level, present[target])) {
-          bits |= 1L << target;
-        }
+    for (int word = 0; word < allWords; word++) {
+      size += Long.bitCount(seen[from + word]);
+      if (everyTarget) {
+        masks[row * words + word] = seen[from + word];
+        continue;
       }
-      masks[row * words + word] = bits;
-      size += Long.bitCount(bits);
+      for (long bits = seen[from + word]; bits != 0; bits &= bits - 1) {
+        int at = placeOf[(word << 6) + Long.numberOfTrailingZeros(bits)];
+        masks[row * words + (at >> 6)] |= 1L << at;
+      }
     }
     sizes[row] = size;
   }

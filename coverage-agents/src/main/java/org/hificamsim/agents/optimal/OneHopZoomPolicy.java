@@ -2,7 +2,7 @@ package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -13,10 +13,11 @@ import org.hificamsim.core.registry.Options;
  * in which camera 0 is at the level that the option {@code ties} prefers, then camera 1, and so on;
  * the widest by default. With no target present the levels stay.
  */
-public final class OneHopZoomPolicy implements ZoomPolicy {
+public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   public static final String NAME = "one-hop";
 
   private final Preference preference;
+  private final int nodes;
   private CandidateLevels candidates;
   private ConfigurationSearch search;
 
@@ -24,17 +25,27 @@ public final class OneHopZoomPolicy implements ZoomPolicy {
    * @param preference what decides between configurations with the same k_min
    */
   public OneHopZoomPolicy(Preference preference) {
-    this.preference = preference;
+    this(preference, Nodes.MOST);
   }
 
-  /** The policy with its option {@code ties}. */
+  /**
+   * @param preference what decides between configurations with the same k_min
+   * @param nodes search nodes after which a step's proof is given up, 0 or more
+   */
+  public OneHopZoomPolicy(Preference preference, int nodes) {
+    this.preference = preference;
+    this.nodes = nodes;
+  }
+
+  /** The policy with its options {@code ties} and {@code nodes}. */
   public static OneHopZoomPolicy from(Options options) {
     return new OneHopZoomPolicy(
         options.choice(
             "ties",
             Preference.WIDEST,
             "of equal k_min: widest, narrowest, most-targets-then-widest,"
-                + " most-targets-then-narrowest"));
+                + " most-targets-then-narrowest"),
+        Nodes.from(options));
   }
 
   @Override
@@ -45,7 +56,7 @@ public final class OneHopZoomPolicy implements ZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     candidates = new CandidateLevels(network);
-    search = new ConfigurationSearch(network, preference);
+    search = new ConfigurationSearch(network, preference, nodes);
   }
 
   @Override
@@ -59,5 +70,15 @@ public final class OneHopZoomPolicy implements ZoomPolicy {
       }
     }
     search.decide(network, candidates, levels);
+  }
+
+  @Override
+  public long unprovenSteps() {
+    return search.unprovenSteps();
+  }
+
+  @Override
+  public long gap() {
+    return search.gap();
   }
 }

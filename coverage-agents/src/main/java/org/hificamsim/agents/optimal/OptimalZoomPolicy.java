@@ -2,7 +2,8 @@ package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
+import org.hificamsim.core.registry.Options;
 
 /**
  * The configuration with the best k_min of all (Eq 7.1), found anew and exactly at each step: the
@@ -14,13 +15,30 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * k_min it is the one in which camera 0 detects most targets, then at its narrowest level, then
  * camera 1, and so on. With no target present the levels stay.
  */
-public final class OptimalZoomPolicy implements ZoomPolicy {
+public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   public static final String NAME = "optimal";
 
+  private final int nodes;
   private CandidateLevels candidates;
   private ConfigurationSearch search;
   private int revision;
   private boolean settled;
+
+  public OptimalZoomPolicy() {
+    this(Nodes.MOST);
+  }
+
+  /**
+   * @param nodes search nodes after which a step's proof is given up, 0 or more
+   */
+  public OptimalZoomPolicy(int nodes) {
+    this.nodes = nodes;
+  }
+
+  /** The policy with its option {@code nodes}. */
+  public static OptimalZoomPolicy from(Options options) {
+    return new OptimalZoomPolicy(Nodes.from(options));
+  }
 
   @Override
   public String name() {
@@ -30,7 +48,6 @@ public final class OptimalZoomPolicy implements ZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     candidates = new CandidateLevels(network);
-    search = new ConfigurationSearch(network, Preference.MOST_TARGETS_THEN_NARROWEST);
     findCandidates(network);
   }
 
@@ -40,10 +57,25 @@ public final class OptimalZoomPolicy implements ZoomPolicy {
       findCandidates(network);
     }
     if (!settled) {
+      search = search != null ? search : newSearch(network);
       search.decide(network, candidates, levels);
     } else if (anyPresent(network)) {
       settle(network, levels);
     }
+  }
+
+  private ConfigurationSearch newSearch(NetworkView network) {
+    return new ConfigurationSearch(network, Preference.MOST_TARGETS_THEN_NARROWEST, nodes);
+  }
+
+  @Override
+  public long unprovenSteps() {
+    return search == null ? 0 : search.unprovenSteps();
+  }
+
+  @Override
+  public long gap() {
+    return search == null ? 0 : search.gap();
   }
 
   private void findCandidates(NetworkView network) {

@@ -3,6 +3,7 @@ package org.hificamsim.agents.temporal;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
@@ -20,11 +21,14 @@ import org.hificamsim.core.policy.ZoomPolicy;
 public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy {
   private static final int NONE = -1;
 
+  private final CameraTask<int[]> choosing = this::choose;
+  private final CameraTask<int[]> updating = this::update;
   private final TemporalDifferenceSettings settings;
   private final EpsilonGreedyChoice choice;
   private ActionValues values;
   private int[] rows;
-  private int[] entries;
+  private int[] credited;
+  private int[] actions;
   private int[] counts;
 
   protected AbstractTemporalDifferenceZoomPolicy(
@@ -36,15 +40,20 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
   /**
    * The value of the state that was reached, which the discount factor multiplies in Eq 7.6.
    *
+   * @param camera whose state it is
    * @param row row of that state
    * @param levels number of actions in it
    * @param action the action chosen in it
    */
-  protected abstract double successor(ActionValues table, int row, int levels, int action);
+  protected abstract double successor(
+      ActionValues table, int camera, int row, int levels, int action);
 
-  /** The level that the camera takes when it does not explore: its best known one. */
+  /**
+   * The level that the camera takes when it does not explore: its best known one. Asked for several
+   * cameras at a time.
+   */
   protected int exploit(NetworkView network, int camera, int row) {
-    return values.best(row, network.levels(camera));
+    return values.best(camera, row, network.levels(camera));
   }
 
   /** All cameras' tables; null before {@link #begin}. */
@@ -57,25 +66,34 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
     values = new ActionValues(network, settings);
     choice.begin(network, random);
     rows = new int[network.cameras()];
-    entries = new int[network.cameras()];
+    credited = new int[network.cameras()];
+    actions = new int[network.cameras()];
     counts = new int[network.cameras()];
-    Arrays.fill(entries, NONE);
+    Arrays.fill(credited, NONE);
   }
 
   @Override
-  public final void decide(NetworkView network, int[] levels) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
+  public void decide(NetworkView network, int[] levels) {
+    network.divide(levels, choosing);
+    network.divide(levels, updating);
+  }
+
+  private void choose(NetworkView network, int[] levels, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
         rows[camera] = values.row(network, camera);
         int best = exploit(network, camera, rows[camera]);
         levels[camera] = choice.choose(camera, network.levels(camera), best);
       }
     }
-    for (int camera = 0; camera < network.cameras(); camera++) {
+  }
+
+  private void update(NetworkView network, int[] levels, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
         update(network, camera, levels[camera]);
       } else {
-        entries[camera] = NONE;
+        credited[camera] = NONE;
       }
     }
   }
@@ -83,12 +101,15 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
   private void update(NetworkView network, int camera, int action) {
     int row = rows[camera];
     int detected = network.detected(camera);
-    if (entries[camera] != NONE) {
+    values.grow(camera, row);
+    if (credited[camera] != NONE) {
       double reward = settings.lambda() * settings.reward().reward(counts[camera], detected);
-      double reached = successor(values, row, network.levels(camera), action);
-      values.learn(entries[camera], settings.alpha(), reward + settings.gamma() * reached);
+      double reached = successor(values, camera, row, network.levels(camera), action);
+      double target = reward + settings.gamma() * reached;
+      values.learn(camera, credited[camera], actions[camera], settings.alpha(), target);
     }
-    entries[camera] = row + action;
+    credited[camera] = row;
+    actions[camera] = action;
     counts[camera] = detected;
   }
 }

@@ -6,44 +6,78 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The Q tables of all cameras (Eq 7.6) in one flat array: the entry for an action stands at the row
- * of the camera's state plus the action's level.
+ * The Q tables of all cameras (Eq 7.6), each in an array of its own: the entry for an action stands
+ * at the row of the camera's state plus the action's level, and a row's last entry is its best
+ * action, so that asking for it, which neighbours do most often, is one look.
+ *
+ * <p>Rows go by the number of targets detected, the fewest first. In a small network every table
+ * has all its rows from the start; in a big one, where most counts never occur, a table grows to
+ * what its camera has met. Rows it lacks hold the initial value. Cameras may be worked on side by
+ * side as long as each table's {@link #grow} and {@link #set} have their camera for themselves.
  */
 public final class ActionValues {
+  /** Entries up to which all tables together are made whole at once: 32 MiB. */
+  private static final long FEW_ENTRIES = 1 << 22;
+
+  /** Entries of one table: what an array can hold, with room to spare. */
   private static final long MOST_ENTRIES = 1 << 28;
+
+  /** Counts that a table of a big network has rows for at first. */
+  private static final int FIRST_COUNTS = 4;
 
   private final StateReading reading;
   private final Ties ties;
-  private final int targets;
+  private final int mostCounts;
+  private final double initialValue;
   private final int[] levels;
-  private final int[] offsets;
-  private final double[] values;
+  private final double[][] tables;
+  private final double[] unmet;
 
   /**
-   * @throws InputException when the tables would not fit into an array
+   * @throws InputException when a camera's table would not fit into an array
    */
   ActionValues(NetworkView network, TemporalDifferenceSettings settings) {
     reading = settings.state();
     ties = settings.ties();
-    targets = network.targets();
+    initialValue = settings.initialValue();
+    mostCounts = reading.counts(network.targets());
     levels = new int[network.cameras()];
-    offsets = new int[network.cameras()];
-    long size = 0;
-    for (int camera = 0; camera < levels.length; camera++) {
-      levels[camera] = network.levels(camera);
-      offsets[camera] = (int) size;
-      size += reading.states(levels[camera], targets) * levels[camera];
-      if (size > MOST_ENTRIES) {
-        throw new InputException(
-            "the cameras' tables of action values need more than "
-                + MOST_ENTRIES
-                + " entries for "
-                + targets
-                + " targets. Maybe give the option state=none");
-      }
+    Arrays.setAll(levels, network::levels);
+    int mostLevels = Arrays.stream(levels).max().orElse(1);
+    if (size(mostLevels, mostCounts) > MOST_ENTRIES) {
+      throw new InputException(
+          "a camera's table of action values needs more than "
+              + MOST_ENTRIES
+              + " entries for "
+              + network.targets()
+              + " targets. Maybe give the option state=none");
     }
-    values = new double[(int) size];
-    Arrays.fill(values, settings.initialValue());
+    long entries = Arrays.stream(levels).mapToLong(count -> size(count, mostCounts)).sum();
+    int counts = entries <= FEW_ENTRIES ? mostCounts : Math.min(mostCounts, FIRST_COUNTS);
+    tables = new double[levels.length][];
+    for (int camera = 0; camera < levels.length; camera++) {
+      tables[camera] = new double[(int) size(levels[camera], counts)];
+      fill(camera, 0);
+    }
+    unmet = new double[mostLevels];
+    Arrays.fill(unmet, initialValue);
+  }
+
+  /** Gives a table its initial values from some row on. */
+  private void fill(int camera, int fromRow) {
+    double[] table = tables[camera];
+    Arrays.fill(table, fromRow, table.length, initialValue);
+    for (int row = fromRow; row < table.length; row += levels[camera] + 1) {
+      findBest(camera, row);
+    }
+  }
+
+  private void findBest(int camera, int row) {
+    tables[camera][row + levels[camera]] = ties.best(tables[camera], row, levels[camera]);
+  }
+
+  private long size(int ofLevels, int counts) {
+    return (long) counts * reading.statesPerCount(ofLevels) * (ofLevels + 1);
   }
 
   /** The row of a camera's present state. */
@@ -52,13 +86,13 @@ public final class ActionValues {
   }
 
   /**
-   * Where a camera keeps its values for a state.
+   * Where a camera's table keeps its values for a state.
    *
    * @param level level in [0, levels of the camera)
    * @param detected number of targets in [0, all targets]
    */
   public int row(int camera, int level, int detected) {
-    return offsets[camera] + reading.state(level, detected, targets) * levels[camera];
+    return reading.state(level, detected, levels[camera]) * (levels[camera] + 1);
   }
 
   /** Whether the camera has levels enough to ever be at this one. */
@@ -67,21 +101,49 @@ public final class ActionValues {
   }
 
   /** The best action of a row's first {@code actions} levels. */
-  public int best(int row, int actions) {
-    return ties.best(values, row, actions);
+  public int best(int camera, int row, int actions) {
+    double[] table = tables[camera];
+    if (row >= table.length) {
+      return ties.best(unmet, 0, actions);
+    }
+    return actions == levels[camera] ? (int) table[row + actions] : ties.best(table, row, actions);
   }
 
-  public double value(int row, int action) {
-    return values[row + action];
+  /** The value of an action in a row. */
+  public double value(int camera, int row, int action) {
+    double[] table = tables[camera];
+    return row < table.length ? table[row + action] : initialValue;
   }
 
   /** Sets the value of an action in a row. */
-  public void set(int row, int action, double value) {
-    values[row + action] = value;
+  public void set(int camera, int row, int action, double value) {
+    grow(camera, row);
+    tables[camera][row + action] = value;
+    findBest(camera, row);
+  }
+
+  /** Makes sure that a camera's table has a row: it at least doubles where it has not. */
+  void grow(int camera, int row) {
+    int length = tables[camera].length;
+    if (row >= length) {
+      long block = size(levels[camera], 1);
+      long wanted = Math.max(2L * length, (row / block + 1) * block);
+      long most = size(levels[camera], mostCounts);
+      tables[camera] = Arrays.copyOf(tables[camera], (int) Math.min(wanted, most));
+      fill(camera, length);
+    }
   }
 
   /** Moves the entry by {@code alpha} of its distance to {@code target} (Eq 7.6). */
-  void learn(int entry, double alpha, double target) {
-    values[entry] += alpha * (target - values[entry]);
+  void learn(int camera, int row, int action, double alpha, double target) {
+    double[] table = tables[camera];
+    double before = table[row + action];
+    double after = before + alpha * (target - before);
+    table[row + action] = after;
+    int best = (int) table[row + levels[camera]];
+    boolean challenged = action == best ? after < before : after >= table[row + best];
+    if (challenged) {
+      findBest(camera, row);
+    }
   }
 }

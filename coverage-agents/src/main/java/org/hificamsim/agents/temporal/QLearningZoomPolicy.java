@@ -24,7 +24,7 @@ public final class QLearningZoomPolicy extends AbstractTemporalDifferenceZoomPol
 
   /** The value of the best action there, whichever is chosen. */
   @Override
-  protected double successor(ActionValues table, int row, int levels, int action) {
-    return table.value(row, table.best(row, levels));
+  protected double successor(ActionValues table, int camera, int row, int levels, int action) {
+    return table.value(camera, row, table.best(camera, row, levels));
   }
 }

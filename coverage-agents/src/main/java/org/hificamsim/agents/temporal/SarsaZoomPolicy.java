@@ -24,7 +24,8 @@ public class SarsaZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
 
   /** The value of the action chosen there: Q(s_(t+1), a_(t+1)). */
   @Override
-  protected final double successor(ActionValues table, int row, int levels, int action) {
-    return table.value(row, action);
+  protected final double successor(
+      ActionValues table, int camera, int row, int levels, int action) {
+    return table.value(camera, row, action);
   }
 }

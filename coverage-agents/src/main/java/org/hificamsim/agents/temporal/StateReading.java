@@ -9,19 +9,20 @@ public enum StateReading {
   /** Always the same state: what is learned is one value for each level. */
   NONE;
 
-  /** The number of states of a camera with that many levels where that many targets can exist. */
-  long states(int levels, int targets) {
-    return switch (this) {
-      case LEVEL_COUNT -> levels * (targets + 1L);
-      case COUNT -> targets + 1L;
-      case NONE -> 1;
-    };
+  /** The numbers of detected targets that are told apart where that many targets can exist. */
+  int counts(int targets) {
+    return this == NONE ? 1 : targets + 1;
   }
 
-  /** The number of a state, from 0: the same for all cameras, however many levels they have. */
-  int state(int level, int detected, int targets) {
+  /** The number of states of a camera with that many levels that share a number of targets. */
+  int statesPerCount(int levels) {
+    return this == LEVEL_COUNT ? levels : 1;
+  }
+
+  /** The number of a state, from 0: those with fewer targets come first. */
+  int state(int level, int detected, int levels) {
     return switch (this) {
-      case LEVEL_COUNT -> level * (targets + 1) + detected;
+      case LEVEL_COUNT -> detected * levels + level;
       case COUNT -> detected;
       case NONE -> 0;
     };

@@ -1,5 +1,6 @@
 package org.hificamsim.agents.voting;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.agents.temporal.SarsaZoomPolicy;
@@ -22,9 +23,9 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
 
   private final VoteSettings settings;
   private NearestCameras nearest;
-  private MajorityVote vote;
+  private MajorityVote[] votes = {};
+  private long[] messages = {};
   private int revision;
-  private long messages;
 
   public QbSarsaZoomPolicy(
       TemporalDifferenceSettings learning, EpsilonGreedyChoice choice, VoteSettings settings) {
@@ -48,46 +49,51 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   /** The number of messages sent so far: a query and an answer for each neighbour asked. */
   @Override
   public long messages() {
-    return messages;
+    return Arrays.stream(messages).sum();
   }
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
-    int mostLevels = 1;
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      mostLevels = Math.max(mostLevels, network.levels(camera));
-    }
-    vote = new MajorityVote(settings.ties(), mostLevels);
+    messages = new long[network.cameras()];
+    votes = new MajorityVote[network.cameras()];
+    Arrays.setAll(votes, camera -> new MajorityVote(settings.ties(), network.levels(camera)));
     nearest = new NearestCameras(network, settings.neighbours());
     nearest.find(network);
     revision = network.revision();
   }
 
   @Override
-  protected int exploit(NetworkView network, int camera, int row) {
+  public void decide(NetworkView network, int[] levels) {
     if (network.revision() != revision) {
       nearest.find(network);
       revision = network.revision();
     }
+    super.decide(network, levels);
+  }
+
+  @Override
+  protected int exploit(NetworkView network, int camera, int row) {
     int own = super.exploit(network, camera, row);
+    MajorityVote vote = votes[camera];
     vote.open();
     if (settings.ownVote() == VoteSettings.OwnVote.YES) {
       vote.vote(own);
     }
-    for (int i = 0; i < nearest.count(camera); i++) {
-      ask(network, camera, nearest.neighbour(camera, i));
+    int asked = nearest.count(camera);
+    for (int i = 0; i < asked; i++) {
+      ask(network, camera, nearest.neighbour(camera, i), vote);
     }
+    messages[camera] += 2L * asked;
     return vote.winner(own);
   }
 
-  private void ask(NetworkView network, int camera, int neighbour) {
-    messages += 2;
+  private void ask(NetworkView network, int camera, int neighbour, MajorityVote vote) {
     int level = network.level(camera);
     if (values().knows(neighbour, level)) {
       int row = values().row(neighbour, level, network.detected(camera));
       int shared = Math.min(network.levels(camera), network.levels(neighbour));
-      vote.vote(values().best(row, shared));
+      vote.vote(values().best(neighbour, row, shared));
     }
   }
 }

@@ -140,4 +140,25 @@ class OptimalZoomPolicyTest {
     Arrays.setAll(levels, network::levels);
     return levels;
   }
+
+  @Test
+  void saysWhereTheNodesDidNotSufficeAndHowMuchBetterItCouldBe() {
+    GeometricNetwork.Kind rings = new GeometricNetwork.Kind(12, 4, 12, 1, false, false, 20, 15);
+    GeometricNetwork network = GeometricNetwork.random(rings, 1);
+    OptimalZoomPolicy limited = network.begin(new OptimalZoomPolicy(0), 1);
+    OptimalZoomPolicy exact = network.begin(new OptimalZoomPolicy(), 1);
+    long lost = 0;
+    for (int step = 0; step < 300; step++) {
+      network.step(limited);
+      int found = network.kMin();
+      network.step(exact);
+      lost += network.kMin() - found;
+      network.scatter();
+    }
+    assertEquals(0, exact.unprovenSteps());
+    assertEquals(0, exact.gap());
+    assertTrue(limited.unprovenSteps() > 0, "no step in which the limit mattered");
+    assertTrue(limited.gap() >= limited.unprovenSteps());
+    assertTrue(lost <= limited.gap(), lost + " lost, at most " + limited.gap() + " told");
+  }
 }

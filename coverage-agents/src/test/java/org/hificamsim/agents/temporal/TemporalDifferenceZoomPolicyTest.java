@@ -30,8 +30,8 @@ class TemporalDifferenceZoomPolicyTest {
       assertEquals(0, network.level(0));
       network.decide(policy);
       ActionValues values = policy.values();
-      assertEquals(1, values.value(values.row(0, 1, 0), 0), "half of the two targets gained");
-      assertEquals(0, values.value(values.row(0, 0, 2), 0));
+      assertEquals(1, values.value(0, values.row(0, 1, 0), 0), "half of the two targets gained");
+      assertEquals(0, values.value(0, values.row(0, 0, 2), 0));
     }
   }
 
@@ -40,7 +40,7 @@ class TemporalDifferenceZoomPolicyTest {
     AbstractTemporalDifferenceZoomPolicy policy =
         begun("sarsa:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
-    assertEquals(1 + 0.25 * 3, values.value(values.row(0, 1, 0), 0), 1e-12);
+    assertEquals(1 + 0.25 * 3, values.value(0, values.row(0, 1, 0), 0), 1e-12);
   }
 
   @Test
@@ -48,7 +48,7 @@ class TemporalDifferenceZoomPolicyTest {
     AbstractTemporalDifferenceZoomPolicy policy =
         begun("q-learning:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
-    assertEquals(1 + 0.25 * 8, values.value(values.row(0, 1, 0), 0), 1e-12);
+    assertEquals(1 + 0.25 * 8, values.value(0, values.row(0, 1, 0), 0), 1e-12);
   }
 
   @Test
@@ -75,10 +75,10 @@ class TemporalDifferenceZoomPolicyTest {
     ActionValues values = policy.values();
     int wide = values.row(0, 1, 0);
     int narrow = values.row(0, 0, 2);
-    assertEquals(2, values.value(wide, 0), 1e-3, "gains two, then stays");
-    assertEquals(1, values.value(wide, 1), 1e-3, "waits one step to gain two");
-    assertEquals(0, values.value(narrow, 0), 1e-3, "stays");
-    assertEquals(-1, values.value(narrow, 1), 1e-3, "loses two, then gains them");
+    assertEquals(2, values.value(0, wide, 0), 1e-3, "gains two, then stays");
+    assertEquals(1, values.value(0, wide, 1), 1e-3, "waits one step to gain two");
+    assertEquals(0, values.value(0, narrow, 0), 1e-3, "stays");
+    assertEquals(-1, values.value(0, narrow, 1), 1e-3, "loses two, then gains them");
   }
 
   @Test
@@ -91,10 +91,10 @@ class TemporalDifferenceZoomPolicyTest {
     ActionValues values = policy.values();
     int wide = values.row(0, 1, 0);
     int narrow = values.row(0, 0, 2);
-    assertEquals(1.5, values.value(wide, 0), 0.05, "2 + (0 * 0.5 - 2 * 0.5) gamma");
-    assertEquals(0.5, values.value(wide, 1), 0.05);
-    assertEquals(-0.5, values.value(narrow, 0), 0.05);
-    assertEquals(-1.5, values.value(narrow, 1), 0.05);
+    assertEquals(1.5, values.value(0, wide, 0), 0.05, "2 + (0 * 0.5 - 2 * 0.5) gamma");
+    assertEquals(0.5, values.value(0, wide, 1), 0.05);
+    assertEquals(-0.5, values.value(0, narrow, 0), 0.05);
+    assertEquals(-1.5, values.value(0, narrow, 1), 0.05);
   }
 
   @Test
@@ -108,7 +108,7 @@ class TemporalDifferenceZoomPolicyTest {
     network.switchCamera(0, true);
     network.step(policy);
     ActionValues values = policy.values();
-    assertEquals(0, values.value(values.row(0, 1, 1), 0), "nothing lost by its own choice");
+    assertEquals(0, values.value(0, values.row(0, 1, 1), 0), "nothing lost by its own choice");
   }
 
   @Test
@@ -121,7 +121,7 @@ class TemporalDifferenceZoomPolicyTest {
   @Test
   void everyActionStartsAtTheInitialValue() {
     ActionValues values = begun("sarsa:q0=2.5").values();
-    assertEquals(2.5, values.value(values.row(0, 1, 2), 1));
+    assertEquals(2.5, values.value(0, values.row(0, 1, 2), 1));
   }
 
   @Test
@@ -131,7 +131,7 @@ class TemporalDifferenceZoomPolicyTest {
     start();
     network.step(policy);
     network.decide(policy);
-    assertEquals(6, policy.values().value(policy.values().row(0, 1, 0), 0));
+    assertEquals(6, policy.values().value(0, policy.values().row(0, 1, 0), 0));
   }
 
   @Test
@@ -147,9 +147,9 @@ class TemporalDifferenceZoomPolicyTest {
     ActionValues values = policy.values();
     int wide = values.row(0, 1, 0);
     int narrow = values.row(0, 0, 2);
-    values.set(wide, 1, 1);
-    values.set(narrow, 0, 8);
-    values.set(narrow, 1, 3);
+    values.set(0, wide, 1, 1);
+    values.set(0, narrow, 0, 8);
+    values.set(0, narrow, 1, 3);
     start();
     network.step(policy);
     assertEquals(0, network.level(0), "explores away from the best, which is the wide level");

@@ -50,8 +50,8 @@ class QbSarsaZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 2, 0);
     network.observe();
     QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
-    policy.values().set(policy.values().row(1, 2, 1), 0, 1);
-    policy.values().set(policy.values().row(1, 2, 0), 1, 1);
+    policy.values().set(1, policy.values().row(1, 2, 1), 0, 1);
+    policy.values().set(1, policy.values().row(1, 2, 0), 1, 1);
     network.decide(policy);
     assertEquals(0, network.level(0), "asked for a count of 1 although it detects none itself");
   }
@@ -71,7 +71,7 @@ class QbSarsaZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(1, 2, 4);
     QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
     prefer(policy, 1, 1, 3);
-    policy.values().set(policy.values().row(1, 1, 0), 0, 0.5);
+    policy.values().set(1, policy.values().row(1, 1, 0), 0, 0.5);
     network.decide(policy);
     assertEquals(0, network.level(0));
   }
@@ -138,7 +138,7 @@ class QbSarsaZoomPolicyTest {
   /** Makes the action the camera's best at that level with nothing detected. */
   private static void prefer(QbSarsaZoomPolicy policy, int camera, int level, int action) {
     ActionValues values = policy.values();
-    values.set(values.row(camera, level, 0), action, 1);
+    values.set(camera, values.row(camera, level, 0), action, 1);
   }
 
   private QbSarsaZoomPolicy begun(ToyNetwork network, String spec) {

@@ -19,7 +19,6 @@ import picocli.CommandLine.Option;
 final class BatchOptions {
   private static final int MOST_STEPS = 10_000_000;
   private static final int MOST_REPEATS = 100_000;
-  private static final int MOST_THREADS = 1024;
 
   @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "First seed.")
   private long seed;
@@ -65,7 +64,7 @@ final class BatchOptions {
     Numbers.inRange("--steps", steps, 1, MOST_STEPS);
     Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
     Numbers.seeds(seed, repeats);
-    Numbers.inRange("--threads", threads, 0, MOST_THREADS);
+    Threads.check(threads);
   }
 
   long seed() {
@@ -101,6 +100,6 @@ final class BatchOptions {
   }
 
   private int threads() {
-    return threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+    return Threads.number(threads);
   }
 }

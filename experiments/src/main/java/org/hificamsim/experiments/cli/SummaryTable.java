@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import org.hificamsim.experiments.run.Estimate;
 import org.hificamsim.experiments.run.Metric;
+import org.hificamsim.experiments.run.Proof;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
 
@@ -43,8 +44,22 @@ final class SummaryTable {
     table.figure("covered by one", Metric.COVERED_1, "%.4f", "");
     table.figure("covered by more", Metric.COVERED_K, "%.4f", "");
     table.figure("mean k", Metric.MEAN_K, "%.4f", "cameras per target");
+    table.unproven(plan);
     table.line("files", folder.toString());
     out.flush();
+  }
+
+  /** Says so where the policy's claim to be the best is not proven for every step. */
+  private void unproven(RunPlan plan) {
+    List<Proof> proofs = results.stream().flatMap(result -> result.proof().stream()).toList();
+    long steps = proofs.stream().mapToLong(Proof::unprovenSteps).sum();
+    if (steps > 0) {
+      long gap = proofs.stream().mapToLong(Proof::gap).sum();
+      long all = (long) plan.steps() * plan.repeats();
+      line(
+          "not proven",
+          "%d of %d steps; their k_min might be up to %d higher in sum".formatted(steps, all, gap));
+    }
   }
 
   private void figure(String label, Metric metric, String format, String unit) {

@@ -7,6 +7,7 @@ import java.io.Writer;
 import java.util.List;
 import org.hificamsim.experiments.run.Estimate;
 import org.hificamsim.experiments.run.Metric;
+import org.hificamsim.experiments.run.Proof;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
 
@@ -66,9 +67,17 @@ public final class SummaryFile {
         json.writeFieldName(metric.label());
         number(metric.of(result));
       }
+      if (result.proof().isPresent()) {
+        proof(result.performance(), result.proof().get());
+      }
       json.writeEndObject();
     }
     json.writeEndArray();
+  }
+
+  private void proof(long performance, Proof proof) throws IOException {
+    json.writeNumberField("unproven_steps", proof.unprovenSteps());
+    json.writeNumberField("performance_bound", performance + proof.gap());
   }
 
   /** Whole numbers without a fraction. */

@@ -4,9 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
@@ -14,9 +16,17 @@ import org.hificamsim.core.world.World;
 /** Runs a plan, one repeat after the other. */
 public final class RunExecutor {
   private final Catalogue catalogue;
+  private final Workers workers;
 
+  /** Runs in the caller's thread alone. */
   public RunExecutor(Catalogue catalogue) {
+    this(catalogue, Workers.CALLER);
+  }
+
+  /** Runs one repeat at a time, with these workers sharing its steps. */
+  public RunExecutor(Catalogue catalogue, Workers workers) {
     this.catalogue = catalogue;
+    this.workers = workers;
   }
 
   /**
@@ -43,7 +53,7 @@ public final class RunExecutor {
       rehearse(plan, run, hindsight);
     }
     simulation(plan, run, policy, all).run(plan.steps());
-    return RunResult.of(run, plan.seed(run), coverage, policy.messages());
+    return RunResult.of(run, plan.seed(run), coverage, policy);
   }
 
   /**
@@ -65,6 +75,7 @@ public final class RunExecutor {
       RunPlan plan, int run, ZoomPolicy policy, List<StepListener> listeners) {
     long seed = plan.seed(run);
     World world = new World(plan.scenario(), catalogue.movements(), seed);
-    return new Simulation(world, plan.detection(), policy, seed, listeners);
+    return new Simulation(
+        world, plan.detection(), policy, Cooperation.NONE, seed, listeners, workers);
   }
 }

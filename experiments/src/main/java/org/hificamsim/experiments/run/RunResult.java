@@ -1,7 +1,9 @@
 package org.hificamsim.experiments.run;
 
 import java.io.Serializable;
+import java.util.Optional;
 import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
  * The coverage of one repeat.
@@ -15,6 +17,9 @@ import org.hificamsim.core.engine.RunCoverage;
  * @param detections one for each camera, target and step
  * @param zoomChanges how often a camera's level differed from the one of the step before
  * @param messages sent between cameras
+ * @param unprovenSteps steps whose configuration is not proven to be the best that the policy could
+ *     take; -1 under a policy that does not claim it to be
+ * @param gap what the performance might gain in those steps at most
  */
 public record RunResult(
     int run,
@@ -27,10 +32,58 @@ public record RunResult(
     double meanK,
     long detections,
     long zoomChanges,
-    long messages)
+    long messages,
+    long unprovenSteps,
+    long gap)
     implements Serializable {
+  private static final Proof NO_CLAIM = new Proof(-1, 0);
+
+  /** A result whose policy proves nothing. */
+  public RunResult(
+      int run,
+      long seed,
+      long performance,
+      double meanKMin,
+      double covered0,
+      double covered1,
+      double coveredK,
+      double meanK,
+      long detections,
+      long zoomChanges,
+      long messages) {
+    this(
+        run,
+        seed,
+        performance,
+        meanKMin,
+        covered0,
+        covered1,
+        coveredK,
+        meanK,
+        detections,
+        zoomChanges,
+        messages,
+        NO_CLAIM.unprovenSteps(),
+        NO_CLAIM.gap());
+  }
+
+  /** What the policy proved; empty under one that does not claim to be the best. */
+  public Optional<Proof> proof() {
+    return unprovenSteps < 0 ? Optional.empty() : Optional.of(new Proof(unprovenSteps, gap));
+  }
+
+  /** The result of a repeat whose coverage has been added up, under a policy. */
+  public static RunResult of(int run, long seed, RunCoverage coverage, ZoomPolicy policy) {
+    return of(run, seed, coverage, policy.messages(), Proof.of(policy).orElse(NO_CLAIM));
+  }
+
   /** The result of a repeat whose coverage has been added up. */
   public static RunResult of(int run, long seed, RunCoverage coverage, long messages) {
+    return of(run, seed, coverage, messages, NO_CLAIM);
+  }
+
+  private static RunResult of(
+      int run, long seed, RunCoverage coverage, long messages, Proof proof) {
     return new RunResult(
         run,
         seed,
@@ -42,7 +95,9 @@ public record RunResult(
         coverage.meanK(),
         coverage.detections(),
         coverage.zoomChanges(),
-        messages);
+        messages,
+        proof.unprovenSteps(),
+        proof.gap());
   }
 
   /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
@@ -58,6 +113,8 @@ public record RunResult(
         meanK,
         detections,
         zoomChanges,
-        messages);
+        messages,
+        unprovenSteps,
+        gap);
   }
 }

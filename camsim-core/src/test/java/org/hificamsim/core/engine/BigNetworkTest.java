@@ -1,0 +1,234 @@
+package org.hificamsim.core.engine;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
+import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
+import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
+import org.hificamsim.core.scenario.ScenarioEvent.RemoveTarget;
+import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.world.World;
+import org.junit.jupiter.api.Test;
+
+/** Grids and threads change nothing but the time: all comes out as from the plain loop. */
+class BigNetworkTest {
+  private static final int CAMERAS = 25;
+  private static final int TARGETS = 40;
+  private static final int STEPS = 12;
+
+  /** Detects in rings, so that the detected distances are many intervals. */
+  private record Rings(double waves) implements DetectionModel {
+    @Override
+    public String name() {
+      return "rings";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return size * Math.cos(waves * distance / zoom.radius());
+    }
+  }
+
+  @Property(tries = 150, edgeCases = EdgeCasesMode.NONE)
+  void aGridObservesWhatThePlainLoopDoes(@ForAll @IntRange(max = 3) int which, @ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    Detection detection = Detection.of(model(which, random));
+    TestScenario scenario = scenario(random);
+    double side = random.nextDouble(0.3, 12);
+    World plain = scenario.world(seed);
+    World binned = scenario.world(seed);
+    PointGrid one = PointGrid.single(plain.targets().count());
+    PointGrid grid = Places.grid(binned, side);
+    assertTrue(grid.cells() > 1);
+    ObservedNetwork expected = new ObservedNetwork(plain, detection, Workers.CALLER, one);
+    try (Workers workers = Workers.of(1 + random.nextInt(3))) {
+      ObservedNetwork observed = new ObservedNetwork(binned, detection, workers, grid);
+      for (int step = 0; step < STEPS; step++) {
+        long drawn = random.nextLong();
+        advance(plain, expected, step, new SplittableRandom(drawn));
+        advance(binned, observed, step, new SplittableRandom(drawn));
+        assertSame(expected, observed);
+      }
+    }
+  }
+
+  private static void advance(
+      World world, ObservedNetwork network, int step, SplittableRandom random) {
+    world.fireEvents(step);
+    network.beginStep(step);
+    network.locate();
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      world.cameras().zoomTo(camera, random.nextInt(world.cameras().levels(camera)));
+    }
+    network.observe();
+    world.moveTargets();
+  }
+
+  private static void assertSame(ObservedNetwork expected, ObservedNetwork observed) {
+    for (int camera = 0; camera < expected.cameras(); camera++) {
+      assertEquals(expected.detected(camera), observed.detected(camera), "camera " + camera);
+    }
+    for (int target = 0; target < expected.targets(); target++) {
+      assertEquals(expected.coverage(target), observed.coverage(target), "target " + target);
+    }
+  }
+
+  @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
+  void detectionSetsAreThoseOfSingleQuestions(
+      @ForAll @IntRange(max = 3) int which, @ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    World world = scenario(random).world(seed);
+    PointGrid grid =
+        random.nextBoolean()
+            ? PointGrid.single(world.targets().count())
+            : Places.grid(world, random.nextDouble(0.3, 12));
+    Detection detection = Detection.of(model(which, random));
+    ObservedNetwork network = new ObservedNetwork(world, detection, Workers.CALLER, grid);
+    world.fireEvents(STEPS);
+    network.beginStep(STEPS);
+    network.locate();
+    long[] masks = new long[8];
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      masks[0] = -1;
+      network.detections(camera, masks, 2);
+      for (int level = 0; level < world.cameras().levels(camera); level++) {
+        for (int target = 0; target < world.targets().count(); target++) {
+          boolean marked = (masks[2 * level + target / 64] >>> target & 1) != 0;
+          assertEquals(network.detects(camera, level, target), marked);
+        }
+      }
+    }
+  }
+
+  @Test
+  void bigWorldsHaveAGridAndSmallOnesDoNot() {
+    Detection detection = Detection.of(new GeometricDetection());
+    assertEquals(1, Places.of(strewn(20, 20, 100).world(), detection).cells());
+    assertTrue(Places.of(strewn(300, 200, 100).world(), detection).cells() > 100);
+    assertEquals(1, Places.of(strewn(300, 200, 5).world(), detection).cells());
+  }
+
+  @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)
+  void anyNumberOfThreadsRunsTheSame(@ForAll long seed) {
+    List<int[]> one = run(seed, 1);
+    assertEquals(100, one.size());
+    for (int threads : new int[] {2, 3, 7}) {
+      List<int[]> several = run(seed, threads);
+      for (int step = 0; step < one.size(); step++) {
+        assertArrayEquals(one.get(step), several.get(step), threads + " threads, step " + step);
+      }
+    }
+  }
+
+  private static List<int[]> run(long seed, int threads) {
+    List<int[]> record = new ArrayList<>();
+    StepListener recorder =
+        (network, coverage) -> {
+          int[] row = new int[network.targets() + 1];
+          for (int target = 0; target < network.targets(); target++) {
+            row[target] = network.coverage(target);
+          }
+          row[network.targets()] = (int) coverage.detections();
+          record.add(row);
+        };
+    World world = strewn(60, 80, 60).world(seed);
+    try (Workers workers = Workers.of(threads)) {
+      new Simulation(
+              world,
+              Detection.of(new CamSimRangeDetection()),
+              new WidestPolicy(),
+              Cooperation.NONE,
+              seed,
+              List.of(recorder),
+              workers)
+          .run(100);
+    }
+    return record;
+  }
+
+  private static TestScenario strewn(int cameras, int targets, double field) {
+    SplittableRandom random = new SplittableRandom(3);
+    TestScenario scenario = new TestScenario().field(0, field, 0, field).zooms(2, 4);
+    for (int camera = 0; camera < cameras; camera++) {
+      scenario.camera(random.nextDouble(field), random.nextDouble(field));
+    }
+    for (int target = 0; target < targets; target++) {
+      scenario.target(
+          random.nextDouble(field), random.nextDouble(field), random.nextDouble(360), 1);
+    }
+    return scenario;
+  }
+
+  private static DetectionModel model(int which, SplittableRandom random) {
+    return switch (which) {
+      case 0 -> new CamSimRangeDetection();
+      case 1 -> new GeometricDetection();
+      case 2 -> new CamSimVisibilityDetection();
+      default -> new Rings(random.nextDouble(20));
+    };
+  }
+
+  /** Own ranges or a zoom list, sectors, targets on borders and outside, comings and goings. */
+  private static TestScenario scenario(SplittableRandom random) {
+    TestScenario scenario = new TestScenario();
+    if (random.nextBoolean()) {
+      scenario.zooms(0.5, 3, 7.5);
+    }
+    for (int camera = 0; camera < CAMERAS; camera++) {
+      double angle = random.nextInt(3) == 0 ? random.nextDouble(1, 360) : 360;
+      double range = random.nextInt(5) == 0 ? 18 : random.nextDouble(4);
+      scenario.camera(
+          TestScenario.camera(
+              "c" + camera,
+              coordinate(random),
+              coordinate(random),
+              random.nextDouble(360),
+              angle,
+              range));
+    }
+    double[] sizes = {0.3, 0.66, 2};
+    for (int target = 0; target < TARGETS; target++) {
+      double x = coordinate(random) * (random.nextInt(9) == 0 ? 1.5 : 1);
+      double heading = random.nextDouble(360);
+      scenario.target(
+          TestScenario.sized(
+              TestScenario.target(target, x, coordinate(random), heading, random.nextDouble(3)),
+              sizes[random.nextInt(3)]));
+    }
+    return scenario.events(events(random));
+  }
+
+  private static ScenarioEvent[] events(SplittableRandom random) {
+    List<ScenarioEvent> events = new ArrayList<>();
+    for (int step = 1; step < STEPS; step++) {
+      String camera = "c" + random.nextInt(CAMERAS);
+      double x = coordinate(random);
+      events.add(new ChangeCamera(step, camera, x, -1, 5, -1, random.nextDouble(9)));
+      events.add(new FailCamera(step, "c" + random.nextInt(CAMERAS), 1 + random.nextInt(3)));
+      events.add(new RemoveTarget(step, random.nextInt(TARGETS)));
+      events.add(new AddTarget(step, TestScenario.target(TARGETS + step, x, 0, 10, 1)));
+    }
+    return events.toArray(ScenarioEvent[]::new);
+  }
+
+  private static double coordinate(SplittableRandom random) {
+    return random.nextInt(3) == 0 ? random.nextInt(-10, 11) : random.nextDouble(-10, 10);
+  }
+}

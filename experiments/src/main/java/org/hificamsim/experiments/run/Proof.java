@@ -1,0 +1,20 @@
+package org.hificamsim.experiments.run;
+
+import java.util.Optional;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/**
+ * How far a run's configurations are proven to be the best ones that its policy could take.
+ *
+ * @param unprovenSteps the number of steps whose search ended without a proof
+ * @param gap what the performance might gain in those steps at most
+ */
+public record Proof(long unprovenSteps, long gap) {
+  /** What a policy proved; empty for one that does not claim to be the best. */
+  static Optional<Proof> of(ZoomPolicy policy) {
+    return policy instanceof ProvingZoomPolicy proving
+        ? Optional.of(new Proof(proving.unprovenSteps(), proving.gap()))
+        : Optional.empty();
+  }
+}

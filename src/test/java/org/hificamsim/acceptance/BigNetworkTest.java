@@ -1,0 +1,115 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Generated scenarios, and runs of them on several threads. */
+class BigNetworkTest {
+  private static final int STEPS = 60;
+  private static final List<String> FILES =
+      List.of("steps.csv", "zooms.csv", "targets.csv", "summary.json");
+
+  @TempDir Path folder;
+  private Path scenario;
+
+  @BeforeEach
+  void generate() {
+    scenario = folder.resolve("big.xml");
+    Cli generated = Cli.run("generate", scenario, "--cameras", 400, "--seed", 3);
+    assertEquals(0, generated.exit(), generated.err());
+    assertTrue(generated.out().contains("400 cameras, 240 targets"), generated.out());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "zoom-out",
+        "random",
+        "epsilon-greedy",
+        "ucb1",
+        "softmax",
+        "sarsa",
+        "q-learning",
+        "qb-sarsa",
+        "qb-sarsa:k=30,own-vote=no",
+        "optimal"
+      })
+  void anyNumberOfThreadsWritesTheSameBytes(String policy) throws IOException {
+    Path one = run(policy, 1);
+    assertEquals(STEPS, Files.readAllLines(one.resolve("steps.csv")).size() - 1);
+    assertEquals(400 * STEPS, Files.readAllLines(one.resolve("zooms.csv")).size() - 1);
+    for (int threads : new int[] {2, 5}) {
+      Path several = run(policy, threads);
+      for (String file : FILES) {
+        assertArrayEquals(
+            Files.readAllBytes(one.resolve(file)),
+            Files.readAllBytes(several.resolve(file)),
+            policy + ", " + threads + " threads: " + file);
+      }
+    }
+  }
+
+  @Test
+  void theSameArgumentsGenerateTheSameScenarioAndAnotherSeedAnother() throws IOException {
+    Path again = folder.resolve("again.xml");
+    Path other = folder.resolve("other.xml");
+    Cli.run("generate", again, "--cameras", 400, "--seed", 3);
+    Cli.run("generate", other, "--cameras", 400, "--seed", 4);
+    assertEquals(-1, Files.mismatch(scenario, again));
+    assertNotEquals(-1, Files.mismatch(scenario, other));
+  }
+
+  @Test
+  void aGeneratedScenarioIsValidWithoutWarnings() {
+    Cli validated = Cli.run("validate", scenario);
+    assertEquals(0, validated.exit(), validated.err());
+    assertEquals("", validated.err());
+  }
+
+  @Test
+  void argumentsOutOfRangeAreRefused() {
+    refused("--cameras is 0", "generate", folder.resolve("x.xml"), "--cameras", 0);
+    refused("--targets is 0", "generate", folder.resolve("x.xml"), "--targets", 0);
+    refused("--area is NaN", "generate", folder.resolve("x.xml"), "--area", "NaN");
+    refused("is a folder", "generate", folder);
+    refused("--threads is -1", "run", scenario, "--threads", -1);
+  }
+
+  private void refused(String expected, Object... words) {
+    Cli run = Cli.run(words);
+    assertEquals(2, run.exit());
+    assertTrue(run.err().startsWith("error: ") && run.err().contains(expected), run.err());
+    assertEquals(1, run.err().lines().count(), run.err());
+  }
+
+  private Path run(String policy, int threads) {
+    Path out = folder.resolve("out-" + threads);
+    Cli run =
+        Cli.run(
+            "run",
+            scenario,
+            "--policy",
+            policy,
+            "--steps",
+            STEPS,
+            "--threads",
+            threads,
+            "--record",
+            "--out",
+            out);
+    assertEquals(0, run.exit(), run.err());
+    return out;
+  }
+}
