@@ -25,6 +25,25 @@ class CompareCommandTest {
   @TempDir Path folder;
 
   @Test
+  void quietPrintsNothingButErrors() {
+    Cli compare =
+        Cli.run(
+            "compare",
+            Cli.scenario("ring-random"),
+            "--steps",
+            5,
+            "--repeat",
+            2,
+            "--quiet",
+            "--out",
+            folder);
+    assertEquals(new Cli(0, "", ""), compare);
+    Cli sensitivity =
+        Cli.run("sensitivity", "--steps", 2, "--repeat", 1, "--quiet", "--out", folder);
+    assertEquals(new Cli(0, "", ""), sensitivity);
+  }
+
+  @Test
   void writesOneRowPerScenarioDetectionPolicyAndSeedInThatOrder() throws IOException {
     Cli compare = Cli.run(words(folder, 40, 3, "--threads", 2));
     assertEquals(0, compare.exit(), compare.err());

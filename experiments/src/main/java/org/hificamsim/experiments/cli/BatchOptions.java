@@ -1,5 +1,6 @@
 package org.hificamsim.experiments.cli;
 
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options of commands that run many plans. */
@@ -10,6 +11,8 @@ final class BatchOptions {
 
   @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "First seed.")
   private long seed;
+
+  @Mixin private QuietOption quiet;
 
   @Option(names = "--resume", description = "Keep the runs that a killed command finished.")
   private boolean resume;
@@ -35,6 +38,10 @@ final class BatchOptions {
 
   boolean resume() {
     return resume;
+  }
+
+  QuietOption quiet() {
+    return quiet;
   }
 
   int threads() {

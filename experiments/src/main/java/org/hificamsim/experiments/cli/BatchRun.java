@@ -49,8 +49,7 @@ final class BatchRun {
     List<RunPlan> all = Comparison.withOptimum(plans);
     long runs = all.stream().mapToLong(RunPlan::repeats).sum();
     long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
-    try (Progress progress =
-        new Progress(command.name(), " runs", runs, command.commandLine().getErr())) {
+    try (Progress progress = options.quiet().progress(command, command.name(), " runs", runs)) {
       Comparison comparison = new Comparison(executor, options.threads(), progress::advance);
       return writing.execute(
           new ComparisonRun(comparison, options.resume()),

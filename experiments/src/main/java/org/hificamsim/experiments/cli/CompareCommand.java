@@ -74,7 +74,7 @@ final class CompareCommand implements Callable<Integer> {
     List<CaseResult> cases =
         new BatchRun(spec, batch, catalogue)
             .execute(plans(catalogue), out, ComparisonRun::execute, ComparisonFigures::write);
-    ComparisonTable.print(spec.commandLine().getOut(), cases, out);
+    ComparisonTable.print(batch.quiet().out(spec), cases, out);
     return 0;
   }
 
@@ -89,7 +89,7 @@ final class CompareCommand implements Callable<Integer> {
     requireDistinct("--policies", specs);
     List<Scenario> scenarios =
         files.stream()
-            .map(file -> scenarioOptions.read(file, catalogue, spec.commandLine().getErr()))
+            .map(file -> scenarioOptions.read(file, catalogue, batch.quiet().err(spec)))
             .toList();
     requireDistinct("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     List<RunPlan> plans = new ArrayList<>();

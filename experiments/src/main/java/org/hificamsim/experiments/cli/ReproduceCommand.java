@@ -53,7 +53,7 @@ final class ReproduceCommand implements Callable<Integer> {
             out,
             ComparisonRun::execute,
             (folder, results) -> judgement = ReproductionFiles.write(folder, results));
-    JudgementTable.print(spec.commandLine().getOut(), judgement, out);
+    JudgementTable.print(batch.quiet().out(spec), judgement, out);
     return 0;
   }
 }

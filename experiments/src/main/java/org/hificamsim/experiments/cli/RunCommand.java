@@ -88,6 +88,8 @@ final class RunCommand implements Callable<Integer> {
       description = "A step listener from a jar on the class path; may be repeated.")
   private List<String> listeners = new ArrayList<>();
 
+  @Mixin private QuietOption quiet;
+
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Spec private CommandSpec spec;
@@ -102,7 +104,8 @@ final class RunCommand implements Callable<Integer> {
     listeners.forEach(catalogue.listeners()::create);
     Path folder = out != null ? out : Path.of("out", plan.scenario().name());
     try (OutputFolder output = new OutputFolder(folder)) {
-      List<RunResult> results = execute(plan, executor, catalogue, output);
+      KMinOverTime kMin = new KMinOverTime(plan.steps());
+      List<RunResult> results = execute(plan, executor, catalogue, output, kMin);
       SummaryFile.write(output.open("summary.json"), plan, results);
       ManifestFile.write(
           output.open("manifest.json"),
@@ -110,7 +113,7 @@ final class RunCommand implements Callable<Integer> {
           started,
           (long) plan.steps() * plan.repeats());
       output.commit(RunRecorder.RECORDS);
-      SummaryTable.print(stdout(), plan, results, folder);
+      SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
     }
     return 0;
   }
@@ -132,17 +135,22 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private List<RunResult> execute(
-      RunPlan plan, RunExecutor executor, Catalogue catalogue, OutputFolder output)
+      RunPlan plan,
+      RunExecutor executor,
+      Catalogue catalogue,
+      OutputFolder output,
+      KMinOverTime kMin)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (RunRecorder recorder = new RunRecorder(output, record);
         Progress progress =
-            new Progress("run " + plan.scenario().name(), " steps", total, stderr())) {
+            quiet.progress(spec, "run " + plan.scenario().name(), " steps", total)) {
       return executor.execute(
           plan,
           run -> {
             List<StepListener> all = new ArrayList<>();
             all.add(recorder.listener(run));
+            all.add(kMin.listener());
             all.add((network, coverage) -> progress.advance());
             listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
             return all;
@@ -151,10 +159,10 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private PrintWriter stdout() {
-    return spec.commandLine().getOut();
+    return quiet.out(spec);
   }
 
   private PrintWriter stderr() {
-    return spec.commandLine().getErr();
+    return quiet.err(spec);
   }
 }

@@ -51,7 +51,7 @@ final class SensitivityCommand implements Callable<Integer> {
             out,
             ComparisonRun::executeWithoutTables,
             (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results));
-    spec.commandLine().getOut().println(findings + "files: " + out);
+    batch.quiet().out(spec).println(findings + "files: " + out);
     return 0;
   }
 }
