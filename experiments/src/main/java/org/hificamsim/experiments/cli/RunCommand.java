@@ -11,11 +11,14 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
 import org.hificamsim.experiments.catalogue.Catalogue;
 import org.hificamsim.experiments.output.ManifestFile;
 import org.hificamsim.experiments.output.OutputFolder;
 import org.hificamsim.experiments.output.RunRecorder;
 import org.hificamsim.experiments.output.SummaryFile;
+import org.hificamsim.experiments.replay.ReplayRecorder;
+import org.hificamsim.experiments.replay.Setup;
 import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
@@ -102,13 +105,17 @@ final class RunCommand implements Callable<Integer> {
     listeners.forEach(catalogue.listeners()::create);
     Path folder = out != null ? out : Path.of("out", plan.scenario().name());
     try (OutputFolder output = new OutputFolder(folder)) {
-      List<RunResult> results = execute(plan, executor, catalogue, output);
+      ReplayRecorder replay = replay(plan, catalogue);
+      List<RunResult> results = execute(plan, executor, catalogue, output, replay);
       SummaryFile.write(output.open("summary.json"), plan, results);
       ManifestFile.write(
           output.open("manifest.json"),
           spec.commandLine().getParent().getParseResult().originalArgs(),
           started,
           (long) plan.steps() * plan.repeats());
+      if (record) {
+        replay.write(output.stream(ReplayRecorder.FILE));
+      }
       output.commit(RunRecorder.RECORDS);
       SummaryTable.print(stdout(), plan, results, folder);
     }
@@ -132,7 +139,11 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private List<RunResult> execute(
-      RunPlan plan, RunExecutor executor, Catalogue catalogue, OutputFolder output)
+      RunPlan plan,
+      RunExecutor executor,
+      Catalogue catalogue,
+      OutputFolder output,
+      ReplayRecorder replay)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (RunRecorder recorder = new RunRecorder(output, record);
@@ -143,11 +154,22 @@ final class RunCommand implements Callable<Integer> {
           run -> {
             List<StepListener> all = new ArrayList<>();
             all.add(recorder.listener(run));
+            if (record) {
+              all.add(replay.listener(run));
+            }
             all.add((network, coverage) -> progress.advance());
             listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
             return all;
           });
     }
+  }
+
+  private static ReplayRecorder replay(RunPlan plan, Catalogue catalogue) {
+    World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
+    return new ReplayRecorder(
+        Setup.of(world, plan.detection(), plan.policy(), plan.seed()),
+        plan.detection(),
+        plan.repeats());
   }
 
   private PrintWriter stdout() {
