@@ -62,7 +62,7 @@ public final class Simulation {
   /** Runs this many steps, from the first, telling the listeners when it starts and ends. */
   public void run(long steps) {
     for (StepListener listener : listeners) {
-      listener.started(network);
+      listener.started(network, policy);
     }
     for (long i = 0; i < steps; i++) {
       step();

@@ -7,15 +7,19 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.IntFunction;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
 import org.hificamsim.experiments.catalogue.Catalogue;
 import org.hificamsim.experiments.output.ManifestFile;
 import org.hificamsim.experiments.output.OutputFolder;
 import org.hificamsim.experiments.output.RunRecorder;
 import org.hificamsim.experiments.output.SummaryFile;
+import org.hificamsim.experiments.replay.ReplayRecorder;
+import org.hificamsim.experiments.replay.Setup;
 import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
@@ -105,13 +109,20 @@ final class RunCommand implements Callable<Integer> {
     Path folder = out != null ? out : Path.of("out", plan.scenario().name());
     try (OutputFolder output = new OutputFolder(folder)) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
-      List<RunResult> results = execute(plan, executor, catalogue, output, kMin);
+      ReplayRecorder replay = replay(plan, catalogue);
+      IntFunction<List<StepListener>> own =
+          run ->
+              record ? List.of(kMin.listener(), replay.listener(run)) : List.of(kMin.listener());
+      List<RunResult> results = execute(plan, executor, catalogue, output, own);
       SummaryFile.write(output.open("summary.json"), plan, results);
       ManifestFile.write(
           output.open("manifest.json"),
           spec.commandLine().getParent().getParseResult().originalArgs(),
           started,
           (long) plan.steps() * plan.repeats());
+      if (record) {
+        replay.write(output.stream(ReplayRecorder.FILE));
+      }
       output.commit(RunRecorder.RECORDS);
       SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
     }
@@ -139,7 +150,7 @@ final class RunCommand implements Callable<Integer> {
       RunExecutor executor,
       Catalogue catalogue,
       OutputFolder output,
-      KMinOverTime kMin)
+      IntFunction<List<StepListener>> own)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (RunRecorder recorder = new RunRecorder(output, record);
@@ -150,12 +161,20 @@ final class RunCommand implements Callable<Integer> {
           run -> {
             List<StepListener> all = new ArrayList<>();
             all.add(recorder.listener(run));
-            all.add(kMin.listener());
+            all.addAll(own.apply(run));
             all.add((network, coverage) -> progress.advance());
             listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
             return all;
           });
     }
+  }
+
+  private static ReplayRecorder replay(RunPlan plan, Catalogue catalogue) {
+    World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
+    return new ReplayRecorder(
+        Setup.of(world, plan.detection(), plan.policy(), plan.seed()),
+        plan.detection(),
+        plan.repeats());
   }
 
   private PrintWriter stdout() {
