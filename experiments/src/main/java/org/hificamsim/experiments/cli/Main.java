@@ -28,6 +28,7 @@ import picocli.CommandLine.Spec;
       ReproduceCommand.class,
       SensitivityCommand.class,
       PlotCommand.class,
+      ReportCommand.class,
       ValidateCommand.class,
       ListCommand.class,
       CamSimCommand.class,
@@ -68,8 +69,8 @@ public final class Main implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "no command, expected run, compare, reproduce, sensitivity, plot, validate, list, camsim"
-            + " or profile");
+        "no command, expected run, compare, reproduce, sensitivity, plot, report, validate, list,"
+            + " camsim or profile");
   }
 
   private static int usage(ParameterException fault) {
