@@ -71,6 +71,7 @@ class PicturesTest {
 
   @Test
   void picturesComeWithoutThePageUnlessThatIsAskedFor() throws IOException {
+    Files.deleteIfExists(run.resolve("report.html"));
     Path png = folder.resolve("last.png");
     Cli.run("report", run, "--png", png, "--run", 1);
     assertEquals(1600, ImageIO.read(png.toFile()).getWidth());

@@ -20,6 +20,7 @@ import org.hificamsim.experiments.output.RunRecorder;
 import org.hificamsim.experiments.output.SummaryFile;
 import org.hificamsim.experiments.replay.ReplayRecorder;
 import org.hificamsim.experiments.replay.Setup;
+import org.hificamsim.experiments.report.Report;
 import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
@@ -83,7 +84,9 @@ final class RunCommand implements Callable<Integer> {
       description = "Where the files go; default: out/<scenario>/.")
   private Path out;
 
-  @Option(names = "--record", description = "Write zooms.csv and targets.csv too.")
+  @Option(
+      names = "--record",
+      description = "Write zooms.csv, targets.csv, replay.json and report.html too.")
   private boolean record;
 
   @Option(
@@ -124,6 +127,9 @@ final class RunCommand implements Callable<Integer> {
         replay.write(output.stream(ReplayRecorder.FILE));
       }
       output.commit(RunRecorder.RECORDS);
+      if (record) {
+        Report.write(folder, folder.resolve(Report.FILE));
+      }
       SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
     }
     return 0;

@@ -29,12 +29,15 @@ export const metres = number => `${number.toFixed(3)} m`;
 /** A share as a percentage. */
 export const percent = share => `${decimals(100 * share, 1)} %`;
 
+/** The page's unit of length in CSS pixels: drawings grow with the text. */
+export const rem = () => parseFloat(getComputedStyle(document.documentElement).fontSize);
+
 /** A canvas that fills its element, with `paint(context, width, height)` in CSS pixels at each change of size. */
 export class Surface {
   constructor(attributes, paint) {
     this.canvas = el('canvas', attributes);
     this.paint = paint;
-    this.observer = new ResizeObserver(() => this.resize());
+    this.observer = new ResizeObserver(() => requestAnimationFrame(() => this.resize()));
     this.observer.observe(this.canvas);
   }
 
@@ -45,6 +48,7 @@ export class Surface {
     this.height = box.height;
     this.canvas.width = Math.max(1, Math.round(box.width * this.ratio));
     this.canvas.height = Math.max(1, Math.round(box.height * this.ratio));
+    this.unit = rem() / 14;
     this.changed = true;
     this.draw();
   }

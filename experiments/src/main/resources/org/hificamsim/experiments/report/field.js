@@ -77,12 +77,12 @@ export class FieldView {
     const {run, frame, map} = this;
     const [px, py] = this.pointer;
     const best = {camera: -1, target: -1};
-    let least = NEAR;
+    let least = NEAR * this.surface.unit;
     run.setup.targets.forEach((target, i) => {
       const gap = run.present[i][frame] ? Math.hypot(map.x(run.x[i][frame]) - px, map.y(run.y[i][frame]) - py) : Infinity;
       if (gap < least) [least, best.target] = [gap, i];
     });
-    least = NEAR;
+    least = NEAR * this.surface.unit;
     run.setup.cameras.forEach((camera, i) => {
       const pose = run.pose(i, frame);
       const gap = Math.hypot(map.x(pose.x) - px, map.y(pose.y) - py);
@@ -139,29 +139,30 @@ export class FieldView {
   paintGrid(context, width, height) {
     const {map, colours} = this;
     const {minX, maxX, minY, maxY} = this.run.setup.field;
-    const gap = niceGap((maxX - minX) / (width / 90));
+    const {unit} = this.surface;
+    const gap = niceGap((90 * unit) / map.scale);
     context.lineWidth = 1;
     context.strokeStyle = colours.grid;
     context.fillStyle = colours.faint;
-    context.font = '11px sans-serif';
+    context.font = `${11 * unit}px sans-serif`;
     context.beginPath();
     context.textAlign = 'center';
     for (let x = Math.ceil(minX / gap) * gap; x <= maxX + 1e-9; x += gap) {
       context.moveTo(map.x(x), map.y(minY));
       context.lineTo(map.x(x), map.y(maxY));
-      context.fillText(decimals(x, 3), map.x(x), map.y(minY) + 14);
+      context.fillText(decimals(x, 3), map.x(x), map.y(minY) + 14 * unit);
     }
     context.textAlign = 'right';
     for (let y = Math.ceil(minY / gap) * gap; y <= maxY + 1e-9; y += gap) {
       context.moveTo(map.x(minX), map.y(y));
       context.lineTo(map.x(maxX), map.y(y));
-      context.fillText(decimals(y, 3), map.x(minX) - 5, map.y(y) + 4);
+      context.fillText(decimals(y, 3), map.x(minX) - 5 * unit, map.y(y) + 4 * unit);
     }
     context.stroke();
     context.strokeStyle = colours.faint;
     context.strokeRect(map.x(minX), map.y(maxY), map.x(maxX) - map.x(minX), map.y(minY) - map.y(maxY));
-    context.textAlign = 'left';
-    context.fillText('m', map.x(maxX) + 4, map.y(minY) + 14);
+    context.textAlign = 'right';
+    context.fillText('metres', map.x(maxX), map.y(minY) + 28 * unit);
   }
 
   /** The field of view as an outline, the ranges in which a target of the usual size is detected as areas. */
@@ -180,8 +181,8 @@ export class FieldView {
     }
     context.globalAlpha = chosen ? 1 : 0.55;
     context.strokeStyle = colours.range;
-    context.lineWidth = chosen ? 2.5 : 1;
-    context.setLineDash(chosen ? [] : [5, 4]);
+    context.lineWidth = (chosen ? 2.5 : 1) * this.surface.unit;
+    context.setLineDash(chosen ? [] : [5 * this.surface.unit, 4 * this.surface.unit]);
     context.beginPath();
     sector(context, map, pose, level.radius);
     context.stroke();
@@ -199,7 +200,7 @@ export class FieldView {
         const cover = COVER[coverClass(run.coverage[i][f])];
         context.globalAlpha = 0.15 + (0.75 * (f - first + 1)) / (frame - first + 1);
         context.strokeStyle = cover.colour;
-        context.lineWidth = cover.width;
+        context.lineWidth = cover.width * this.surface.unit;
         context.beginPath();
         context.moveTo(map.x(run.x[i][f - 1]), map.y(run.y[i][f - 1]));
         context.lineTo(map.x(run.x[i][f]), map.y(run.y[i][f]));
@@ -214,8 +215,8 @@ export class FieldView {
     const {run, frame, map, colours} = this;
     const pose = run.pose(i, frame);
     const [x, y] = [map.x(pose.x), map.y(pose.y)];
-    const r = i === this.selected ? 7 : 5;
-    context.lineWidth = 2;
+    const r = (i === this.selected ? 7 : 5) * this.surface.unit;
+    context.lineWidth = 2 * this.surface.unit;
     context.strokeStyle = colours.camera;
     context.fillStyle = run.online[i][frame] ? colours.camera : colours.paper;
     context.beginPath();
@@ -237,7 +238,7 @@ export class FieldView {
     const k = run.coverage[i][frame];
     const kind = coverClass(k);
     const [x, y] = [map.x(run.x[i][frame]), map.y(run.y[i][frame])];
-    const r = Math.max(9, (map.scale * run.setup.targets[i].size) / 2);
+    const r = Math.max(9 * this.surface.unit, (map.scale * run.setup.targets[i].size) / 2);
     context.fillStyle = COVER[kind].colour;
     context.strokeStyle = colours.ink;
     context.lineWidth = 1.5;

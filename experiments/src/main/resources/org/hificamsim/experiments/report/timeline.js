@@ -1,9 +1,9 @@
 // Quantities over time under one playhead: k_min, how targets are covered, and each camera's zoom.
-import { el, decimals, onThemeChange, say, style, Surface } from './dom.js';
+import { el, decimals, onThemeChange, rem, say, style, Surface } from './dom.js';
 import { COVER, levelColour, levelShare } from './palette.js';
 
-const GUTTER = 92;
-const RIGHT = 14;
+const GUTTER = 6.5; // rem, as in the style sheet
+const RIGHT = 1;
 const SHOWN_RAW = 400;
 const SMOOTHED_SHARE = 100;
 
@@ -21,7 +21,7 @@ function smoothed(values) {
 }
 
 const axis = (extra = {}) => ({
-  stroke: () => style('--faint'), font: '11px sans-serif', grid: {stroke: () => style('--grid'), width: 1},
+  stroke: () => style('--faint'), font: `${0.75 * rem()}px sans-serif`, grid: {stroke: () => style('--grid'), width: 1},
   ticks: {stroke: () => style('--grid'), width: 1, size: 4}, ...extra,
 });
 
@@ -35,7 +35,7 @@ class Chart {
     this.box = el('div', {class: 'plot', role: 'img', 'aria-label': label});
     this.line = el('div', {class: 'playhead'});
     this.element = el('figure', {class: 'chart'}, el('figcaption', {}, title, this.value), this.box);
-    new ResizeObserver(() => this.fit()).observe(this.box);
+    new ResizeObserver(() => requestAnimationFrame(() => this.fit())).observe(this.box);
     onThemeChange(() => this.plot?.redraw());
   }
 
@@ -58,10 +58,10 @@ class Chart {
 
   make(width, height) {
     this.plot = new uPlot({
-      width, height, legend: {show: false}, padding: [6, RIGHT, 0, 0],
+      width, height, legend: {show: false}, padding: [6, RIGHT * rem(), 0, 0],
       cursor: {drag: {x: false, y: false}, points: {show: false}, y: false, x: false},
       scales: {x: {time: false, range: (plot, low, high) => [low, Math.max(high, low + 1)]}, ...this.more.scales},
-      axes: [axis({size: 24}), axis({size: GUTTER, ...this.more.yAxis})],
+      axes: [axis({size: 1.7 * rem(), space: 4 * rem()}), axis({size: GUTTER * rem(), space: 1.8 * rem(), ...this.more.yAxis})],
       series: [{}, ...this.series], bands: this.more.bands,
     }, this.data, this.box);
     this.plot.over.append(this.line);
