@@ -22,6 +22,7 @@ import org.openqa.selenium.WebElement;
 import org.openqa.selenium.chrome.ChromeDriver;
 import org.openqa.selenium.chrome.ChromeDriverService;
 import org.openqa.selenium.chrome.ChromeOptions;
+import org.openqa.selenium.interactions.Actions;
 import org.openqa.selenium.logging.LogEntry;
 import org.openqa.selenium.logging.LogType;
 import org.openqa.selenium.logging.LoggingPreferences;
@@ -115,6 +116,27 @@ final class Browser implements AutoCloseable {
   /** Presses keys on whatever has the focus. */
   void press(CharSequence... keys) {
     driver.switchTo().activeElement().sendKeys(keys);
+  }
+
+  /** Leaves the page. */
+  void leave() {
+    driver.get("about:blank");
+  }
+
+  /** Forgets what the console said since {@link #open}. */
+  void forgetConsole() {
+    driver.manage().logs().get(LogType.BROWSER);
+  }
+
+  /** Waits until what was under way between page and server has been drawn. */
+  void settle() {
+    driver.executeAsyncScript(
+        "const done = arguments[0]; setTimeout(() => requestAnimationFrame(() => done()), 150)");
+  }
+
+  /** What a mouse does. */
+  Actions actions() {
+    return new Actions(driver);
   }
 
   /** A picture of what is visible. */

@@ -59,6 +59,16 @@ public final class Simulation {
     policy.begin(network, new SplittableRandom(seed));
   }
 
+  /**
+   * Counts on from a step, in a world that has been through those before.
+   *
+   * @param next the step that {@link #step} is to run next
+   */
+  public Simulation continuingAt(long next) {
+    step = next;
+    return this;
+  }
+
   /** Runs this many steps, from the first, telling the listeners when it starts and ends. */
   public void run(long steps) {
     for (StepListener listener : listeners) {

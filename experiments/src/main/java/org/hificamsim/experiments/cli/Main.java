@@ -29,6 +29,7 @@ import picocli.CommandLine.Spec;
       SensitivityCommand.class,
       PlotCommand.class,
       ReportCommand.class,
+      ViewCommand.class,
       ValidateCommand.class,
       ListCommand.class,
       CamSimCommand.class,
@@ -69,8 +70,8 @@ public final class Main implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "no command, expected run, compare, reproduce, sensitivity, plot, report, validate, list,"
-            + " camsim or profile");
+        "no command, expected run, compare, reproduce, sensitivity, plot, report, view, validate,"
+            + " list, camsim or profile");
   }
 
   private static int usage(ParameterException fault) {

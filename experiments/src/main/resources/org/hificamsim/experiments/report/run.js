@@ -39,11 +39,39 @@ export class Run {
       frame[name].forEach((value, i) => this[name][i].push(value));
     }
     for (const name of ['estimates', 'counts']) {
-      frame[name].forEach((values, camera) => values.forEach((value, level) => this[name][camera][level].push(value)));
+      this[name].forEach((levels, camera) => levels.forEach((list, level) => list.push(frame[name][camera]?.[level] ?? NaN)));
     }
     moves.forEach(move => this.move(move));
     this.steps = frame.step + 1;
     this.measure(this.count++);
+  }
+
+  /** Goes on under another set-up of the same cameras and targets: what agents knew is forgotten. */
+  become(setup, estimated) {
+    this.setup = setup;
+    if (estimated === this.estimated && !estimated) return;
+    this.estimated = estimated;
+    for (const all of [this.estimates, this.counts]) all.forEach(levels => levels.forEach(list => list.fill(NaN)));
+  }
+
+  /** Shows a camera elsewhere from the last frame on, until the simulation says where it is. */
+  preview(camera, x, y) {
+    const poses = this.poses[camera];
+    const last = poses[poses.length - 1];
+    if (last.preview) poses.pop();
+    poses.push({step: this.step[this.count - 1] ?? -1, pose: {...last.pose, x, y}, preview: true});
+  }
+
+  /** Leaves out every other frame, but not the last one. */
+  thin() {
+    const rest = (this.count - 1) % 2;
+    const half = list => list.filter((value, i) => i % 2 === rest);
+    this.step = half(this.step);
+    for (const name of ['online', 'level', 'detected', 'present', 'x', 'y', 'coverage', 'covered']) this[name] = this[name].map(half);
+    for (const name of ['estimates', 'counts']) this[name] = this[name].map(levels => levels.map(half));
+    for (const name of ['kMin', 'targets', 'sum']) this[name] = half(this[name]);
+    this.count = this.step.length;
+    this.every *= 2;
   }
 
   /** Notes that a camera stands, looks or sees otherwise from a step on. */
