@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.AfterAll;
@@ -12,6 +14,8 @@ import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.openqa.selenium.Keys;
 import org.openqa.selenium.WebElement;
 import org.openqa.selenium.support.ui.Select;
@@ -119,15 +123,15 @@ class ViewPageTest {
             (int) x - field.getSize().getWidth() / 2,
             (int) y - field.getSize().getHeight() / 2)
         .clickAndHold()
-        .moveByOffset(40, -30)
-        .moveByOffset(20, -20)
+        .moveByOffset(-40, 30)
+        .moveByOffset(-20, 20)
         .release()
         .perform();
     browser.until("return !hificamsim.dragging && !hificamsim.dragged");
     browser.press(Keys.ARROW_RIGHT);
     browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
-    assertEquals(x + 60, (long) browser.run(place + "map.x(pose.x))"), 1);
-    assertEquals(y - 50, (long) browser.run(place + "map.y(pose.y))"), 1);
+    assertEquals(x - 60, (long) browser.run(place + "map.x(pose.x))"), 1);
+    assertEquals(y + 50, (long) browser.run(place + "map.y(pose.y))"), 1);
   }
 
   @Test
@@ -154,6 +158,26 @@ class ViewPageTest {
     assertEquals(2, browser.findAll("canvas.field").size());
     browser.find("#compare").click();
     browser.until("return hificamsim.runs.length === 1");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280,1000,1", "1280,1000,2", "3840,2000,1", "3840,2000,2"})
+  void fitsTheWindow(int width, int height, int models) throws IOException {
+    browser.size(width, height);
+    choose("policy", "sarsa");
+    if (models == 2) {
+      browser.find("#compare").click();
+      browser.until("return hificamsim.runs.length === 2 && hificamsim.runs[1].count > 3");
+      new Select(browser.findAll("[name=detection]").get(1)).selectByValue("camsim-range");
+    }
+    new Select(browser.find(".controls select")).selectByValue("200");
+    browser.until("return hificamsim.runs[0].count > 400");
+    pause();
+    Path pictures = Files.createDirectories(Path.of("build", "screenshots"));
+    browser.screenshot(pictures.resolve("view-%d-%d.png".formatted(width, models)));
+    assertEquals(
+        true, browser.run("return document.documentElement.scrollWidth <= innerWidth"), "overflow");
+    browser.size(1280, 1000);
   }
 
   @Test

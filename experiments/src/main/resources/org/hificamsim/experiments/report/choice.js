@@ -8,22 +8,30 @@ export class ChoiceForm {
    * @param data what LivePage wrote
    * @param choose called with `{detection, threshold, policy}`, the threshold null for the model's own
    */
-  constructor(data, setup, choose) {
+  constructor(data, choose) {
     const id = `choice-${forms++}`;
-    const [name, options] = parts(data.policies, setup.policy);
+    this.policies = data.policies;
     this.detection = el('select', {id: `${id}-detection`, name: 'detection'}, ...data.detections.map(one => el('option', {value: one}, one)));
     this.policy = el('select', {id: `${id}-policy`, name: 'policy'},
       ...data.policies.map(one => el('option', {value: one.name, title: one.summary}, one.name)));
-    this.options = el('input', {id: `${id}-options`, name: 'options', placeholder: 'key=value,...', value: options, spellcheck: 'false'});
-    this.threshold = el('input', {id: `${id}-threshold`, name: 'threshold', type: 'number', min: 0, max: 1, step: 'any', value: decimals(setup.threshold, 6)});
-    this.detection.value = setup.detection;
-    this.policy.value = name;
+    this.options = el('input', {id: `${id}-options`, name: 'options', placeholder: 'key=value,...', spellcheck: 'false'});
+    this.threshold = el('input', {id: `${id}-threshold`, name: 'threshold', type: 'number', min: 0, max: 1, step: 'any'});
     this.mean = el('output', {class: 'recent'});
     this.policy.addEventListener('change', () => (this.options.value = ''));
     this.detection.addEventListener('change', () => (this.threshold.value = ''));
     this.element = el('form', {class: 'choice card', onchange: () => choose(this.choice()), onsubmit: event => event.preventDefault()},
       labelled('detection', this.detection), labelled('threshold', this.threshold), labelled('policy', this.policy),
       labelled('options', this.options), this.mean);
+  }
+
+  /** Shows what the simulation runs under, but for the field that somebody is filling in. */
+  show(setup) {
+    const [name, options] = parts(this.policies, setup.policy);
+    const show = (input, value) => input === document.activeElement && input.tagName === 'INPUT' || (input.value = value);
+    show(this.detection, setup.detection);
+    show(this.threshold, decimals(setup.threshold, 6));
+    show(this.policy, name);
+    show(this.options, options);
   }
 
   choice() {

@@ -79,24 +79,38 @@ class LiveView {
       this.playhead.count = 0;
       this.playhead.frame = 0;
     } else {
+      const same = sides.every(({estimated}, i) => this.runs[i].estimated === estimated);
       sides.forEach(({setup, estimated}, i) => this.runs[i].become(setup, estimated));
+      sides.forEach(({setup}, i) => this.forms[i].show(setup));
+      if (same) return;
     }
-    this.build();
+    this.build(fresh);
   }
 
-  build() {
+  /** Makes the players anew; the forms too, unless the simulations go on: somebody may be typing. */
+  build(fresh) {
     const pair = this.runs.length > 1;
     this.playhead.listeners = [];
     this.controls.run = this.runs[0];
     this.playhead.subscribe(frame => this.controls.show(frame));
-    this.forms = this.runs.map((run, side) => new ChoiceForm(this.data, run.setup, choice => this.send({command: 'choose', side, ...choice})));
+    if (fresh) this.forms = this.runs.map((run, side) => this.form(run, side));
     const drag = (camera, x, y) => this.drag(camera, x, y);
     this.players = this.runs.map(run => new Player(run, this.playhead, {drag, middle: pair ? null : this.controls.element}));
     this.selectTogether();
-    const columns = this.players.map((player, i) => el('section', {class: 'side-by-side'}, this.forms[i].element, player.element));
-    this.place.replaceChildren(pair ? this.controls.element : '', el('div', {class: pair ? 'pair' : ''}, ...columns));
+    if (fresh) this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));
+    this.columns.forEach((column, i) => {
+      column.querySelector('.player')?.remove();
+      column.append(this.players[i].element);
+    });
+    if (fresh) this.place.replaceChildren(pair ? this.controls.element : '', el('div', {class: pair ? 'pair' : ''}, ...this.columns));
     say(this.twice, pair ? 'one model only' : 'second model beside it');
     this.refresh();
+  }
+
+  form(run, side) {
+    const form = new ChoiceForm(this.data, choice => this.send({command: 'choose', side, ...choice}));
+    form.show(run.setup);
+    return form;
   }
 
   /** A camera that is chosen in one simulation is chosen in the other. */
