@@ -46,7 +46,7 @@ class ViewPageTest {
 
   /** Nothing but this server was asked, and nobody complained. */
   @AfterEach
-  void wasQuiet() throws InterruptedException {
+  void wasQuiet() {
     browser.assertQuietConsole();
     List<String> requests = browser.requests();
     assertTrue(requests.stream().allMatch(url -> url.startsWith(view.address())), "" + requests);
@@ -92,9 +92,8 @@ class ViewPageTest {
     choose("detection", "geometric");
     browser.until("return hificamsim.runs[0].setup.detection === 'geometric'");
     choose("detection", "hifi:orb-lin");
-    WebElement threshold = browser.find("[name=threshold]");
-    threshold.clear();
-    threshold.sendKeys("0.2", Keys.ENTER);
+    browser.until("return hificamsim.runs[0].setup.detection === 'hifi:orb-lin'");
+    browser.find("[name=threshold]").sendKeys(Keys.chord(Keys.CONTROL, "a"), "0.2", Keys.ENTER);
     browser.until("return hificamsim.runs[0].setup.threshold === 0.2");
   }
 
@@ -111,8 +110,9 @@ class ViewPageTest {
   @Test
   void aDraggedCameraMovesInTheSimulation() {
     pause();
-    String place = "const {map} = hificamsim.players[0].field, run = hificamsim.runs[0],"
-        + " pose = run.pose(2, run.count - 1); return Math.round(";
+    String place =
+        "const {map} = hificamsim.players[0].field, run = hificamsim.runs[0],"
+            + " pose = run.pose(2, run.count - 1); return Math.round(";
     long x = (long) browser.run(place + "map.x(pose.x))");
     long y = (long) browser.run(place + "map.y(pose.y))");
     WebElement field = browser.find("canvas.field");
@@ -132,6 +132,20 @@ class ViewPageTest {
     browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
     assertEquals(x - 60, (long) browser.run(place + "map.x(pose.x))"), 1);
     assertEquals(y + 50, (long) browser.run(place + "map.y(pose.y))"), 1);
+  }
+
+  @Test
+  void theLineOfThePlayheadIsWhereTheStepIs() {
+    new Select(browser.find(".controls select")).selectByValue("100");
+    browser.until("return hificamsim.runs[0].count > 100");
+    pause();
+    for (String chart : List.of("kMin", "cover")) {
+      String script =
+          "const {plot, line} = hificamsim.players[0].timeline.%s;"
+              + "return Math.abs(plot.over.getBoundingClientRect().right"
+              + " - line.getBoundingClientRect().right) <= 2";
+      assertEquals(true, browser.run(script.formatted(chart)), chart);
+    }
   }
 
   @Test

@@ -1,9 +1,9 @@
 package org.hificamsim.acceptance;
 
-import java.io.PipedReader;
-import java.io.PipedWriter;
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.PipedReader;
+import java.io.PipedWriter;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.io.UncheckedIOException;
@@ -56,8 +56,7 @@ final class ViewProcess implements AutoCloseable {
   }
 
   @Override
-  public void close() throws InterruptedException {
+  public void close() {
     thread.interrupt();
-    thread.join();
   }
 }

@@ -9,12 +9,13 @@ export class Player {
   /**
    * @param run recorded or growing
    * @param playhead may be shared with other players
-   * @param options `middle`: an element between the field and the timeline; `drag(camera, x, y)`: cameras can be moved
+   * @param options `middle`: an element between the field and the timeline; `drag(camera, x, y)`: cameras can be moved;
+   *   `ceiling()`: how far the axis of k_min reaches at least
    */
   constructor(run, playhead, options = {}) {
     this.run = run;
     this.playhead = playhead;
-    const on = {select: camera => this.select(camera), drag: options.drag};
+    const on = {select: camera => this.select(camera), drag: options.drag, ceiling: options.ceiling};
     this.field = new FieldView(run, on);
     this.readout = new Readout(run);
     this.agent = new AgentPanel(run);

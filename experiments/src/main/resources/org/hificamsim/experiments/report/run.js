@@ -27,6 +27,7 @@ export class Run {
     this.counts = setup.cameras.map(camera => lists(camera.pose.levels.length));
     this.poses = setup.cameras.map(camera => [{step: -1, pose: camera.pose}]);
     this.kMin = [];
+    this.highest = 0;
     this.targets = [];
     this.covered = [[], [], [], []];
     this.sum = [];
@@ -96,6 +97,7 @@ export class Run {
     this.targets[frame] = targets;
     this.sum[frame] = sum;
     this.kMin[frame] = targets ? least : 0;
+    this.highest = Math.max(this.highest, this.kMin[frame]);
     classes.forEach((number, i) => (this.covered[i][frame] = number));
   }
 

@@ -62,7 +62,7 @@ class Chart {
       cursor: {drag: {x: false, y: false}, points: {show: false}, y: false, x: false},
       scales: {x: {time: false, range: (plot, low, high) => [low, Math.max(high, low + 1)]}, ...this.more.scales},
       axes: [axis({size: 1.7 * rem(), space: 4 * rem()}), axis({size: GUTTER * rem(), space: 1.8 * rem(), ...this.more.yAxis})],
-      series: [{}, ...this.series], bands: this.more.bands,
+      series: [{}, ...this.series], bands: this.more.bands, hooks: {draw: [() => this.mark()]},
     }, this.data, this.box);
     this.plot.over.append(this.line);
     scrub(this.plot.over, this.playhead, x => this.plot.posToIdx(x));
@@ -226,7 +226,7 @@ export class Timeline {
       {stroke: () => style('--faint'), width: 1, alpha: 0.35, points: {show: false}, paths: uPlot.paths.stepped({align: 1})},
       {stroke: () => style('--accent'), width: 2.2, points: {show: false}},
     ], {
-      scales: {y: {range: (plot, low, high) => [0, Math.max(1, high) * 1.04]}},
+      scales: {y: {range: (plot, low, high) => [0, Math.max(1, high, on.ceiling?.() ?? 0) * 1.04]}},
       yAxis: {incrs: [1, 2, 5, 10, 20, 50]},
     });
     const areas = COVER.map(cover => ({stroke: cover.colour, fill: `${cover.colour}cc`, width: 0, points: {show: false}}));

@@ -95,7 +95,8 @@ class LiveView {
     this.playhead.subscribe(frame => this.controls.show(frame));
     if (fresh) this.forms = this.runs.map((run, side) => this.form(run, side));
     const drag = (camera, x, y) => this.drag(camera, x, y);
-    this.players = this.runs.map(run => new Player(run, this.playhead, {drag, middle: pair ? null : this.controls.element}));
+    const ceiling = () => Math.max(...this.runs.map(run => run.highest));
+    this.players = this.runs.map(run => new Player(run, this.playhead, {drag, ceiling, middle: pair ? null : this.controls.element}));
     this.selectTogether();
     if (fresh) this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));
     this.columns.forEach((column, i) => {
