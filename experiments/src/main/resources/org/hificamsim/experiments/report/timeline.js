@@ -1,24 +1,10 @@
 // Quantities over time under one playhead: k_min, how targets are covered, and each camera's zoom.
 import { el, decimals, onThemeChange, rem, say, style, Surface } from './dom.js';
 import { COVER, levelColour, levelShare } from './palette.js';
+import { smoothed } from './smooth.js';
 
 const GUTTER = 6.5; // rem, as in the style sheet
 const RIGHT = 1;
-const SHOWN_RAW = 400;
-const SMOOTHED_SHARE = 100;
-
-/** The mean over a window about each entry; a hundredth of all entries wide, none for few. */
-function smoothed(values) {
-  const half = values.length > SHOWN_RAW ? Math.ceil(values.length / SMOOTHED_SHARE / 2) : 0;
-  if (!half) return values;
-  const sums = [0];
-  for (const value of values) sums.push(sums[sums.length - 1] + value);
-  return values.map((value, i) => {
-    const from = Math.max(0, i - half);
-    const to = Math.min(values.length, i + half + 1);
-    return (sums[to] - sums[from]) / (to - from);
-  });
-}
 
 const axis = (extra = {}) => ({
   stroke: () => style('--faint'), font: `${0.75 * rem()}px sans-serif`, grid: {stroke: () => style('--grid'), width: 1},
