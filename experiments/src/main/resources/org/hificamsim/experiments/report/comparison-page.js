@@ -9,7 +9,7 @@ const SHORT = 4;
 
 /** The page; `data` is what ComparisonReport wrote. */
 export async function comparisonPage(root, data) {
-  root.append(el('header', {}, el('h1', {}, data.title), badges(data)));
+  root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), badges(data)));
   if (data.summary) root.append(comparison(data));
   if (data.curves) root.append(curves(data));
   for (const table of data.tables) root.append(card(titleOf(table.name), plainTable(table)));
@@ -23,6 +23,11 @@ export async function comparisonPage(root, data) {
 const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
 const titleOf = name => name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
+
+function kind({tables}) {
+  const has = name => tables.some(table => table.name === name);
+  return has('sensitivity.csv') ? 'Sensitivity' : has('table-8.1.csv') ? 'Reproduction' : 'Comparison';
+}
 
 function badges({summary, settings}) {
   if (!summary) return null;
@@ -53,7 +58,8 @@ function comparison({summary, colours}) {
 function summaryColumns(rows, colours) {
   const numbers = rows.flatMap(row => [row.mean, row.low, row.high]).filter(text => text !== '').map(Number);
   const scale = [Math.min(0, ...numbers), Math.max(...numbers, 1e-12)];
-  const short = text => (text === '' ? '' : decimals(Number(text), SHORT));
+  const digits = Math.max(0, Math.min(SHORT, SHORT - Math.floor(Math.log10(Math.max(...numbers.map(Math.abs), 1)))));
+  const short = text => (text === '' ? '' : Number(text).toFixed(digits));
   const columns = [{name: 'scenario'}, {name: 'detection'}, {name: 'policy'}, {name: 'runs'}, {name: 'mean', show: short},
     {name: 'low', show: short}, {name: 'high', show: short},
     {name: 'mean', label: 'interval', show: (text, row) => whisker(row, scale, colours[row.policy])}];
@@ -111,7 +117,7 @@ function curves({curves: {cases, steps}, colours}) {
   }
 
   const series = ({policy, detection}) => ({
-    label: `${policy}, ${detection}`, stroke: colours[policy] === '#000000' ? () => style('--ink') : colours[policy], width: 1.6,
+    label: `${policy}, ${detection}`, stroke: colours[policy] === '#000000' ? () => style('--ink') : colours[policy], width: 0.12 * rem(),
     dash: [[], [8, 4], [2, 4], [10, 3, 2, 3]][detections.indexOf(detection) % 4], points: {show: false},
     value: (any, value) => (value == null ? '' : decimals(value, SHORT)),
   });

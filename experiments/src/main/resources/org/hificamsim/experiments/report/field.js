@@ -308,7 +308,7 @@ function legend() {
     return el('span', {}, svg, cover.label);
   });
   return el('div', {class: 'legend'}, 'covered by', ...items, el('span', {class: 'key-view'}, 'field of view'),
-    el('span', {class: 'key-range'}, 'detected'));
+    el('span', {class: 'key-range'}, 'detection range'));
 }
 
 /** A shape as the data of an SVG path. */

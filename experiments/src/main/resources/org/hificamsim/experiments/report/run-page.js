@@ -19,6 +19,7 @@ export async function runPage(root, data) {
     const player = new Player(run, playhead, {middle: controls.element});
     place.replaceChildren(player.element);
     window.hificamsim = {run, playhead, player};
+    playhead.show(run.frameAt(Number(location.hash.slice(1)) || 0)); // report.html#120 opens at step 120
     root.dataset.ready = String(index);
     if (runs[index].every > 1) place.prepend(el('p', {class: 'notice'}, thinned(runs[index])));
   }

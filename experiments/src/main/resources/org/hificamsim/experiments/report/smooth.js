@@ -1,6 +1,8 @@
 // Means over a window of neighbours: what a noisy curve tends to.
 
-const SHOWN_RAW = 400;
+/** So many entries are shown as they are. */
+export const SHOWN_RAW = 400;
+
 const PARTS = 100;
 
 /** The mean of each entry and of `half` neighbours on either side, as far as there are some. */

@@ -18,7 +18,7 @@ function order(a, b) {
  */
 export function sortable(caption, columns, rows) {
   const body = el('tbody');
-  const heads = columns.map((column, i) => el('th', {scope: 'col', 'aria-sort': 'none'},
+  const heads = columns.map((column, i) => el('th', {scope: 'col', 'aria-sort': 'none', class: rows.some(row => isNumber(row[column.name] ?? '')) ? 'number' : null},
     el('button', {type: 'button', onclick: () => sort(i)}, column.label || column.name)));
   const lines = rows.map(row => ({row, element: line(columns, row)}));
   body.append(...lines.map(({element}) => element));
@@ -40,10 +40,11 @@ export function sortable(caption, columns, rows) {
 function line(columns, row) {
   return el('tr', {}, ...columns.map(({name, show}) => {
     const text = row[name] ?? '';
-    const number = text !== '' && !Number.isNaN(Number(text));
-    return el('td', {class: number ? 'number' : null, title: text, data: {column: name, text}}, show ? show(text, row) : text);
+    return el('td', {class: isNumber(text) ? 'number' : null, title: text, data: {column: name, text}}, show ? show(text, row) : text);
   }));
 }
+
+const isNumber = text => text !== '' && !Number.isNaN(Number(text));
 
 /** Rows as objects by column name. */
 export const rowsOf = table => table.rows.map(cells => Object.fromEntries(table.columns.map((name, i) => [name, cells[i]])));

@@ -1,7 +1,7 @@
 // Quantities over time under one playhead: k_min, how targets are covered, and each camera's zoom.
 import { el, decimals, onThemeChange, rem, say, style, Surface } from './dom.js';
 import { COVER, levelColour, levelShare } from './palette.js';
-import { smoothed } from './smooth.js';
+import { SHOWN_RAW, smoothed } from './smooth.js';
 
 const GUTTER = 6.5; // rem, as in the style sheet
 const RIGHT = 1;
@@ -10,6 +10,11 @@ const axis = (extra = {}) => ({
   stroke: () => style('--faint'), font: `${0.75 * rem()}px sans-serif`, grid: {stroke: () => style('--grid'), width: 1},
   ticks: {stroke: () => style('--grid'), width: 1, size: 4}, ...extra,
 });
+
+/** Steps where every step is shown, straight lines between means. */
+function path(plot, ...rest) {
+  return (plot.data[0].length > SHOWN_RAW ? uPlot.paths.linear() : uPlot.paths.stepped({align: 1}))(plot, ...rest);
+}
 
 /** A uPlot chart over the steps of a run that shows and sets the playhead. */
 class Chart {
@@ -48,7 +53,7 @@ class Chart {
       cursor: {drag: {x: false, y: false}, points: {show: false}, y: false, x: false},
       scales: {x: {time: false, range: (plot, low, high) => [low, Math.max(high, low + 1)]}, ...this.more.scales},
       axes: [axis({size: 1.7 * rem(), space: 4 * rem()}), axis({size: GUTTER * rem(), space: 1.8 * rem(), ...this.more.yAxis})],
-      series: [{}, ...this.series], bands: this.more.bands,
+      series: [{}, ...this.series], hooks: {draw: [() => this.mark()]},
     }, this.data, this.box);
     this.plot.over.append(this.line);
     scrub(this.plot.over, this.playhead, x => this.plot.posToIdx(x));
@@ -161,6 +166,7 @@ class ZoomStrip {
     context.drawImage(rows, 0, 0, width, height);
     context.fillStyle = style('--paper');
     for (let camera = 1; camera < cameras; camera++) context.fillRect(0, (camera * height) / cameras - 0.5, width, 1);
+    this.show(this.frame || 0);
   }
 
   show(frame) {
@@ -210,12 +216,12 @@ export class Timeline {
   constructor(playhead, on) {
     this.kMin = new Chart('k_min, the least number of cameras that cover a target', 'k_min over time', playhead, [
       {stroke: () => style('--faint'), width: 1, alpha: 0.35, points: {show: false}, paths: uPlot.paths.stepped({align: 1})},
-      {stroke: () => style('--accent'), width: 2.2, points: {show: false}},
+      {stroke: () => style('--accent'), width: 2.2, points: {show: false}, paths: path},
     ], {
       scales: {y: {range: (plot, low, high) => [0, Math.max(1, high) * 1.04]}},
       yAxis: {incrs: [1, 2, 5, 10, 20, 50]},
     });
-    const areas = COVER.map(cover => ({stroke: cover.colour, fill: `${cover.colour}cc`, width: 0, points: {show: false}}));
+    const areas = COVER.map(cover => ({stroke: cover.colour, fill: cover.colour, width: 0, points: {show: false}, paths: path}));
     this.cover = new Chart('targets covered by none, 1, 2, 3 or more cameras', 'share of targets by number of cameras over time', playhead,
       [...areas].reverse(), {
         scales: {y: {range: [0, 1]}},
