@@ -87,6 +87,19 @@ class RunPageTest {
   }
 
   @Test
+  void tellsTheNumbersUnderThePointerOverTime() throws IOException {
+    open(run);
+    browser.until("return document.querySelectorAll('.u-over').length === 2");
+    browser.run(
+        "const over = document.querySelector('.u-over'), box = over.getBoundingClientRect();"
+            + "over.dispatchEvent(new PointerEvent('pointermove', {clientX: box.right - 0.1}))");
+    String last = Files.readAllLines(run.resolve("steps.csv")).get(STEPS).split(",")[2];
+    assertEquals(
+        "step %d: %s".formatted(STEPS - 1, last),
+        browser.findAll(".chart .value").get(0).getText());
+  }
+
+  @Test
   void opensAtTheStepInItsAddress() {
     browser.open(address(run) + "#120");
     assertEquals("120", browser.text("[data-name=step]"));

@@ -18,8 +18,12 @@ function path(plot, ...rest) {
 
 /** A uPlot chart over the steps of a run that shows and sets the playhead. */
 class Chart {
-  constructor(title, label, playhead, series, more) {
+  /**
+   * @param describe what is told about a frame, shown or under the pointer
+   */
+  constructor(title, label, playhead, describe, series, more) {
     this.playhead = playhead;
+    this.describe = describe;
     this.series = series;
     this.more = more;
     this.value = el('span', {class: 'value'});
@@ -56,12 +60,16 @@ class Chart {
       series: [{}, ...this.series], hooks: {draw: [() => this.mark()]},
     }, this.data, this.box);
     this.plot.over.append(this.line);
-    scrub(this.plot.over, this.playhead, x => this.plot.posToIdx(x));
+    const {over} = this.plot;
+    scrub(over, this.playhead, x => this.plot.posToIdx(x));
+    over.addEventListener('pointermove', event =>
+      say(this.value, this.describe(this.plot.posToIdx(event.clientX - over.getBoundingClientRect().left))));
+    over.addEventListener('pointerleave', () => say(this.value, this.describe(this.frame)));
   }
 
-  show(frame, text) {
+  show(frame) {
     this.frame = frame;
-    say(this.value, text);
+    say(this.value, this.describe(frame));
     this.mark();
   }
 
@@ -214,7 +222,7 @@ export class Timeline {
    * @param on `select(camera)`
    */
   constructor(playhead, on) {
-    this.kMin = new Chart('k_min, the least number of cameras that cover a target', 'k_min over time', playhead, [
+    this.kMin = new Chart('k_min, the least number of cameras that cover a target', 'k_min over time', playhead, frame => this.tellKMin(frame), [
       {stroke: () => style('--faint'), width: 1, alpha: 0.35, points: {show: false}, paths: uPlot.paths.stepped({align: 1})},
       {stroke: () => style('--accent'), width: 2.2, points: {show: false}, paths: path},
     ], {
@@ -222,7 +230,7 @@ export class Timeline {
       yAxis: {incrs: [1, 2, 5, 10, 20, 50]},
     });
     const areas = COVER.map(cover => ({stroke: cover.colour, fill: cover.colour, width: 0, points: {show: false}, paths: path}));
-    this.cover = new Chart('targets covered by none, 1, 2, 3 or more cameras', 'share of targets by number of cameras over time', playhead,
+    this.cover = new Chart('targets covered by none, 1, 2, 3 or more cameras', 'share of targets by number of cameras over time', playhead, frame => this.tellCover(frame),
       [...areas].reverse(), {
         scales: {y: {range: [0, 1]}},
         yAxis: {values: (plot, values) => values.map(value => `${Math.round(100 * value)} %`)},
@@ -248,9 +256,15 @@ export class Timeline {
 
   show(frame) {
     if (!this.run?.count) return;
-    const row = this.run.row(frame);
-    this.kMin.show(frame, `step ${row.step}: ${row.k_min}`);
-    this.cover.show(frame, this.run.covered.map(list => list[frame]).join(' · '));
-    this.zooms.show(frame);
+    [this.kMin, this.cover, this.zooms].forEach(part => part.show(frame));
+  }
+
+  tellKMin(frame) {
+    return `step ${this.run.step[frame]}: ${this.run.kMin[frame]}`;
+  }
+
+  tellCover(frame) {
+    const parts = COVER.map(({label}, i) => `${label} ${this.run.covered[i][frame]}`);
+    return `step ${this.run.step[frame]}: ${parts.join(', ')}`;
   }
 }
