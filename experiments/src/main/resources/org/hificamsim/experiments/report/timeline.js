@@ -103,7 +103,7 @@ class ZoomStrip {
     this.rows = el('div', {class: 'rows', role: 'group', 'aria-label': 'cameras'});
     this.box = el('div', {class: 'strip'}, this.surface.canvas, this.line);
     this.element = el('figure', {class: 'chart zooms'}, el('figcaption', {}, 'zoom of each camera', key(), this.value),
-      el('div', {class: 'strip-box'}, this.rows, this.box));
+      el('div', {class: 'strip-scroll'}, el('div', {class: 'strip-box'}, this.rows, this.box)));
     scrub(this.box, playhead, x => this.frameAt(x));
     this.box.addEventListener('pointermove', event => this.hover(event));
     this.box.addEventListener('pointerleave', () => say(this.value, ''));
