@@ -53,6 +53,7 @@ class RunPageTest {
         double shown = Double.parseDouble(browser.text(".readout [data-name=" + name + "]"));
         assertEquals(Double.parseDouble(row[column]), shown, 0.0005, name + " at step " + step);
       }
+      assertPlayheadsAt(step / (STEPS - 1.0));
     }
     browser.assertQuietConsole();
   }
@@ -83,6 +84,26 @@ class RunPageTest {
         assertTrue(browser.text(".agent .facts").contains("detects " + row[5] + " of 3"));
       }
     }
+  }
+
+  @Test
+  void tellsTheNumbersUnderThePointerOverTime() throws IOException {
+    open(run);
+    browser.until("return document.querySelectorAll('.u-over').length === 2");
+    browser.run(
+        "const over = document.querySelector('.u-over'), box = over.getBoundingClientRect();"
+            + "over.dispatchEvent(new PointerEvent('pointermove', {clientX: box.right - 0.1}))");
+    String last = Files.readAllLines(run.resolve("steps.csv")).get(STEPS).split(",")[2];
+    assertEquals(
+        "step %d: %s".formatted(STEPS - 1, last),
+        browser.findAll(".chart .value").get(0).getText());
+  }
+
+  @Test
+  void opensAtTheStepInItsAddress() {
+    browser.open(address(run) + "#120");
+    assertEquals("120", browser.text("[data-name=step]"));
+    assertPlayheadsAt(120 / (STEPS - 1.0));
   }
 
   @Test
@@ -164,6 +185,7 @@ class RunPageTest {
                         + "\""));
     Path hostile = record("hostile", scenario, "--steps", 10);
     open(hostile);
+    browser.findAll(".rows button").get(0).click();
     assertEquals(name, browser.text(".agent h2"));
     assertNull(browser.run("return window.fooled"));
     assertEquals(0, browser.findAll("img").size());
@@ -224,6 +246,20 @@ class RunPageTest {
         "const s = document.querySelector('input[type=range]'); s.value = arguments[0];"
             + "s.dispatchEvent(new Event('input'))",
         step);
+  }
+
+  /** All three lines over time come to stand at this share of their width. */
+  private static void assertPlayheadsAt(double share) {
+    browser.until(
+        "const lines = [...document.querySelectorAll('.playhead')];"
+            + "return lines.length === 3 && lines.every(line => line.style.transform)");
+    List<?> places =
+        (List<?>)
+            browser.run(
+                "return [...document.querySelectorAll('.playhead')].map(line =>"
+                    + " new DOMMatrix(line.style.transform).e / line.parentElement.clientWidth)");
+    assertEquals(3, places.size());
+    places.forEach(place -> assertEquals(share, ((Number) place).doubleValue(), 0.005));
   }
 
   /** Moves the pointer to a place of the field, metres; returns what the page tells about it. */

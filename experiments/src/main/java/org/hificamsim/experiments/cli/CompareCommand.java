@@ -13,6 +13,7 @@ import org.hificamsim.experiments.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.ComparisonRun;
 import org.hificamsim.experiments.figures.ComparisonFigures;
+import org.hificamsim.experiments.report.Report;
 import org.hificamsim.experiments.run.RunPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -74,6 +75,7 @@ final class CompareCommand implements Callable<Integer> {
     List<CaseResult> cases =
         new BatchRun(spec, batch, catalogue)
             .execute(plans(catalogue), out, ComparisonRun::execute, ComparisonFigures::write);
+    Report.write(out, out.resolve(Report.FILE));
     ComparisonTable.print(batch.quiet().out(spec), cases, out);
     return 0;
   }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.hificamsim.experiments.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.ComparisonRun;
+import org.hificamsim.experiments.report.Report;
 import org.hificamsim.experiments.reproduce.Judgement;
 import org.hificamsim.experiments.reproduce.Preset;
 import org.hificamsim.experiments.reproduce.ReproductionFiles;
@@ -53,6 +54,7 @@ final class ReproduceCommand implements Callable<Integer> {
             out,
             ComparisonRun::execute,
             (folder, results) -> judgement = ReproductionFiles.write(folder, results));
+    Report.write(out, out.resolve(Report.FILE));
     JudgementTable.print(batch.quiet().out(spec), judgement, out);
     return 0;
   }

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.hificamsim.experiments.catalogue.Catalogue;
 import org.hificamsim.experiments.compare.ComparisonRun;
+import org.hificamsim.experiments.report.Report;
 import org.hificamsim.experiments.sensitivity.SensitivityFiles;
 import org.hificamsim.experiments.sensitivity.Sweeps;
 import picocli.CommandLine.Command;
@@ -51,6 +52,7 @@ final class SensitivityCommand implements Callable<Integer> {
             out,
             ComparisonRun::executeWithoutTables,
             (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results));
+    Report.write(out, out.resolve(Report.FILE));
     batch.quiet().out(spec).println(findings + "files: " + out);
     return 0;
   }

@@ -72,7 +72,7 @@ public record Page(String title, String module, String function, String data, St
   private String policy(String style, String... scripts) {
     StringBuilder policy =
         new StringBuilder("default-src 'none'; base-uri 'none'; form-action 'none'");
-    policy.append("; img-src data:; connect-src ").append(connections);
+    policy.append("; img-src data: blob:; connect-src ").append(connections);
     policy.append("; style-src ").append(hash(style)).append("; script-src");
     for (String script : scripts) {
       policy.append(' ').append(hash(script));

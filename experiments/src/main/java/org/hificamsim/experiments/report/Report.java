@@ -27,12 +27,16 @@ public final class Report {
               + folder
               + "', expected one that 'hificamsim run --record' or 'hificamsim compare' wrote");
     }
-    String html = RunReport.of(folder).html();
+    String html = page(folder).html();
     try (OutputFile file = new OutputFile("--out", out)) {
       try (Writer writer = file.open()) {
         writer.write(html);
       }
       file.commit();
     }
+  }
+
+  private static Page page(Path folder) throws IOException {
+    return ComparisonReport.suits(folder) ? ComparisonReport.of(folder) : RunReport.of(folder);
   }
 }

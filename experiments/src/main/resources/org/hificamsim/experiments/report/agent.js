@@ -5,10 +5,11 @@ export class AgentPanel {
   constructor(run) {
     this.run = run;
     this.camera = 0;
+    this.counted = Boolean(run.estimated) && run.estimated !== 'Q';
     this.title = el('h2', {}, '');
     this.facts = el('p', {class: 'facts'});
     this.head = el('tr', {}, ...['level', 'radius', 'detects at'].map(text => el('th', {scope: 'col'}, text)),
-      el('th', {scope: 'col', class: 'wide'}, run.estimated || ''), run.estimated ? el('th', {scope: 'col'}, 'times used') : null);
+      el('th', {scope: 'col', class: 'wide'}, run.estimated || ''), this.counted ? el('th', {scope: 'col'}, 'times used') : null);
     this.body = el('tbody');
     this.note = el('p', {class: 'note'});
     this.element = el('section', {class: 'agent', 'aria-label': 'the chosen camera'}, this.title, this.facts,
@@ -19,7 +20,7 @@ export class AgentPanel {
   select(camera) {
     this.camera = camera;
     say(this.title, this.run.setup.cameras[camera].name);
-    this.rows = this.run.setup.cameras[camera].pose.levels.map((level, i) => levelRow(i, this.run.estimated));
+    this.rows = this.run.setup.cameras[camera].pose.levels.map((level, i) => levelRow(i, this.run.estimated, this.counted));
     this.body.replaceChildren(...this.rows.map(row => row.element).reverse());
     this.pose = null;
     this.show(this.frame || 0);
@@ -71,10 +72,10 @@ export class AgentPanel {
   }
 }
 
-function levelRow(level, estimated) {
+function levelRow(level, estimated, counted) {
   const row = {radius: el('td'), range: el('td'), bar: el('i', {class: 'bar'}), value: el('span'), count: el('td')};
   row.element = el('tr', {data: {level}}, el('th', {scope: 'row'}, String(level)), row.radius, row.range,
-    el('td', {class: 'wide'}, ...(estimated ? [row.bar, row.value] : [])), estimated ? row.count : null);
+    el('td', {class: 'wide'}, ...(estimated ? [row.bar, row.value] : [])), counted ? row.count : null);
   row.value.dataset.name = 'estimate';
   return row;
 }

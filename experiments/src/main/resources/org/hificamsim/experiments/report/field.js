@@ -4,7 +4,9 @@ import { COVER, coverClass, shape } from './palette.js';
 
 const TRAIL = 40;
 const NEAR = 16;
-const MARGIN = 0.06;
+const TRAIL_SEGMENTS = 1500;
+const MARGIN = [46, 36]; // for the numbers along the borders
+const ROOM = 40; // pixels a figure has about it before it shrinks
 
 export class FieldView {
   /**
@@ -120,10 +122,10 @@ export class FieldView {
 
   paint(context, width, height) {
     const {run, frame} = this;
-    if (!this.backdrop || this.surface.changed) {
-      this.map = fit(run.setup.field, width, height);
+    if (this.surface.changed) {
+      this.map = fit(run.setup.field, width, height, this.surface.unit);
+      this.size = this.figureSize(width, height);
       this.surface.changed = false;
-      this.backdrop = true;
     }
     context.fillStyle = this.colours.paper;
     context.fillRect(0, 0, width, height);
@@ -134,6 +136,13 @@ export class FieldView {
     run.setup.cameras.forEach((camera, i) => this.paintCamera(context, i));
     run.setup.targets.forEach((target, i) => run.present[i][frame] && this.paintTarget(context, i));
     this.label();
+  }
+
+  /** How large cameras and targets are drawn: smaller where there are many. */
+  figureSize(width, height) {
+    const {cameras, targets} = this.run.setup;
+    const room = Math.sqrt((width * height) / (cameras.length + targets.length + 1));
+    return this.surface.unit * Math.max(0.3, Math.min(1, room / (ROOM * this.surface.unit)));
   }
 
   paintGrid(context, width, height) {
@@ -192,7 +201,8 @@ export class FieldView {
 
   paintTrails(context) {
     const {run, frame, map} = this;
-    const first = Math.max(1, frame - TRAIL + 1);
+    const length = Math.ceil(Math.min(TRAIL, TRAIL_SEGMENTS / run.setup.targets.length));
+    const first = Math.max(1, frame - length + 1);
     context.lineCap = 'round';
     for (let i = 0; i < run.setup.targets.length; i++) {
       for (let f = first; f <= frame; f++) {
@@ -200,7 +210,7 @@ export class FieldView {
         const cover = COVER[coverClass(run.coverage[i][f])];
         context.globalAlpha = 0.15 + (0.75 * (f - first + 1)) / (frame - first + 1);
         context.strokeStyle = cover.colour;
-        context.lineWidth = cover.width * this.surface.unit;
+        context.lineWidth = cover.width * this.size;
         context.beginPath();
         context.moveTo(map.x(run.x[i][f - 1]), map.y(run.y[i][f - 1]));
         context.lineTo(map.x(run.x[i][f]), map.y(run.y[i][f]));
@@ -215,21 +225,25 @@ export class FieldView {
     const {run, frame, map, colours} = this;
     const pose = run.pose(i, frame);
     const [x, y] = [map.x(pose.x), map.y(pose.y)];
-    const r = (i === this.selected ? 7 : 5) * this.surface.unit;
-    context.lineWidth = 2 * this.surface.unit;
-    context.strokeStyle = colours.camera;
-    context.fillStyle = run.online[i][frame] ? colours.camera : colours.paper;
+    const r = (i === this.selected ? 7 : 5) * this.size;
+    const online = run.online[i][frame];
+    context.lineWidth = 1.5 * this.size;
+    context.fillStyle = online ? colours.camera : colours.paper;
+    context.strokeStyle = online ? colours.paper : colours.camera;
     context.beginPath();
     context.rect(x - r, y - r, 2 * r, 2 * r);
+    context.fill();
+    context.stroke();
+    context.strokeStyle = colours.camera;
+    context.beginPath();
     if (pose.viewingAngle < 2 * Math.PI) {
       context.moveTo(x, y);
       context.lineTo(x + 2.4 * r * Math.sin(pose.heading), y - 2.4 * r * Math.cos(pose.heading));
     }
-    if (!run.online[i][frame]) {
+    if (!online) {
       context.moveTo(x - r, y - r);
       context.lineTo(x + r, y + r);
     }
-    context.fill();
     context.stroke();
   }
 
@@ -238,10 +252,10 @@ export class FieldView {
     const k = run.coverage[i][frame];
     const kind = coverClass(k);
     const [x, y] = [map.x(run.x[i][frame]), map.y(run.y[i][frame])];
-    const r = Math.max(9 * this.surface.unit, (map.scale * run.setup.targets[i].size) / 2);
+    const r = Math.max(9 * this.size, (map.scale * run.setup.targets[i].size) / 2);
     context.fillStyle = COVER[kind].colour;
     context.strokeStyle = colours.ink;
-    context.lineWidth = 1.5;
+    context.lineWidth = 1.5 * this.size;
     context.beginPath();
     shape(context, kind, x, y, r);
     context.fill();
@@ -263,9 +277,9 @@ export class FieldView {
 }
 
 /** Maps metres to pixels, the whole field in sight, y upwards. */
-function fit({minX, maxX, minY, maxY}, width, height) {
-  const pad = MARGIN * Math.max(maxX - minX, maxY - minY);
-  const scale = Math.min(width / (maxX - minX + 2 * pad), height / (maxY - minY + 2 * pad));
+function fit({minX, maxX, minY, maxY}, width, height, unit) {
+  const [across, down] = MARGIN.map(margin => 2 * margin * unit);
+  const scale = Math.max(1e-9, Math.min((width - across) / (maxX - minX), (height - down) / (maxY - minY)));
   const left = width / 2 - (scale * (minX + maxX)) / 2;
   const top = height / 2 + (scale * (minY + maxY)) / 2;
   return {
@@ -308,7 +322,7 @@ function legend() {
     return el('span', {}, svg, cover.label);
   });
   return el('div', {class: 'legend'}, 'covered by', ...items, el('span', {class: 'key-view'}, 'field of view'),
-    el('span', {class: 'key-range'}, 'detected'));
+    el('span', {class: 'key-range'}, 'detection range'));
 }
 
 /** A shape as the data of an SVG path. */

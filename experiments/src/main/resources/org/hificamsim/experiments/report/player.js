@@ -23,7 +23,7 @@ export class Player {
     this.element = el('div', {class: 'player'}, this.field.element,
       el('div', {class: 'side'}, this.readout.element, this.agent.element), options.middle, this.timeline.element);
     this.timeline.load(run);
-    if (run.setup.cameras.length) this.select(0);
+    if (run.setup.cameras.length) this.select(run.busiest());
     playhead.subscribe(frame => this.show(frame));
   }
 

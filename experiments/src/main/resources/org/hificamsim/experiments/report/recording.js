@@ -1,4 +1,5 @@
 // Unpacks a run of replay.json: series of whole numbers, each as differences in LEB128, deflated, in Base64.
+import { inflate } from './inflate.js';
 import { Run } from './run.js';
 
 /** Reads one series after the other. */
@@ -31,12 +32,6 @@ class SeriesReader {
     }
     return numbers;
   }
-}
-
-async function inflate(base64) {
-  const packed = Uint8Array.from(atob(base64), letter => letter.charCodeAt(0));
-  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
 const plain = code => code;

@@ -19,6 +19,7 @@ export async function runPage(root, data) {
     const player = new Player(run, playhead, {middle: controls.element});
     place.replaceChildren(player.element);
     window.hificamsim = {run, playhead, player};
+    playhead.show(run.frameAt(Number(location.hash.slice(1)) || 0)); // report.html#120 opens at step 120
     root.dataset.ready = String(index);
     if (runs[index].every > 1) place.prepend(el('p', {class: 'notice'}, thinned(runs[index])));
   }
@@ -29,11 +30,11 @@ export async function runPage(root, data) {
   await open(0);
 }
 
-const thinned = run => `This run has ${run.steps} steps; the page shows every ${run.every}th of them and the last, so that the file stays small. ` +
+const thinned = run => `This run has ${run.steps} steps; the page shows one in ${run.every}, and the last, so that the file stays small. ` +
   'steps.csv has them all.';
 
 function header({replay: {setup, runs, repeat}, settings}, open) {
-  const facts = [setup.detection, `threshold ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} cameras`,
+  const facts = [setup.detection, `threshold ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
     `order ${setup.order}`];
   return el('header', {}, el('h1', {}, setup.scenario, el('small', {}, setup.policy)),
     el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact))), chooser(runs, repeat, open));

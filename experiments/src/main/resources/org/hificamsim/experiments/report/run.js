@@ -119,6 +119,12 @@ export class Run {
     return poses[last].pose;
   }
 
+  /** The camera that has detected most. */
+  busiest() {
+    const sums = this.detected.map(list => list.reduce((sum, number) => sum + number, 0));
+    return sums.indexOf(Math.max(...sums));
+  }
+
   /** The frame of a step, or the last one before it. */
   frameAt(step) {
     let low = 0;

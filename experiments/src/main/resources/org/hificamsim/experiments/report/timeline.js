@@ -1,34 +1,29 @@
 // Quantities over time under one playhead: k_min, how targets are covered, and each camera's zoom.
 import { el, decimals, onThemeChange, rem, say, style, Surface } from './dom.js';
 import { COVER, levelColour, levelShare } from './palette.js';
+import { SHOWN_RAW, smoothed } from './smooth.js';
 
 const GUTTER = 6.5; // rem, as in the style sheet
 const RIGHT = 1;
-const SHOWN_RAW = 400;
-const SMOOTHED_SHARE = 100;
-
-/** The mean over a window about each entry; a hundredth of all entries wide, none for few. */
-function smoothed(values) {
-  const half = values.length > SHOWN_RAW ? Math.ceil(values.length / SMOOTHED_SHARE / 2) : 0;
-  if (!half) return values;
-  const sums = [0];
-  for (const value of values) sums.push(sums[sums.length - 1] + value);
-  return values.map((value, i) => {
-    const from = Math.max(0, i - half);
-    const to = Math.min(values.length, i + half + 1);
-    return (sums[to] - sums[from]) / (to - from);
-  });
-}
 
 const axis = (extra = {}) => ({
   stroke: () => style('--faint'), font: `${0.75 * rem()}px sans-serif`, grid: {stroke: () => style('--grid'), width: 1},
   ticks: {stroke: () => style('--grid'), width: 1, size: 4}, ...extra,
 });
 
+/** Steps where every step is shown, straight lines between means. */
+function path(plot, ...rest) {
+  return (plot.data[0].length > SHOWN_RAW ? uPlot.paths.linear() : uPlot.paths.stepped({align: 1}))(plot, ...rest);
+}
+
 /** A uPlot chart over the steps of a run that shows and sets the playhead. */
 class Chart {
-  constructor(title, label, playhead, series, more) {
+  /**
+   * @param describe what is told about a frame, shown or under the pointer
+   */
+  constructor(title, label, playhead, describe, series, more) {
     this.playhead = playhead;
+    this.describe = describe;
     this.series = series;
     this.more = more;
     this.value = el('span', {class: 'value'});
@@ -62,15 +57,19 @@ class Chart {
       cursor: {drag: {x: false, y: false}, points: {show: false}, y: false, x: false},
       scales: {x: {time: false, range: (plot, low, high) => [low, Math.max(high, low + 1)]}, ...this.more.scales},
       axes: [axis({size: 1.7 * rem(), space: 4 * rem()}), axis({size: GUTTER * rem(), space: 1.8 * rem(), ...this.more.yAxis})],
-      series: [{}, ...this.series], bands: this.more.bands, hooks: {draw: [() => this.mark()]},
+      series: [{}, ...this.series], hooks: {draw: [() => this.mark()]},
     }, this.data, this.box);
     this.plot.over.append(this.line);
-    scrub(this.plot.over, this.playhead, x => this.plot.posToIdx(x));
+    const {over} = this.plot;
+    scrub(over, this.playhead, x => this.plot.posToIdx(x));
+    over.addEventListener('pointermove', event =>
+      say(this.value, this.describe(this.plot.posToIdx(event.clientX - over.getBoundingClientRect().left))));
+    over.addEventListener('pointerleave', () => say(this.value, this.describe(this.frame)));
   }
 
-  show(frame, text) {
+  show(frame) {
     this.frame = frame;
-    say(this.value, text);
+    say(this.value, this.describe(frame));
     this.mark();
   }
 
@@ -104,7 +103,7 @@ class ZoomStrip {
     this.rows = el('div', {class: 'rows', role: 'group', 'aria-label': 'cameras'});
     this.box = el('div', {class: 'strip'}, this.surface.canvas, this.line);
     this.element = el('figure', {class: 'chart zooms'}, el('figcaption', {}, 'zoom of each camera', key(), this.value),
-      el('div', {class: 'strip-box'}, this.rows, this.box));
+      el('div', {class: 'strip-scroll'}, el('div', {class: 'strip-box'}, this.rows, this.box)));
     scrub(this.box, playhead, x => this.frameAt(x));
     this.box.addEventListener('pointermove', event => this.hover(event));
     this.box.addEventListener('pointerleave', () => say(this.value, ''));
@@ -175,6 +174,7 @@ class ZoomStrip {
     context.drawImage(rows, 0, 0, width, height);
     context.fillStyle = style('--paper');
     for (let camera = 1; camera < cameras; camera++) context.fillRect(0, (camera * height) / cameras - 0.5, width, 1);
+    this.show(this.frame || 0);
   }
 
   show(frame) {
@@ -222,15 +222,15 @@ export class Timeline {
    * @param on `select(camera)`
    */
   constructor(playhead, on) {
-    this.kMin = new Chart('k_min, the least number of cameras that cover a target', 'k_min over time', playhead, [
+    this.kMin = new Chart('k_min, the least number of cameras that cover a target', 'k_min over time', playhead, frame => this.tellKMin(frame), [
       {stroke: () => style('--faint'), width: 1, alpha: 0.35, points: {show: false}, paths: uPlot.paths.stepped({align: 1})},
-      {stroke: () => style('--accent'), width: 2.2, points: {show: false}},
+      {stroke: () => style('--accent'), width: 2.2, points: {show: false}, paths: path},
     ], {
       scales: {y: {range: (plot, low, high) => [0, Math.max(1, high, on.ceiling?.() ?? 0) * 1.04]}},
       yAxis: {incrs: [1, 2, 5, 10, 20, 50]},
     });
-    const areas = COVER.map(cover => ({stroke: cover.colour, fill: `${cover.colour}cc`, width: 0, points: {show: false}}));
-    this.cover = new Chart('targets covered by none, 1, 2, 3 or more cameras', 'share of targets by number of cameras over time', playhead,
+    const areas = COVER.map(cover => ({stroke: cover.colour, fill: cover.colour, width: 0, points: {show: false}, paths: path}));
+    this.cover = new Chart('targets covered by none, 1, 2, 3 or more cameras', 'share of targets by number of cameras over time', playhead, frame => this.tellCover(frame),
       [...areas].reverse(), {
         scales: {y: {range: [0, 1]}},
         yAxis: {values: (plot, values) => values.map(value => `${Math.round(100 * value)} %`)},
@@ -256,9 +256,15 @@ export class Timeline {
 
   show(frame) {
     if (!this.run?.count) return;
-    const row = this.run.row(frame);
-    this.kMin.show(frame, `step ${row.step}: ${row.k_min}`);
-    this.cover.show(frame, this.run.covered.map(list => list[frame]).join(' · '));
-    this.zooms.show(frame);
+    [this.kMin, this.cover, this.zooms].forEach(part => part.show(frame));
+  }
+
+  tellKMin(frame) {
+    return `step ${this.run.step[frame]}: ${this.run.kMin[frame]}`;
+  }
+
+  tellCover(frame) {
+    const parts = COVER.map(({label}, i) => `${label} ${this.run.covered[i][frame]}`);
+    return `step ${this.run.step[frame]}: ${parts.join(', ')}`;
   }
 }
