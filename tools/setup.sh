@@ -44,24 +44,35 @@ install_missing() {
     build_home >/dev/null || missing=openjdk-17-jdk-headless
     [ -x "$gradle" ] || missing="${missing:+$missing }gradle"
     [ -n "$missing" ] || return 0
-    as_root=
-    if ! command -v apt-get >/dev/null; then
-        die "please install JDK 17 and Debian's Gradle 4.4.1 (missing: $missing)"
-    elif [ "$(id -u)" != 0 ]; then
-        as_root='sudo -n'
-        $as_root true 2>/dev/null || die "please run as root: apt-get install $missing"
-    fi
-    say "installing $missing"
+    command -v apt-get >/dev/null || die "please install JDK 17 and Debian's Gradle 4.4.1 (missing: $missing)"
+    may_install || die "please run as root: apt-get install $missing"
     log=$(mktemp)
-    # shellcheck disable=SC2086 # several packages, several words
-    if ! { $as_root apt-get update || true # one dead source need not stop the rest
-        $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
-            install -y --no-install-recommends $missing; } >"$log" 2>&1 </dev/null; then
+    if ! install "$missing" >"$log" 2>&1; then
         cat "$log" >&2
         rm -f "$log"
         die "could not install $missing"
     fi
     rm -f "$log"
+}
+
+# The browser of the tests; without one they skip what needs it, and say so.
+install_browser() {
+    command -v chromium >/dev/null && command -v chromedriver >/dev/null && return
+    if may_install && install 'chromium chromium-driver' >/dev/null 2>&1; then return; fi
+    say "no Chromium, so that pages are not tested; as root: apt-get install chromium chromium-driver"
+}
+
+may_install() { command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; }
+
+# Installs the packages named in $1.
+install() {
+    say "installing $1"
+    as_root=
+    [ "$(id -u)" = 0 ] || as_root='sudo -n'
+    { $as_root apt-get update || true; } </dev/null # one dead source need not stop the rest
+    # shellcheck disable=SC2086 # several packages, several words
+    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
+        install -y --no-install-recommends $1 </dev/null
 }
 
 # Gradle in the project's root on the right JDK, without the lines that Debian's start script and downloads add.

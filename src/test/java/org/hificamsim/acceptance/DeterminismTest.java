@@ -20,7 +20,7 @@ class DeterminismTest {
   private static final int STEPS = 400;
   private static final int REPEATS = 3;
   private static final List<String> FILES =
-      List.of("steps.csv", "zooms.csv", "targets.csv", "summary.json");
+      List.of("steps.csv", "zooms.csv", "targets.csv", "summary.json", "replay.json");
 
   @TempDir Path folder;
 

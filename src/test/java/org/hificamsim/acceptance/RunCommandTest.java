@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -89,6 +90,46 @@ class RunCommandTest {
           List.of("manifest.json", "steps.csv", "summary.json"),
           files.map(file -> file.getFileName().toString()).sorted().toList());
     }
+  }
+
+  @Test
+  void endsWithKMinOverTimeTheMeanOverRepeats() throws IOException {
+    Cli run = Cli.run("run", LATTICE, "--steps", 100, "--repeat", 3, "--out", folder);
+    double[] means = new double[40];
+    int[] counts = new int[40];
+    for (String row : Files.readAllLines(folder.resolve("steps.csv")).subList(1, 301)) {
+      String[] fields = row.split(",");
+      int part = Integer.parseInt(fields[1]) * 40 / 100;
+      means[part] += Integer.parseInt(fields[2]);
+      counts[part]++;
+    }
+    Arrays.setAll(means, part -> means[part] / counts[part]);
+    double most = Arrays.stream(means).max().orElseThrow();
+    String line =
+        run.out().lines().filter(l -> l.startsWith("k_min over time")).findFirst().orElseThrow();
+    String bars = line.replaceFirst("k_min over time +(\\S+)  .*", "$1");
+    assertTrue(line.endsWith(" %.2f)".formatted(most)), line);
+    assertEquals(40, bars.length());
+    char full = line.charAt(line.indexOf(" to ") + 4);
+    char empty = line.charAt(line.indexOf('(') + 1);
+    for (int part = 0; part < 40; part++) {
+      assertEquals(means[part] > most * 13 / 14, bars.charAt(part) == full, line);
+      assertEquals(means[part] < most / 14, bars.charAt(part) == empty, line);
+    }
+  }
+
+  @Test
+  void quietPrintsNothingButErrors() throws IOException {
+    Path odd =
+        Files.writeString(
+            folder.resolve("odd.xml"),
+            Files.readString(LATTICE).replaceFirst("<camera ", "<camera hue=\"1\" "));
+    Cli run = Cli.run("run", odd, "--steps", 5, "--quiet", "--out", folder.resolve("out"));
+    assertEquals(new Cli(0, "", ""), run);
+    assertTrue(Files.exists(folder.resolve("out/steps.csv")));
+    Cli wrong = Cli.run("run", odd, "--quiet", "--policy", "none", "--out", folder);
+    assertEquals(2, wrong.exit());
+    assertTrue(wrong.err().startsWith("error: unknown policy 'none'"), wrong.err());
   }
 
   @ParameterizedTest

@@ -2,13 +2,17 @@ package org.hificamsim.agents;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.DynamicTest.dynamicTest;
 
 import com.sun.management.ThreadMXBean;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
+import java.util.Set;
 import java.util.SplittableRandom;
+import java.util.TreeSet;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.hificamsim.agents.toy.GeometricNetwork;
@@ -23,6 +27,7 @@ import org.junit.jupiter.api.DynamicTest;
  */
 public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) {
   private static final int STEPS = 300;
+  private static final double UNTOUCHED = -12345;
   private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
   private static final GeometricNetwork.Kind MIXED =
       new GeometricNetwork.Kind(6, -5, 7, 2, false, true, 20, 15);
@@ -38,7 +43,9 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
         dynamicTest("repeatsItselfForTheSameSeed", this::repeatsItselfForTheSameSeed),
         dynamicTest("sharesNoStateBetweenInstances", this::sharesNoStateBetweenInstances),
         dynamicTest("allocatesNothingPerStep", this::allocatesNothingPerStep),
-        dynamicTest("knowsOnlyWhatItsCamerasKnow", this::knowsOnlyWhatItsCamerasKnow));
+        dynamicTest("knowsOnlyWhatItsCamerasKnow", this::knowsOnlyWhatItsCamerasKnow),
+        dynamicTest("tellsWhatItEstimates", this::tellsWhatItEstimates),
+        dynamicTest("decidesAlikeWhenLookedAt", this::decidesAlikeWhenLookedAt));
   }
 
   private void hasTheSameNameInEveryInstance() {
@@ -111,6 +118,54 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
       network.step(policy);
     }
     assertTrue(global || network.globalQueries() == 0, network.globalQueries() + " queries");
+  }
+
+  /** One name for all cameras and steps; a number or NaN for each level, counts from 0; or none. */
+  private void tellsWhatItEstimates() {
+    GeometricNetwork network = GeometricNetwork.random(MIXED, 8);
+    ZoomPolicy policy = network.begin(policies.get(), 1);
+    Set<String> names = new TreeSet<>();
+    for (int step = 0; step < STEPS; step++) {
+      network.step(policy);
+      for (int camera = 0; camera < network.cameras(); camera++) {
+        names.add(checkEstimates(network, policy, camera));
+      }
+      network.scatter();
+      network.disturb();
+    }
+    assertEquals(1, names.size(), names.toString());
+  }
+
+  private static String checkEstimates(GeometricNetwork network, ZoomPolicy policy, int camera) {
+    double[] estimates = new double[network.levels(camera)];
+    double[] counts = new double[network.levels(camera)];
+    Arrays.fill(estimates, UNTOUCHED);
+    Arrays.fill(counts, UNTOUCHED);
+    String name = policy.estimates(network, camera, estimates, counts);
+    for (int level = 0; level < estimates.length; level++) {
+      if (name.isEmpty()) {
+        assertEquals(UNTOUCHED, estimates[level], "no name but an estimate");
+      } else {
+        assertNotEquals(UNTOUCHED, estimates[level], name + " of level " + level);
+        assertFalse(Double.isInfinite(estimates[level]), name + " of level " + level);
+        assertFalse(counts[level] < 0, name + " rests on " + counts[level]);
+      }
+    }
+    return name;
+  }
+
+  private void decidesAlikeWhenLookedAt() {
+    int[][] unseen = run(GeometricNetwork.random(MIXED, 5), 11, STEPS, false);
+    GeometricNetwork network = GeometricNetwork.random(MIXED, 5);
+    ZoomPolicy policy = network.begin(policies.get(), 11);
+    for (int step = 0; step < STEPS; step++) {
+      network.step(policy);
+      assertArrayEquals(unseen[step], network.currentLevels(), "step " + step);
+      for (int camera = 0; camera < network.cameras(); camera++) {
+        checkEstimates(network, policy, camera);
+      }
+      network.scatter();
+    }
   }
 
   private static long allocatedBySteps(GeometricNetwork network, ZoomPolicy policy, int steps) {

@@ -150,6 +150,11 @@ final class ObservedNetwork implements NetworkView {
   }
 
   @Override
+  public double cameraHeading(int camera) {
+    return cameras.heading(camera);
+  }
+
+  @Override
   public int levels(int camera) {
     return cameras.levels(camera);
   }

@@ -25,6 +25,7 @@ public final class Simulation {
   private final ObservedNetwork network;
   private final StepCoverage coverage = new StepCoverage();
   private final int[] levels;
+  private boolean started;
   private long step;
 
   /** A run of cameras that work each for itself. */
@@ -72,6 +73,16 @@ public final class Simulation {
     policy.begin(network, new SplittableRandom(seed));
   }
 
+  /**
+   * Counts on from a step, in a world that has been through those before.
+   *
+   * @param next the step that {@link #step} is to run next
+   */
+  public Simulation continuingAt(long next) {
+    step = next;
+    return this;
+  }
+
   /** Runs this many steps, and tells the listeners that the run has ended. */
   public void run(long steps) {
     for (long i = 0; i < steps; i++) {
@@ -84,7 +95,7 @@ public final class Simulation {
 
   /** Runs one step; the first one tells the listeners that the run has started. */
   public void step() {
-    if (step == 0) {
+    if (!started) {
       start();
     }
     world.fireEvents(step);
@@ -109,8 +120,9 @@ public final class Simulation {
   }
 
   private void start() {
+    started = true;
     for (StepListener listener : listeners) {
-      listener.started(network);
+      listener.started(network, policy);
     }
   }
 

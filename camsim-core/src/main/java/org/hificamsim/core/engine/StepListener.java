@@ -2,6 +2,7 @@ package org.hificamsim.core.engine;
 
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
  * Watches a run from outside the loop: data collection, progress, recording. An extension point.
@@ -21,6 +22,15 @@ public interface StepListener {
 
   /** Called once before the first step. */
   default void started(NetworkView network) {}
+
+  /**
+   * Called once before the first step, for a listener that also looks at what the agents know.
+   *
+   * @param policy what decides in this run; to be asked, not to be driven
+   */
+  default void started(NetworkView network, ZoomPolicy policy) {
+    started(network);
+  }
 
   /** Called once after the last step. */
   default void ended(NetworkView network) {}

@@ -16,26 +16,37 @@ public final class StepCoverage {
 
   /** Measures the network's last observation. */
   public void measure(NetworkView network) {
+    clear();
+    for (int target = 0; target < network.targets(); target++) {
+      if (network.present(target)) {
+        add(network.coverage(target));
+      }
+    }
+  }
+
+  /** Forgets every target. */
+  public void clear() {
     targets = 0;
+    least = 0;
     uncovered = 0;
     coveredOnce = 0;
     sum = 0;
-    int smallest = Integer.MAX_VALUE;
-    for (int target = 0; target < network.targets(); target++) {
-      if (!network.present(target)) {
-        continue;
-      }
-      int k = network.coverage(target);
-      targets++;
-      sum += k;
-      smallest = Math.min(smallest, k);
-      if (k == 0) {
-        uncovered++;
-      } else if (k == 1) {
-        coveredOnce++;
-      }
+  }
+
+  /**
+   * Adds a target that is present.
+   *
+   * @param k how many cameras cover it
+   */
+  public void add(int k) {
+    least = targets == 0 ? k : Math.min(least, k);
+    targets++;
+    sum += k;
+    if (k == 0) {
+      uncovered++;
+    } else if (k == 1) {
+      coveredOnce++;
     }
-    least = targets == 0 ? 0 : smallest;
   }
 
   /** The number of targets present. */

@@ -37,6 +37,9 @@ public interface NetworkView {
   /** Metres. */
   double cameraY(int camera);
 
+  /** Radians, 0 is +y and pi/2 is +x; not normalised. */
+  double cameraHeading(int camera);
+
   /** The number of zoom levels of this camera, 1 or more. */
   int levels(int camera);
 

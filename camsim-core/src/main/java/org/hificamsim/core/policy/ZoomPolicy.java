@@ -38,6 +38,20 @@ public interface ZoomPolicy {
   /** Called once per step after the observation under the levels just chosen. */
   default void learn(NetworkView network) {}
 
+  /**
+   * What a camera's agent has learned about its levels, for whoever looks on; called at the end of
+   * a step.
+   *
+   * @param estimates one entry per level, receives the estimates; NaN where the agent has none
+   * @param counts one entry per level, receives how many observations each estimate rests on; NaN
+   *     where that is not counted
+   * @return what is estimated, the same at every call ("mean reward", "Q"); empty where the policy
+   *     estimates nothing, and the arrays are left as they were
+   */
+  default String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+    return "";
+  }
+
   /** The number of messages that the cameras have sent each other so far. */
   default long messages() {
     return 0;

@@ -91,6 +91,11 @@ public final class World {
     cameras.switchTo(camera, on);
   }
 
+  /** Puts a camera elsewhere, outside any event; metres. */
+  public void moveCamera(int camera, double x, double y) {
+    cameras.place(camera, x, y);
+  }
+
   /**
    * Gives a camera another range; one with a zoom list keeps its levels.
    *

@@ -42,6 +42,20 @@ final class ArmAverages {
     means[arm] += (detected - means[arm]) / pulls[arm];
   }
 
+  /**
+   * Copies what a camera has learned of each level, NaN for one never used.
+   *
+   * @return what the averages are of
+   */
+  String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+    int offset = offset(camera);
+    for (int level = 0; level < network.levels(camera); level++) {
+      counts[level] = pulls[offset + level];
+      estimates[level] = counts[level] == 0 ? Double.NaN : means[offset + level];
+    }
+    return "mean reward";
+  }
+
   /** The index in {@link #means} and {@link #pulls} of the camera's narrowest level. */
   int offset(int camera) {
     return table.offset(camera);

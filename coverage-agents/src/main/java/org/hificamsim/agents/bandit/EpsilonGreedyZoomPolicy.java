@@ -65,4 +65,9 @@ public final class EpsilonGreedyZoomPolicy implements ZoomPolicy {
   public void learn(NetworkView network) {
     arms.learn(network);
   }
+
+  @Override
+  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+    return arms.estimates(network, camera, estimates, counts);
+  }
 }

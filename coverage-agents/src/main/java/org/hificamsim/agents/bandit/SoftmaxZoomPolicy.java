@@ -65,6 +65,11 @@ public final class SoftmaxZoomPolicy implements ZoomPolicy {
     arms.learn(network);
   }
 
+  @Override
+  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+    return arms.estimates(network, camera, estimates, counts);
+  }
+
   /** Weighs relative to the largest average, whose weight is 1: nothing overflows. */
   private double weigh(int offset, int levels) {
     double most = 0;

@@ -71,6 +71,11 @@ public final class Ucb1ZoomPolicy implements ZoomPolicy {
     arms.learn(network);
   }
 
+  @Override
+  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+    return arms.estimates(network, camera, estimates, counts);
+  }
+
   private void bound(int offset, int levels) {
     double pulls = 0;
     for (int arm = offset; arm < offset + levels; arm++) {

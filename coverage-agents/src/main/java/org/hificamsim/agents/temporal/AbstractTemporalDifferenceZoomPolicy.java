@@ -98,6 +98,21 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
     }
   }
 
+  /**
+   * The values of all actions in the camera's present state; how often each was learned is not
+   * counted.
+   */
+  @Override
+  public final String estimates(
+      NetworkView network, int camera, double[] estimates, double[] counts) {
+    int row = values.row(network, camera);
+    for (int level = 0; level < network.levels(camera); level++) {
+      estimates[level] = values.value(camera, row, level);
+      counts[level] = Double.NaN;
+    }
+    return "Q";
+  }
+
   private void update(NetworkView network, int camera, int action) {
     int row = rows[camera];
     int detected = network.detected(camera);

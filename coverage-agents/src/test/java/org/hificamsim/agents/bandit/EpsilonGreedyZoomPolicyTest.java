@@ -1,5 +1,6 @@
 package org.hificamsim.agents.bandit;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -54,6 +55,20 @@ class EpsilonGreedyZoomPolicyTest {
     assertEquals(1.5, arms.means()[3]);
     assertEquals(4, arms.pulls()[3]);
     assertEquals(0, arms.means()[0]);
+  }
+
+  @Test
+  void tellsTheAverageAndTheUseOfEachLevel() {
+    network.see(0, 3, 0, 1);
+    EpsilonGreedyZoomPolicy policy = network.begin(greedy(0, Ties.WIDEST), 1);
+    network.step(policy);
+    network.see(0, 3, 0);
+    network.step(policy);
+    double[] estimates = new double[4];
+    double[] counts = new double[4];
+    assertEquals("mean reward", policy.estimates(network, 0, estimates, counts));
+    assertArrayEquals(new double[] {Double.NaN, Double.NaN, Double.NaN, 1.5}, estimates);
+    assertArrayEquals(new double[] {0, 0, 0, 2}, counts);
   }
 
   @Test

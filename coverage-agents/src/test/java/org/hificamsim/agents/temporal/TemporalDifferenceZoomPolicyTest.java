@@ -1,5 +1,6 @@
 package org.hificamsim.agents.temporal;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -49,6 +50,21 @@ class TemporalDifferenceZoomPolicyTest {
         begun("q-learning:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
     assertEquals(1 + 0.25 * 8, values.value(0, values.row(0, 1, 0), 0), 1e-12);
+  }
+
+  @Test
+  void tellsTheValuesOfThePresentState() {
+    for (String name : BOTH) {
+      AbstractTemporalDifferenceZoomPolicy policy = begun(name + ":epsilon=0,ties=narrowest");
+      start();
+      network.step(policy);
+      policy.values().set(policy.values().row(0, 0, 2), 1, 7);
+      double[] estimates = new double[2];
+      double[] counts = new double[2];
+      assertEquals("Q", policy.estimates(network, 0, estimates, counts));
+      assertArrayEquals(new double[] {0, 7}, estimates);
+      assertArrayEquals(new double[] {Double.NaN, Double.NaN}, counts);
+    }
   }
 
   @Test

@@ -113,6 +113,11 @@ public final class GeometricNetwork extends ToyNetwork {
   }
 
   @Override
+  public double cameraHeading(int c) {
+    return camera[c][2];
+  }
+
+  @Override
   protected double x(int t) {
     return target[t][0];
   }

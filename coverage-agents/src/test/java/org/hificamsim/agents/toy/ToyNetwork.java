@@ -161,6 +161,11 @@ public class ToyNetwork implements NetworkView {
   }
 
   @Override
+  public double cameraHeading(int camera) {
+    return 0;
+  }
+
+  @Override
   public final int levels(int camera) {
     return levels[camera];
   }

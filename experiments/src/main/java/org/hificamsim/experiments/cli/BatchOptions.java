@@ -13,6 +13,7 @@ import org.hificamsim.experiments.compare.MergedShards;
 import org.hificamsim.experiments.compare.RunEngine;
 import org.hificamsim.experiments.compare.Shard;
 import org.hificamsim.experiments.run.RunPlan;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options of commands that run many plans. */
@@ -22,6 +23,8 @@ final class BatchOptions {
 
   @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "First seed.")
   private long seed;
+
+  @Mixin private QuietOption quiet;
 
   @Option(names = "--resume", description = "Keep the runs that a killed command finished.")
   private boolean resume;
@@ -73,6 +76,10 @@ final class BatchOptions {
 
   boolean resume() {
     return resume;
+  }
+
+  QuietOption quiet() {
+    return quiet;
   }
 
   /** The part of the sweep that was asked for, if not the whole. */

@@ -90,14 +90,14 @@ final class BatchRun {
           out,
           folder -> manifest(folder, run.steps()));
     }
-    command
-        .commandLine()
-        .getOut()
+    options
+        .quiet()
+        .out(command)
         .println("shard %s: %d runs\nfiles: %s".formatted(shard, run.runs(), out));
   }
 
   private Progress progress(long runs) {
-    return new Progress(command.name(), " runs", runs, command.commandLine().getErr());
+    return options.quiet().progress(command, command.name(), " runs", runs);
   }
 
   private void manifest(OutputFolder folder, long steps) throws IOException {

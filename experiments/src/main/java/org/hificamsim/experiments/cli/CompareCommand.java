@@ -14,6 +14,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.ComparisonRun;
 import org.hificamsim.experiments.figures.ComparisonFigures;
+import org.hificamsim.experiments.report.Report;
 import org.hificamsim.experiments.run.RunPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -75,7 +76,10 @@ final class CompareCommand implements Callable<Integer> {
     Optional<List<CaseResult>> cases =
         new BatchRun(spec, batch, catalogue)
             .execute(plans(catalogue), out, ComparisonRun::execute, ComparisonFigures::write);
-    cases.ifPresent(all -> ComparisonTable.print(spec.commandLine().getOut(), all, out));
+    if (cases.isPresent()) {
+      Report.write(out, out.resolve(Report.FILE));
+      ComparisonTable.print(batch.quiet().out(spec), cases.get(), out);
+    }
     return 0;
   }
 
@@ -90,7 +94,7 @@ final class CompareCommand implements Callable<Integer> {
     requireDistinct("--policies", specs);
     List<Scenario> scenarios =
         files.stream()
-            .map(file -> scenarioOptions.read(file, catalogue, spec.commandLine().getErr()))
+            .map(file -> scenarioOptions.read(file, catalogue, batch.quiet().err(spec)))
             .toList();
     requireDistinct("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     List<RunPlan> plans = new ArrayList<>();

@@ -29,6 +29,8 @@ import picocli.CommandLine.Spec;
       SensitivityCommand.class,
       PlotCommand.class,
       GenerateCommand.class,
+      ReportCommand.class,
+      ViewCommand.class,
       ValidateCommand.class,
       ListCommand.class,
       CamSimCommand.class,
@@ -69,8 +71,8 @@ public final class Main implements Runnable {
   public void run() {
     throw new ParameterException(
         spec.commandLine(),
-        "no command, expected run, compare, reproduce, sensitivity, plot, generate, validate, list,"
-            + " camsim or profile");
+        "no command, expected run, compare, reproduce, sensitivity, plot, generate, report, view,"
+            + " validate, list, camsim or profile");
   }
 
   private static int usage(ParameterException fault) {

@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.util.concurrent.TimeUnit;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
-import me.tongfei.progressbar.ProgressBarStyle;
 
 /**
  * The progress of a long run on standard error: a bar on a terminal, else a line now and then. The
@@ -16,13 +15,26 @@ final class Progress implements AutoCloseable {
   private static final long QUIET = TimeUnit.SECONDS.toNanos(2);
   private static final long BETWEEN_LINES = TimeUnit.SECONDS.toNanos(10);
 
-  private final String task;
-  private final String unit;
+  /** How progress is told. */
+  enum Telling {
+    /** A bar that is drawn anew. */
+    BAR,
+    /** A line every ten seconds. */
+    LINES,
+    NOTHING;
+
+    /** What suits the place that the launcher says standard error is. */
+    static Telling asLaunched() {
+      return Boolean.getBoolean("hificamsim.terminal") ? BAR : LINES;
+    }
+  }
+
+  private final ProgressLine line;
   private final long total;
   private final long lookEvery;
   private final PrintWriter err;
+  private final Telling telling;
   private final long started = System.nanoTime();
-  private final boolean terminal = Boolean.getBoolean("hificamsim.terminal");
   private long done;
   private long lastLine = started;
   private ProgressBar bar;
@@ -31,17 +43,21 @@ final class Progress implements AutoCloseable {
    * @param unit what is counted, as in {@code " steps"}
    */
   Progress(String task, String unit, long total, PrintWriter err) {
-    this.task = task;
-    this.unit = unit;
+    this(task, unit, total, err, Telling.asLaunched());
+  }
+
+  Progress(String task, String unit, long total, PrintWriter err, Telling telling) {
+    this.line = new ProgressLine(task, unit.strip(), total);
     this.total = total;
     this.lookEvery = Math.max(1, Math.min(MOST_UNSEEN, total / 1000));
     this.err = err;
+    this.telling = telling;
   }
 
   /** Counts one unit. */
   synchronized void advance() {
     done++;
-    if (done % lookEvery == 0) {
+    if (done % lookEvery == 0 && telling != Telling.NOTHING) {
       look(System.nanoTime());
     }
   }
@@ -50,24 +66,22 @@ final class Progress implements AutoCloseable {
     if (now - started < QUIET) {
       return;
     }
-    if (terminal) {
+    if (telling == Telling.BAR) {
       if (bar == null) {
         bar = bar();
       }
       bar.stepTo(done);
     } else if (now - lastLine > BETWEEN_LINES) {
       lastLine = now;
-      err.printf("%s: %d of %d%s (%d%%)%n", task, done, total, unit, 100 * done / total);
+      err.println(line.plain(done, now - started));
     }
   }
 
   private ProgressBar bar() {
     return new ProgressBarBuilder()
-        .setTaskName(task)
         .setInitialMax(total)
-        .setStyle(ProgressBarStyle.ASCII)
-        .setUnit(unit, 1)
-        .showSpeed()
+        .setRenderer(
+            (state, width) -> line.bar(state.getCurrent(), System.nanoTime() - started, width))
         .build();
   }
 

@@ -2,9 +2,13 @@ package org.hificamsim.experiments.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.ComparisonRun;
+import org.hificamsim.experiments.report.Report;
 import org.hificamsim.experiments.reproduce.Judgement;
 import org.hificamsim.experiments.reproduce.Preset;
 import org.hificamsim.experiments.reproduce.ReproductionFiles;
@@ -47,13 +51,17 @@ final class ReproduceCommand implements Callable<Integer> {
     Preset preset =
         new Preset(
             ShippedScenarios.read(Preset.scenarioNames(), catalogue), steps, batch.seed(), repeats);
+    Optional<List<CaseResult>> cases =
     new BatchRun(spec, batch, catalogue)
         .execute(
             preset.plans(catalogue::detection),
             out,
             ComparisonRun::execute,
-            (folder, results) -> judgement = ReproductionFiles.write(folder, results))
-        .ifPresent(all -> JudgementTable.print(spec.commandLine().getOut(), judgement, out));
+            (folder, results) -> judgement = ReproductionFiles.write(folder, results));
+    if (cases.isPresent()) {
+      Report.write(out, out.resolve(Report.FILE));
+      JudgementTable.print(batch.quiet().out(spec), judgement, out);
+    }
     return 0;
   }
 }

@@ -7,16 +7,21 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
 import org.hificamsim.experiments.output.ManifestFile;
 import org.hificamsim.experiments.output.OutputFolder;
 import org.hificamsim.experiments.output.RunRecorder;
 import org.hificamsim.experiments.output.SummaryFile;
+import org.hificamsim.experiments.replay.ReplayRecorder;
+import org.hificamsim.experiments.replay.Setup;
+import org.hificamsim.experiments.report.Report;
 import org.hificamsim.experiments.run.RunExecutor;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
@@ -80,7 +85,9 @@ final class RunCommand implements Callable<Integer> {
       description = "Where the files go; default: out/<scenario>/.")
   private Path out;
 
-  @Option(names = "--record", description = "Write zooms.csv and targets.csv too.")
+  @Option(
+      names = "--record",
+      description = "Write zooms.csv, targets.csv, replay.json and report.html too.")
   private boolean record;
 
   @Option(
@@ -98,6 +105,8 @@ final class RunCommand implements Callable<Integer> {
       description = "A step listener from a jar on the class path; may be repeated.")
   private List<String> listeners = new ArrayList<>();
 
+  @Mixin private QuietOption quiet;
+
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Spec private CommandSpec spec;
@@ -112,16 +121,26 @@ final class RunCommand implements Callable<Integer> {
     Path folder = out != null ? out : Path.of("out", plan.scenario().name());
     try (OutputFolder output = new OutputFolder(folder);
         Workers workers = Workers.of(Threads.number(threads))) {
-      List<RunResult> results =
-          execute(plan, new RunExecutor(catalogue, workers), catalogue, output);
+      KMinOverTime kMin = new KMinOverTime(plan.steps());
+      ReplayRecorder replay = replay(plan, catalogue);
+      IntFunction<List<StepListener>> own =
+          run ->
+              record ? List.of(kMin.listener(), replay.listener(run)) : List.of(kMin.listener());
+      List<RunResult> results = execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
       SummaryFile.write(output.open("summary.json"), plan, results);
       ManifestFile.write(
           output.open("manifest.json"),
           spec.commandLine().getParent().getParseResult().originalArgs(),
           started,
           (long) plan.steps() * plan.repeats());
+      if (record) {
+        replay.write(output.stream(ReplayRecorder.FILE));
+      }
       output.commit(RunRecorder.RECORDS);
-      SummaryTable.print(stdout(), plan, results, folder);
+      if (record) {
+        Report.write(folder, folder.resolve(Report.FILE));
+      }
+      SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
     }
     return 0;
   }
@@ -144,17 +163,22 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private List<RunResult> execute(
-      RunPlan plan, RunExecutor executor, Catalogue catalogue, OutputFolder output)
+      RunPlan plan,
+      RunExecutor executor,
+      Catalogue catalogue,
+      OutputFolder output,
+      IntFunction<List<StepListener>> own)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (RunRecorder recorder = new RunRecorder(output, record);
         Progress progress =
-            new Progress("run " + plan.scenario().name(), " steps", total, stderr())) {
+            quiet.progress(spec, "run " + plan.scenario().name(), " steps", total)) {
       return executor.execute(
           plan,
           run -> {
             List<StepListener> all = new ArrayList<>();
             all.add(recorder.listener(run));
+            all.addAll(own.apply(run));
             all.add((network, coverage) -> progress.advance());
             listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
             return all;
@@ -162,11 +186,19 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
+  private static ReplayRecorder replay(RunPlan plan, Catalogue catalogue) {
+    World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
+    return new ReplayRecorder(
+        Setup.of(world, plan.detection(), plan.policy(), plan.seed()),
+        plan.detection(),
+        plan.repeats());
+  }
+
   private PrintWriter stdout() {
-    return spec.commandLine().getOut();
+    return quiet.out(spec);
   }
 
   private PrintWriter stderr() {
-    return spec.commandLine().getErr();
+    return quiet.err(spec);
   }
 }

@@ -2,9 +2,13 @@ package org.hificamsim.experiments.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.experiments.compare.CaseResult;
 import org.hificamsim.experiments.compare.ComparisonRun;
+import org.hificamsim.experiments.report.Report;
 import org.hificamsim.experiments.sensitivity.SensitivityFiles;
 import org.hificamsim.experiments.sensitivity.Sweeps;
 import picocli.CommandLine.Command;
@@ -45,13 +49,17 @@ final class SensitivityCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     Sweeps sweeps =
         new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
+    Optional<List<CaseResult>> cases =
     new BatchRun(spec, batch, catalogue)
         .execute(
             sweeps.plans(steps, batch.seed(), repeats),
             out,
             ComparisonRun::executeWithoutTables,
-            (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results))
-        .ifPresent(all -> spec.commandLine().getOut().println(findings + "files: " + out));
+            (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results));
+    if (cases.isPresent()) {
+      Report.write(out, out.resolve(Report.FILE));
+      batch.quiet().out(spec).println(findings + "files: " + out);
+    }
     return 0;
   }
 }

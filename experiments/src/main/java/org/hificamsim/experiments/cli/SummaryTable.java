@@ -20,7 +20,8 @@ final class SummaryTable {
     this.results = results;
   }
 
-  static void print(PrintWriter out, RunPlan plan, List<RunResult> results, Path folder) {
+  static void print(
+      PrintWriter out, RunPlan plan, List<RunResult> results, double[] kMin, Path folder) {
     SummaryTable table = new SummaryTable(out, results);
     table.line("scenario", plan.scenario().name());
     table.line(
@@ -45,6 +46,7 @@ final class SummaryTable {
     table.figure("covered by more", Metric.COVERED_K, "%.4f", "");
     table.figure("mean k", Metric.MEAN_K, "%.4f", "cameras per target");
     table.unproven(plan);
+    table.line("k_min over time", Sparkline.of(kMin));
     table.line("files", folder.toString());
     out.flush();
   }

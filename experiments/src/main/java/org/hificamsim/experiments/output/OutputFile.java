@@ -1,8 +1,10 @@
 package org.hificamsim.experiments.output;
 
+import java.io.BufferedOutputStream;
 import java.io.BufferedWriter;
 import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -40,6 +42,11 @@ public final class OutputFile implements Closeable {
   /** A writer (UTF-8); the caller closes it before {@link #commit}. */
   public Writer open() throws IOException {
     return new BufferedWriter(Files.newBufferedWriter(temporary, StandardCharsets.UTF_8), 1 << 16);
+  }
+
+  /** A stream; the caller closes it before {@link #commit}. */
+  public OutputStream stream() throws IOException {
+    return new BufferedOutputStream(Files.newOutputStream(temporary), 1 << 16);
   }
 
   /** Moves the file into place. */

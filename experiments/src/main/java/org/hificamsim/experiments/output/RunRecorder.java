@@ -12,8 +12,8 @@ public final class RunRecorder implements Closeable {
   private static final String ZOOMS = "zooms.csv";
   private static final String TARGETS = "targets.csv";
 
-  /** The files of {@code --record}. */
-  public static final List<String> RECORDS = List.of(ZOOMS, TARGETS);
+  /** The files of {@code --record}: its tables, and what is made of them. */
+  public static final List<String> RECORDS = List.of(ZOOMS, TARGETS, "replay.json", "report.html");
 
   private final CsvTable steps;
   private final CsvTable zooms;

@@ -1,5 +1,6 @@
 package org.hificamsim.experiments.plot;
 
+import java.awt.Graphics2D;
 import java.util.List;
 import org.knowm.xchart.internal.chartpart.Chart;
 
@@ -18,7 +19,8 @@ public record Figure(
     List<? extends Chart<?, ?>> panels,
     int columns,
     int panelWidth,
-    int panelHeight) {
+    int panelHeight)
+    implements Picture {
   static final int HEADING = 22;
   static final int NOTE = 16;
   static final int LEGEND = 22;
@@ -30,14 +32,19 @@ public record Figure(
     panels = List.copyOf(panels);
   }
 
-  /** Width of the whole picture, points. */
+  @Override
   public int width() {
     return columns * panelWidth + 2 * MARGIN;
   }
 
-  /** Height of the whole picture, points. */
+  @Override
   public int height() {
     return top() + rows() * panelHeight + MARGIN;
+  }
+
+  @Override
+  public void paint(Graphics2D graphics) {
+    FigurePainter.paint(this, graphics);
   }
 
   /** Where the panels begin. */

@@ -1,7 +1,10 @@
 package org.hificamsim.experiments.plot;
 
+import java.awt.Color;
 import java.awt.Dimension;
 import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -20,9 +23,9 @@ import org.apache.batik.svggen.SVGGraphics2D;
 import org.hificamsim.experiments.output.OutputFolder;
 import org.w3c.dom.Document;
 
-/** Writes figures: PNG at twice the points, for screens, and SVG, for papers. Needs no display. */
+/** Writes pictures: PNG, for screens, and SVG, for papers. Needs no display. */
 public final class FigureFile {
-  /** Pixels of a PNG per point. */
+  /** Pixels of a PNG per point where nobody says otherwise. */
   public static final int SCALE = 2;
 
   private static final String SVG = "http://www.w3.org/2000/svg";
@@ -46,16 +49,44 @@ public final class FigureFile {
     }
   }
 
-  /** Writes a PNG image. */
-  public static void png(OutputStream out, Figure figure) throws IOException {
-    BufferedImage image =
-        new BufferedImage(
-            SCALE * figure.width(), SCALE * figure.height(), BufferedImage.TYPE_INT_RGB);
+  /** Writes a PNG image, {@link #SCALE} pixels to a point. */
+  public static void png(OutputStream out, Picture picture) throws IOException {
+    png(out, picture, SCALE * picture.width());
+  }
+
+  /**
+   * Writes a PNG image.
+   *
+   * @param width pixels
+   */
+  public static void png(OutputStream out, Picture picture, int width) throws IOException {
+    compress(image(picture, width), out);
+  }
+
+  /**
+   * The picture on a white ground, in pixels.
+   *
+   * @param width pixels; the height follows
+   */
+  public static BufferedImage image(Picture picture, int width) {
+    double scale = (double) width / picture.width();
+    int height = (int) Math.round(scale * picture.height());
+    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
     Graphics2D graphics = image.createGraphics();
-    graphics.scale(SCALE, SCALE);
-    FigurePainter.paint(figure, graphics);
+    graphics.scale(scale, scale);
+    paint(picture, graphics);
     graphics.dispose();
-    compress(image, out);
+    return image;
+  }
+
+  private static void paint(Picture picture, Graphics2D graphics) {
+    graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    graphics.setRenderingHint(
+        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    graphics.setColor(Color.WHITE);
+    graphics.fill(new Rectangle2D.Double(0, 0, picture.width(), picture.height()));
+    picture.paint(graphics);
   }
 
   /** As small as PNG can be: the default settings give files half as large again. */
@@ -73,13 +104,13 @@ public final class FigureFile {
   }
 
   /** Writes an SVG document. */
-  public static void svg(OutputStream out, Figure figure) throws IOException {
+  public static void svg(OutputStream out, Picture picture) throws IOException {
     SVGGeneratorContext context = SVGGeneratorContext.createDefault(document());
     context.setComment("HiFi-CamSim");
     context.setPrecision(2);
     SVGGraphics2D graphics = new SVGGraphics2D(context, false);
-    graphics.setSVGCanvasSize(new Dimension(figure.width(), figure.height()));
-    FigurePainter.paint(figure, graphics);
+    graphics.setSVGCanvasSize(new Dimension(picture.width(), picture.height()));
+    paint(picture, graphics);
     StringWriter text = new StringWriter();
     graphics.stream(text, true);
     out.write(DOCTYPE.matcher(text.toString()).replaceFirst("").getBytes(StandardCharsets.UTF_8));

@@ -3,7 +3,6 @@ package org.hificamsim.experiments.plot;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.Shape;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
@@ -24,14 +23,8 @@ final class FigurePainter {
     this.graphics = graphics;
   }
 
-  /** Paints on a white ground, in points. */
+  /** Paints in points. */
   static void paint(Figure figure, Graphics2D graphics) {
-    graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    graphics.setRenderingHint(
-        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-    graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
-    graphics.setColor(Color.WHITE);
-    graphics.fill(new Rectangle2D.Double(0, 0, figure.width(), figure.height()));
     FigurePainter painter = new FigurePainter(figure, graphics);
     painter.heading();
     painter.legend();

@@ -1,0 +1,57 @@
+package org.hificamsim.experiments.view;
+
+import java.awt.Desktop;
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+
+/** Opens the user's browser. */
+public final class Browsers {
+  private static final String PAGE =
+      """
+      <!DOCTYPE html><meta charset="utf-8"><meta name="referrer" content="no-referrer">
+      <meta http-equiv="refresh" content="0; url=%s"><title>HiFi-CamSim</title>
+      """;
+
+  private Browsers() {}
+
+  /**
+   * Opens an address if there is a desktop, otherwise does nothing. The browser is handed a file
+   * that only this user can read: whoever else lists the machine's processes does not see the
+   * address.
+   */
+  public static void open(String address) {
+    try {
+      if (hasScreen()) {
+        Path file = Files.createTempFile("hificamsim-", ".html");
+        file.toFile().deleteOnExit();
+        Files.writeString(file, PAGE.formatted(address));
+        show(file);
+      }
+    } catch (IOException | UnsupportedOperationException e) {
+      // the address has been printed
+    }
+  }
+
+  private static boolean hasScreen() {
+    boolean windows = System.getProperty("os.name").startsWith("Windows");
+    boolean mac = System.getProperty("os.name").startsWith("Mac");
+    return windows
+        || mac
+        || Stream.of("DISPLAY", "WAYLAND_DISPLAY")
+            .anyMatch(name -> System.getenv(name) != null && !System.getenv(name).isEmpty());
+  }
+
+  private static void show(Path file) throws IOException {
+    if (Files.isExecutable(Path.of("/usr/bin/xdg-open"))) {
+      new ProcessBuilder("/usr/bin/xdg-open", file.toString())
+          .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+          .redirectError(ProcessBuilder.Redirect.DISCARD)
+          .start();
+    } else if (!GraphicsEnvironment.isHeadless() && Desktop.isDesktopSupported()) {
+      Desktop.getDesktop().browse(file.toUri());
+    }
+  }
+}

@@ -1,0 +1,81 @@
+// What the chosen camera does and knows: a bar of its estimate for each zoom level.
+import { el, decimals, metres, say } from './dom.js';
+
+export class AgentPanel {
+  constructor(run) {
+    this.run = run;
+    this.camera = 0;
+    this.counted = Boolean(run.estimated) && run.estimated !== 'Q';
+    this.title = el('h2', {}, '');
+    this.facts = el('p', {class: 'facts'});
+    this.head = el('tr', {}, ...['level', 'radius', 'detects at'].map(text => el('th', {scope: 'col'}, text)),
+      el('th', {scope: 'col', class: 'wide'}, run.estimated || ''), this.counted ? el('th', {scope: 'col'}, 'times used') : null);
+    this.body = el('tbody');
+    this.note = el('p', {class: 'note'});
+    this.element = el('section', {class: 'agent', 'aria-label': 'the chosen camera'}, this.title, this.facts,
+      el('table', {}, el('thead', {}, this.head), this.body), this.note);
+    if (run.setup.cameras.length) this.select(0);
+  }
+
+  select(camera) {
+    this.camera = camera;
+    say(this.title, this.run.setup.cameras[camera].name);
+    this.rows = this.run.setup.cameras[camera].pose.levels.map((level, i) => levelRow(i, this.run.estimated, this.counted));
+    this.body.replaceChildren(...this.rows.map(row => row.element).reverse());
+    this.pose = null;
+    this.show(this.frame || 0);
+  }
+
+  show(frame) {
+    this.frame = frame;
+    const {run, camera} = this;
+    if (!run.count || !this.rows) return;
+    const pose = run.pose(camera, frame);
+    const level = run.level[camera][frame];
+    const online = run.online[camera][frame];
+    say(this.facts, `x ${metres(pose.x)}, y ${metres(pose.y)}` +
+      (online ? `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets` : '; not online'));
+    if (pose !== this.pose) this.describe(pose);
+    this.rows.forEach((row, i) => row.element.classList.toggle('now', Boolean(online) && i === level));
+    if (run.estimated) this.estimates(frame);
+    say(this.note, this.remark());
+  }
+
+  describe(pose) {
+    this.pose = pose;
+    pose.levels.forEach((level, i) => {
+      say(this.rows[i].radius, `${decimals(level.radius, 3)} m`);
+      say(this.rows[i].range, level.detected.map(({from, to}) => `${decimals(from)}–${decimals(to)} m`).join(', ') || 'nowhere');
+    });
+  }
+
+  /** The longest bar is the largest absolute value of this camera now; a negative value's bar is hatched. */
+  estimates(frame) {
+    const values = this.run.estimates[this.camera].map(list => list[frame]);
+    const largest = Math.max(1e-12, ...values.filter(Number.isFinite).map(Math.abs));
+    values.forEach((value, i) => {
+      const row = this.rows[i];
+      const known = Number.isFinite(value) && value !== null;
+      const count = this.run.counts[this.camera][i][frame];
+      row.bar.style.transform = `scaleX(${known ? Math.abs(value) / largest : 0})`;
+      row.bar.classList.toggle('negative', known && value < 0);
+      say(row.value, known ? decimals(value, 4) : '–');
+      say(row.count, Number.isFinite(count) && count !== null ? String(count) : '–');
+    });
+  }
+
+  remark() {
+    const {policy, targetSize, onAxis} = this.run.setup;
+    const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.`;
+    if (!this.run.estimated) return `${policy} keeps no estimates of its levels. ${range}`;
+    return (this.run.estimated === 'Q' ? 'Q of the state the camera is in. ' : 'Reward: targets detected at that level. ') + range;
+  }
+}
+
+function levelRow(level, estimated, counted) {
+  const row = {radius: el('td'), range: el('td'), bar: el('i', {class: 'bar'}), value: el('span'), count: el('td')};
+  row.element = el('tr', {data: {level}}, el('th', {scope: 'row'}, String(level)), row.radius, row.range,
+    el('td', {class: 'wide'}, ...(estimated ? [row.bar, row.value] : [])), counted ? row.count : null);
+  row.value.dataset.name = 'estimate';
+  return row;
+}

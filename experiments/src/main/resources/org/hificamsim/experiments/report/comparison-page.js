@@ -1,0 +1,168 @@
+// The page of a comparison: cases side by side with their intervals, k_min over time, all runs, pictures and settings.
+import { el, decimals, onThemeChange, rem, style } from './dom.js';
+import { inflate } from './inflate.js';
+import { movingMean } from './smooth.js';
+import { rowsOf, sortable } from './table.js';
+
+const FAVOURITES = ['proportion_of_optimal', 'performance'];
+const SHORT = 4;
+
+/** The page; `data` is what ComparisonReport wrote. */
+export async function comparisonPage(root, data) {
+  root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), badges(data)));
+  if (data.summary) root.append(comparison(data));
+  if (data.curves) root.append(curves(data));
+  for (const table of data.tables) root.append(card(titleOf(table.name), plainTable(table)));
+  if (data.pictures.length) root.append(await pictures(data.pictures));
+  if (data.results) root.append(folded(`All runs (${data.results.count})`, () => plainTable(data.results)));
+  if (data.settings) root.append(settings(data.settings));
+  root.append(card('Made with', el('pre', {tabindex: 0}, data.command), el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`)));
+  root.dataset.ready = '';
+}
+
+const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
+const titleOf = name => name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
+const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
+
+function kind({tables}) {
+  const has = name => tables.some(table => table.name === name);
+  return has('sensitivity.csv') ? 'Sensitivity' : has('table-8.1.csv') ? 'Reproduction' : 'Comparison';
+}
+
+function badges({summary, settings}) {
+  if (!summary) return null;
+  const rows = rowsOf(summary);
+  const count = (name, word) => `${distinct(rows, name).length} ${word}${distinct(rows, name).length === 1 ? '' : 's'}`;
+  const facts = [count('scenario', 'scenario'), count('detection', 'detection model'), `${distinct(rows, 'policy').length} policies`,
+    `${Math.max(...rows.map(row => Number(row.runs)))} seeds`, `${settings?.[0]?.steps} steps`];
+  return el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact)));
+}
+
+/** The cases of one metric, each with its interval drawn to one scale. */
+function comparison({summary, colours}) {
+  const rows = rowsOf(summary);
+  const metrics = distinct(rows, 'metric');
+  const pick = choice('metric', metrics, FAVOURITES.find(name => metrics.includes(name)) || metrics[0], () => fill());
+  const scenarios = choice('scenario', ['all', ...distinct(rows, 'scenario')], 'all', () => fill());
+  const place = el('div', {class: 'scroll'});
+
+  function fill() {
+    const shown = rows.filter(row => row.metric === pick.value && (scenarios.value === 'all' || row.scenario === scenarios.value));
+    place.replaceChildren(sortable(`${pick.value}: mean and 95 % interval over seeds`, summaryColumns(shown, colours), shown));
+  }
+
+  fill();
+  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), place);
+}
+
+function summaryColumns(rows, colours) {
+  const numbers = rows.flatMap(row => [row.mean, row.low, row.high]).filter(text => text !== '').map(Number);
+  const scale = [Math.min(0, ...numbers), Math.max(...numbers, 1e-12)];
+  const digits = Math.max(0, Math.min(SHORT, SHORT - Math.floor(Math.log10(Math.max(...numbers.map(Math.abs), 1)))));
+  const short = text => (text === '' ? '' : Number(text).toFixed(digits));
+  const columns = [{name: 'scenario'}, {name: 'detection'}, {name: 'policy'}, {name: 'runs'}, {name: 'mean', show: short},
+    {name: 'low', show: short}, {name: 'high', show: short},
+    {name: 'mean', label: 'interval', show: (text, row) => whisker(row, scale, colours[row.policy])}];
+  if (rows.some(row => row.difference)) {
+    columns.push({name: 'difference', label: `less ${distinct(rows.filter(row => row.difference_to), 'difference_to').join(', ')}`, show: short},
+      {name: 'difference_low', label: 'low', show: short}, {name: 'difference_high', label: 'high', show: short});
+  }
+  return columns.filter(column => rows.some(row => row[column.name] !== undefined));
+}
+
+/** A mean as a dot with its interval as a bar. */
+function whisker({mean, low, high}, [least, most], colour) {
+  if (mean === '') return '';
+  const at = text => (100 * (Number(text) - least)) / (most - least);
+  const svg = svgElement('svg', {viewBox: '-3 0 106 12', class: 'whisker', preserveAspectRatio: 'none', 'aria-hidden': 'true'});
+  svg.append(svgElement('line', {x1: 0, x2: 100, y1: 6, y2: 6, class: 'rail'}));
+  if (low !== '') svg.append(svgElement('rect', {x: at(low), width: Math.max(0.4, at(high) - at(low)), y: 3.5, height: 5, fill: colour, opacity: 0.45}));
+  svg.append(svgElement('rect', {x: at(mean) - 0.6, width: 1.2, y: 1, height: 10, fill: colour}));
+  return svg;
+}
+
+function svgElement(tag, attributes) {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  Object.entries(attributes).forEach(([name, value]) => element.setAttribute(name, value));
+  return element;
+}
+
+function choice(name, values, chosen, onchange) {
+  const select = el('select', {onchange, 'aria-label': name}, ...values.map(value => el('option', {value}, value)));
+  select.value = chosen;
+  select.label = el('label', {}, `${name} `, select);
+  return select;
+}
+
+/** k_min over time of a scenario's cases: policies by colour, detection models by dashes. */
+function curves({curves: {cases, steps}, colours}) {
+  const pick = choice('scenario', distinct(cases, 'scenario'), cases[0].scenario, () => draw());
+  const widths = [1, 5, 25, 101].filter(width => width === 1 || width < Math.max(...cases.map(one => one.k_min.length)) / 3);
+  const width = choice('mean over points', widths.map(String), String(widths[Math.min(2, widths.length - 1)]), () => draw());
+  const box = el('div', {class: 'lines', role: 'img', 'aria-label': 'k_min over time by case; the tables have the numbers'});
+  const detections = distinct(cases, 'detection');
+  let plot;
+
+  function draw() {
+    const shown = cases.filter(one => one.scenario === pick.value);
+    const longest = Math.max(...shown.map(one => one.k_min.length));
+    const x = Array.from({length: longest}, (none, i) => i * steps);
+    plot?.destroy();
+    plot = new uPlot({
+      width: box.clientWidth || 600, height: 26 * rem(), padding: [8, rem(), 0, 0], cursor: {drag: {x: true, y: false}},
+      scales: {x: {time: false}, y: {range: (any, low, high) => [0, Math.max(1, high) * 1.05]}},
+      axes: [axis({size: 2.2 * rem(), space: 5 * rem(), label: 'step', labelSize: 1.4 * rem(), labelFont: font()}), axis({size: 3.5 * rem(), space: 2 * rem()})],
+      series: [{label: 'step'}, ...shown.map(one => series(one))],
+    }, [x, ...shown.map(one => movingMean(one.k_min, (Number(width.value) - 1) / 2))], box);
+  }
+
+  const series = ({policy, detection}) => ({
+    label: `${policy}, ${detection}`, stroke: colours[policy] === '#000000' ? () => style('--ink') : colours[policy], width: 0.12 * rem(),
+    dash: [[], [8, 4], [2, 4], [10, 3, 2, 3]][detections.indexOf(detection) % 4], points: {show: false},
+    value: (any, value) => (value == null ? '' : decimals(value, SHORT)),
+  });
+  new ResizeObserver(() => requestAnimationFrame(() => {
+    if (!plot) draw();
+    else if (box.clientWidth) plot.setSize({width: box.clientWidth, height: 26 * rem()});
+  })).observe(box);
+  onThemeChange(() => plot?.redraw());
+  const note = 'Mean over the seeds' + (steps > 1 ? `; a point is ${steps} steps` : '; a point is a step') +
+    '. Hover for numbers, click names to hide lines, drag to look closer, double-click for all.';
+  return card('k_min over time', el('p', {class: 'pick'}, pick.label, width.label), box, el('p', {class: 'note'}, note));
+}
+
+const font = () => `${0.8 * rem()}px sans-serif`;
+const axis = more => ({stroke: () => style('--faint'), font: font(), grid: {stroke: () => style('--grid'), width: 1},
+  ticks: {stroke: () => style('--grid'), width: 1, size: 4}, ...more});
+
+function plainTable(table) {
+  const columns = table.columns.map(name => ({name, show: text => (/^-?\d+\.\d{5,}$/.test(text) ? decimals(Number(text), SHORT) : text)}));
+  const more = table.rows.length < table.count ? el('p', {class: 'notice'}, `The first ${table.rows.length} of ${table.count} rows; ${table.name} has all.`) : null;
+  return el('div', {class: 'scroll'}, more, sortable(table.name, columns, rowsOf(table)));
+}
+
+/** A part that is made when it is opened. */
+function folded(title, make) {
+  const details = el('details', {class: 'card', ontoggle: () => details.childElementCount === 1 && details.append(make())}, el('summary', {}, title));
+  return details;
+}
+
+async function pictures(list) {
+  const figures = await Promise.all(list.map(async ({name, data}) => {
+    if (!data) return el('p', {class: 'note'}, `${name} is left out, so that this file stays small.`);
+    const address = URL.createObjectURL(new Blob([await inflate(data)], {type: 'image/svg+xml'}));
+    return el('figure', {}, el('img', {src: address, alt: titleOf(name)}), el('figcaption', {}, name));
+  }));
+  return card('Pictures', el('div', {class: 'pictures'}, ...figures));
+}
+
+/** What is the same for all cases once, the rest in a table. */
+function settings(list) {
+  const text = value => (Array.isArray(value) ? value.join(' ') : String(value));
+  const names = [...new Set(list.flatMap(Object.keys))];
+  const differ = names.filter(name => new Set(list.map(one => text(one[name]))).size > 1);
+  const same = names.filter(name => !differ.includes(name));
+  const rows = list.map(one => Object.fromEntries(differ.map(name => [name, text(one[name])])));
+  return card('Settings', el('p', {}, ...same.map(name => el('span', {class: 'setting'}, `${name}: `, el('b', {}, text(list[0][name]))))),
+    el('div', {class: 'scroll'}, sortable('settings.json', differ.map(name => ({name})), rows)));
+}

@@ -1,0 +1,106 @@
+// Play, step, scrub and speed: buttons, a slider and keys for one playhead.
+import { el, say } from './dom.js';
+import { SPEEDS } from './playhead.js';
+
+const ICONS = {
+  first: 'M1 1h2v10H1zM11 1v10L4 6z',
+  back: 'M9 1v10L2 6z',
+  play: 'M2 0v12l9-6z',
+  pause: 'M2 1h3v10H2zM7 1h3v10H7z',
+  on: 'M3 1v10l7-5z',
+  last: 'M9 1h2v10H9zM1 1v10l7-5z',
+};
+const KEYS = 'Keys: space plays and pauses, arrows step (with shift by 10), Home and End jump, + and - change the speed.';
+
+export class Controls {
+  /**
+   * @param run whose steps the playhead's frames are
+   */
+  constructor(playhead, run) {
+    this.playhead = playhead;
+    this.run = run;
+    this.playButton = this.button('play', 'play', () => playhead.toggle());
+    this.playButton.classList.add('play');
+    this.slider = el('input', {type: 'range', min: 0, max: 0, step: 1, value: 0, 'aria-label': 'step',
+      oninput: () => { playhead.pause(); playhead.show(Number(this.slider.value)); }});
+    this.step = el('output', {class: 'step', data: {name: 'step'}});
+    this.of = el('span', {class: 'of'});
+    this.speed = el('select', {'aria-label': 'steps per second', onchange: () => this.setSpeed()},
+      ...SPEEDS.map(speed => el('option', {value: speed}, `${speed} per s`)));
+    this.element = el('section', {class: 'controls', 'aria-label': 'playing', title: KEYS},
+      this.button('first', 'first step', () => playhead.move(-Infinity)),
+      this.button('back', 'one step back', () => playhead.move(-1)),
+      this.playButton,
+      this.button('on', 'one step on', () => playhead.move(1)),
+      this.button('last', 'last step', () => playhead.move(Infinity)),
+      this.slider, el('span', {class: 'count'}, 'step ', this.step, this.of), this.speed);
+    playhead.subscribe(frame => this.show(frame));
+  }
+
+  button(icon, label, onclick) {
+    return el('button', {type: 'button', 'aria-label': label, title: label, onclick}, drawing(icon));
+  }
+
+  setSpeed() {
+    this.playhead.speed = Number(this.speed.value);
+    this.playhead.tell();
+  }
+
+  show(frame) {
+    const {playhead, run} = this;
+    const step = run.count ? run.step[frame] : 0;
+    this.slider.max = String(Math.max(0, playhead.count - 1));
+    this.slider.value = String(frame);
+    this.slider.setAttribute('aria-valuetext', `step ${step}`);
+    say(this.step, String(step));
+    say(this.of, ` of ${Math.max(0, run.steps - 1)}`);
+    if (this.playing !== playhead.playing) this.showPlaying(playhead.playing);
+    this.speed.value = String(playhead.speed);
+  }
+
+  showPlaying(playing) {
+    this.playing = playing;
+    const label = playing ? 'pause' : 'play';
+    this.playButton.replaceChildren(drawing(label));
+    this.playButton.setAttribute('aria-label', label);
+  }
+
+  /** Keys anywhere on the page, but for those that a focused control has its own use for. */
+  listen() {
+    document.addEventListener('keydown', event => {
+      const tag = event.target.tagName;
+      if (event.ctrlKey || event.altKey || event.metaKey || tag === 'SELECT' || tag === 'TEXTAREA') return;
+      if (tag === 'INPUT' && event.target !== this.slider) return;
+      if (event.key === ' ' && (tag === 'BUTTON' || tag === 'SUMMARY')) return;
+      const action = this.action(event);
+      if (!action) return;
+      action();
+      event.preventDefault();
+    });
+  }
+
+  action({key, shiftKey}) {
+    const {playhead} = this;
+    const by = shiftKey ? 10 : 1;
+    return {
+      ' ': () => playhead.toggle(),
+      ArrowRight: () => playhead.move(by),
+      ArrowLeft: () => playhead.move(-by),
+      Home: () => playhead.move(-Infinity),
+      End: () => playhead.move(Infinity),
+      '+': () => playhead.faster(1),
+      '=': () => playhead.faster(1),
+      '-': () => playhead.faster(-1),
+    }[key];
+  }
+}
+
+/** An icon, drawn: fonts lack some of them. */
+function drawing(icon) {
+  const [svg, path] = ['svg', 'path'].map(tag => document.createElementNS('http://www.w3.org/2000/svg', tag));
+  svg.setAttribute('viewBox', '0 0 12 12');
+  svg.setAttribute('aria-hidden', 'true');
+  path.setAttribute('d', ICONS[icon]);
+  svg.append(path);
+  return svg;
+}

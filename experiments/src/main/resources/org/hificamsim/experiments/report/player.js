@@ -1,0 +1,51 @@
+// One run as it is looked at: the field, the numbers, what an agent knows, and all of it over time.
+import { el } from './dom.js';
+import { FieldView } from './field.js';
+import { Readout } from './readout.js';
+import { AgentPanel } from './agent.js';
+import { Timeline } from './timeline.js';
+
+export class Player {
+  /**
+   * @param run recorded or growing
+   * @param playhead may be shared with other players
+   * @param options `middle`: an element between the field and the timeline; `drag(camera, x, y)`: cameras can be moved;
+   *   `ceiling()`: how far the axis of k_min reaches at least
+   */
+  constructor(run, playhead, options = {}) {
+    this.run = run;
+    this.playhead = playhead;
+    const on = {select: camera => this.select(camera), drag: options.drag, ceiling: options.ceiling};
+    this.field = new FieldView(run, on);
+    this.readout = new Readout(run);
+    this.agent = new AgentPanel(run);
+    this.timeline = new Timeline(playhead, on);
+    this.element = el('div', {class: 'player'}, this.field.element,
+      el('div', {class: 'side'}, this.readout.element, this.agent.element), options.middle, this.timeline.element);
+    this.timeline.load(run);
+    if (run.setup.cameras.length) this.select(run.busiest());
+    playhead.subscribe(frame => this.show(frame));
+  }
+
+  /** Shows a camera's estimates; a click beside all cameras changes nothing. */
+  select(camera) {
+    if (camera < 0) return;
+    this.field.select(camera);
+    this.agent.select(camera);
+    this.timeline.select(camera);
+  }
+
+  /** Takes note of frames that were pushed to the run. */
+  grew() {
+    this.timeline.load(this.run);
+    this.show(this.playhead.frame);
+  }
+
+  show(frame) {
+    if (frame >= this.run.count) return;
+    this.field.show(frame);
+    this.readout.show(frame);
+    this.agent.show(frame);
+    this.timeline.show(frame);
+  }
+}

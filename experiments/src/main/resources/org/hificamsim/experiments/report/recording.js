@@ -1,0 +1,72 @@
+// Unpacks a run of replay.json: series of whole numbers, each as differences in LEB128, deflated, in Base64.
+import { inflate } from './inflate.js';
+import { Run } from './run.js';
+
+/** Reads one series after the other. */
+class SeriesReader {
+  constructor(bytes) {
+    this.bytes = bytes;
+    this.at = 0;
+  }
+
+  /** The next number, zigzag undone; beyond 31 bits by arithmetic, since shifts end there. */
+  number() {
+    let code = 0;
+    let factor = 1;
+    for (;;) {
+      const byte = this.bytes[this.at++];
+      if (byte === undefined) throw new Error('The data of this run end early.');
+      code += (byte & 127) * factor;
+      if (byte < 128) return code % 2 ? -(code + 1) / 2 : code / 2;
+      factor *= 128;
+    }
+  }
+
+  /** The next series, each number as `convert` gives it. */
+  series(count, convert) {
+    const numbers = new Array(count);
+    let sum = 0;
+    for (let i = 0; i < count; i++) {
+      sum += this.number();
+      numbers[i] = convert(sum);
+    }
+    return numbers;
+  }
+}
+
+const plain = code => code;
+const scaled = perUnit => code => code / perUnit;
+const optional = perUnit => code => {
+  if (code === 0) return NaN;
+  const zigzag = code - 1;
+  return (zigzag % 2 ? -(zigzag + 1) / 2 : zigzag / 2) / perUnit;
+};
+
+/** The run that the record PackedRun holds. */
+export async function unpack(setup, packed) {
+  const run = new Run(setup, packed.estimated);
+  const reader = new SeriesReader(await inflate(packed.data));
+  const next = convert => reader.series(packed.frames, convert);
+  run.step = next(plain);
+  setup.cameras.forEach((camera, i) => {
+    run.online[i] = next(plain);
+    run.level[i] = next(plain);
+    run.detected[i] = next(plain);
+  });
+  setup.targets.forEach((target, i) => {
+    run.present[i] = next(plain);
+    run.x[i] = next(scaled(packed.scale));
+    run.y[i] = next(scaled(packed.scale));
+    run.coverage[i] = next(plain);
+  });
+  if (packed.estimated) {
+    setup.cameras.forEach((camera, i) => camera.pose.levels.forEach((level, j) => {
+      run.estimates[i][j] = next(optional(packed.estimateScale));
+      run.counts[i][j] = next(optional(1));
+    }));
+  }
+  packed.moves.forEach(move => run.move(move));
+  Object.assign(run, {every: packed.every, steps: packed.steps, seed: packed.seed, number: packed.run});
+  for (run.count = 0; run.count < packed.frames; run.count++) run.measure(run.count);
+  return run;
+}

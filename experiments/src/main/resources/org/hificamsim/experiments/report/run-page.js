@@ -1,0 +1,67 @@
+// The page of one run that was recorded: its replay, with a choice among the repeats.
+import { el, decimals, percent } from './dom.js';
+import { unpack } from './recording.js';
+import { Playhead } from './playhead.js';
+import { Controls } from './controls.js';
+import { Player } from './player.js';
+
+/** The page; `data` is what RunReport wrote. */
+export async function runPage(root, data) {
+  const {setup, runs, repeat} = data.replay;
+  const place = el('div');
+  root.append(header(data, index => open(index)), place, details(data));
+  let controls;
+
+  async function open(index) {
+    const run = await unpack(setup, runs[index]);
+    const playhead = new Playhead(run.count);
+    controls = new Controls(playhead, run);
+    const player = new Player(run, playhead, {middle: controls.element});
+    place.replaceChildren(player.element);
+    window.hificamsim = {run, playhead, player};
+    playhead.show(run.frameAt(Number(location.hash.slice(1)) || 0)); // report.html#120 opens at step 120
+    root.dataset.ready = String(index);
+    if (runs[index].every > 1) place.prepend(el('p', {class: 'notice'}, thinned(runs[index])));
+  }
+
+  const keys = new Controls(new Playhead(), {count: 0, steps: 0});
+  keys.action = event => controls.action(event);
+  keys.listen();
+  await open(0);
+}
+
+const thinned = run => `This run has ${run.steps} steps; the page shows one in ${run.every}, and the last, so that the file stays small. ` +
+  'steps.csv has them all.';
+
+function header({replay: {setup, runs, repeat}, settings}, open) {
+  const facts = [setup.detection, `threshold ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
+    `order ${setup.order}`];
+  return el('header', {}, el('h1', {}, setup.scenario, el('small', {}, setup.policy)),
+    el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact))), chooser(runs, repeat, open));
+}
+
+function chooser(runs, repeat, open) {
+  if (repeat === 1) return el('p', {class: 'badges'}, el('span', {}, `seed ${runs[0].seed}`));
+  const select = el('select', {id: 'run', onchange: () => open(Number(select.value))},
+    ...runs.map((run, i) => el('option', {value: i}, `${run.run} (seed ${run.seed})`)));
+  return el('p', {class: 'chooser'}, el('label', {for: 'run'}, 'repeat '), select,
+    ` of ${repeat}` + (runs.length < repeat ? `; the first ${runs.length} are in this file, the others did not fit` : ''));
+}
+
+/** The whole run in numbers, and how to do it again. */
+function details({summary, command, version}) {
+  const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) =>
+    el('tr', {}, el('th', {scope: 'row'}, name), el('td', {data: {name: `summary-${name}`}}, String(mean)),
+      el('td', {}, low === high ? '' : `${decimals(low, 4)} to ${decimals(high, 4)}`)));
+  const settings = Object.entries(summary.settings).map(([name, value]) =>
+    el('tr', {}, el('th', {scope: 'row'}, name), el('td', {}, Array.isArray(value) ? value.join(' ') : String(value))));
+  return el('section', {class: 'details'},
+    table('Whole run', ['', summary.repeat > 1 ? 'mean of the repeats' : '', summary.repeat > 1 ? '95 % interval' : ''], rows),
+    table('Settings', ['', ''], settings),
+    el('div', {}, el('h2', {}, 'Made with'), el('pre', {tabindex: 0}, command), el('p', {class: 'note'}, `HiFi-CamSim ${version}`)));
+}
+
+function table(title, columns, rows) {
+  return el('div', {}, el('h2', {}, title), el('table', {},
+    el('thead', {}, el('tr', {}, ...columns.map(column => el('th', {scope: 'col'}, column)))), el('tbody', {}, ...rows)));
+}

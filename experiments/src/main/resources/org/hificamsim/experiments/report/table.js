@@ -1,0 +1,50 @@
+// Tables that a click, or Enter, on a column's head sorts; again for the other way round.
+import { el } from './dom.js';
+
+const AS_WORDS = new Intl.Collator('en', {numeric: true});
+
+/** Missing values come last, numbers by size, others as words. */
+function order(a, b) {
+  if (a === '' || b === '') return (a === '') - (b === '');
+  const [x, y] = [Number(a), Number(b)];
+  return Number.isNaN(x) || Number.isNaN(y) ? AS_WORDS.compare(a, b) : x - y;
+}
+
+/**
+ * A table.
+ * @param caption what it is
+ * @param columns each {name, label?, show?}: `show(text, row)` is what stands in the cell, the text itself if missing
+ * @param rows each an object of texts by column name
+ */
+export function sortable(caption, columns, rows) {
+  const body = el('tbody');
+  const heads = columns.map((column, i) => el('th', {scope: 'col', 'aria-sort': 'none', class: rows.some(row => isNumber(row[column.name] ?? '')) ? 'number' : null},
+    el('button', {type: 'button', onclick: () => sort(i)}, column.label || column.name)));
+  const lines = rows.map(row => ({row, element: line(columns, row)}));
+  body.append(...lines.map(({element}) => element));
+
+  function sort(i) {
+    const up = heads[i].getAttribute('aria-sort') !== 'ascending';
+    heads.forEach((head, j) => head.setAttribute('aria-sort', j === i ? (up ? 'ascending' : 'descending') : 'none'));
+    const {name} = columns[i];
+    const sorted = [...lines].sort((a, b) => {
+      const [x, y] = [a.row[name], b.row[name]];
+      return (up || x === '' || y === '' ? 1 : -1) * order(x, y);
+    });
+    body.replaceChildren(...sorted.map(({element}) => element));
+  }
+
+  return el('table', {class: 'sortable'}, el('caption', {}, caption), el('thead', {}, el('tr', {}, ...heads)), body);
+}
+
+function line(columns, row) {
+  return el('tr', {}, ...columns.map(({name, show}) => {
+    const text = row[name] ?? '';
+    return el('td', {class: isNumber(text) ? 'number' : null, title: text, data: {column: name, text}}, show ? show(text, row) : text);
+  }));
+}
+
+const isNumber = text => text !== '' && !Number.isNaN(Number(text));
+
+/** Rows as objects by column name. */
+export const rowsOf = table => table.rows.map(cells => Object.fromEntries(table.columns.map((name, i) => [name, cells[i]])));

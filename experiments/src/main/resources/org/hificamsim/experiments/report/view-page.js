@@ -1,0 +1,180 @@
+// The live page: one or two simulations of the same targets, stepped by the command that serves it.
+import { el, decimals, say } from './dom.js';
+import { Run } from './run.js';
+import { Controls } from './controls.js';
+import { Player } from './player.js';
+import { LivePlayhead } from './live-playhead.js';
+import { ChoiceForm } from './choice.js';
+
+const MOST_FRAMES = 8000;
+const RECENT = 100;
+
+/** The page; `data` is what LivePage wrote. */
+export async function viewPage(root, data) {
+  const view = new LiveView(root, data);
+  window.hificamsim = view;
+  view.listen();
+}
+
+class LiveView {
+  constructor(root, data) {
+    this.root = root;
+    this.data = data;
+    this.runs = [];
+    this.players = [];
+    this.forms = [];
+    this.seed = el('input', {type: 'number', id: 'seed', value: 0, step: 1, min: 0});
+    this.keep = el('input', {type: 'checkbox', id: 'keep', checked: true});
+    this.twice = el('button', {type: 'button', id: 'compare', onclick: () => this.send({command: 'compare', on: this.runs.length < 2})});
+    this.fault = el('p', {class: 'notice', role: 'alert', hidden: true});
+    this.place = el('div');
+    root.append(this.header(), this.fault, this.place);
+    this.playhead = new LivePlayhead(command => this.send(command));
+    this.controls = new Controls(this.playhead, {count: 0, steps: 0, step: []});
+    this.controls.listen();
+  }
+
+  header() {
+    return el('header', {class: 'live'}, el('h1', {}, this.data.scenario, el('small', {}, 'live')),
+      el('p', {class: 'badges'}, this.twice,
+        el('button', {type: 'button', id: 'restart', onclick: () => this.restart()}, 'restart'),
+        el('label', {}, 'with seed ', this.seed), el('label', {}, this.keep, ' keep moved cameras')),
+      el('p', {class: 'note'}, 'Drag a camera: it moves with the next step. Another model, threshold or policy: the targets go on, learning begins anew.'));
+  }
+
+  restart() {
+    this.send({command: 'restart', seed: Math.round(Number(this.seed.value)) || 0, keepCameras: this.keep.checked});
+  }
+
+  /** Has a command done; what is wrong with it is told on the page. */
+  async send(command) {
+    try {
+      const answer = await fetch('command', {method: 'POST', headers: {'Content-Type': 'application/json'}, body: JSON.stringify(command)});
+      this.tell(answer.ok ? '' : (await answer.text()).trim());
+      return answer.ok;
+    } catch {
+      this.tell('The command that serves this page has ended.');
+      return false;
+    }
+  }
+
+  tell(fault) {
+    say(this.fault, fault);
+    this.fault.hidden = !fault;
+  }
+
+  listen() {
+    const events = new EventSource('events');
+    events.addEventListener('setup', event => this.setup(JSON.parse(event.data)));
+    events.addEventListener('steps', event => this.push(JSON.parse(event.data)));
+    events.addEventListener('state', event => this.state(JSON.parse(event.data)));
+    events.onerror = () => this.tell('The command that serves this page does not answer.');
+    events.onopen = () => this.tell('');
+  }
+
+  /** Other simulations, or other choices for the ones that go on. */
+  setup({fresh, sides}) {
+    if (fresh) {
+      this.runs = sides.map(({setup, estimated}) => new Run(setup, estimated));
+      this.playhead.count = 0;
+      this.playhead.frame = 0;
+    } else {
+      const same = sides.every(({estimated}, i) => this.runs[i].estimated === estimated);
+      sides.forEach(({setup, estimated}, i) => this.runs[i].become(setup, estimated));
+      sides.forEach(({setup}, i) => this.forms[i].show(setup));
+      if (same) return;
+    }
+    this.build(fresh);
+  }
+
+  /** Makes the players anew; the forms too, unless the simulations go on: somebody may be typing. */
+  build(fresh) {
+    const pair = this.runs.length > 1;
+    this.playhead.listeners = [];
+    this.controls.run = this.runs[0];
+    this.playhead.subscribe(frame => this.controls.show(frame));
+    if (fresh) this.forms = this.runs.map((run, side) => this.form(run, side));
+    const drag = (camera, x, y) => this.drag(camera, x, y);
+    const ceiling = () => Math.max(...this.runs.map(run => run.highest));
+    this.players = this.runs.map(run => new Player(run, this.playhead, {drag, ceiling, middle: pair ? null : this.controls.element}));
+    this.selectTogether();
+    if (fresh) this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));
+    this.columns.forEach((column, i) => {
+      column.querySelector('.player')?.remove();
+      column.append(this.players[i].element);
+    });
+    if (fresh) this.place.replaceChildren(pair ? this.controls.element : '', el('div', {class: pair ? 'pair' : ''}, ...this.columns));
+    say(this.twice, pair ? 'one model only' : 'second model beside it');
+    this.refresh();
+  }
+
+  form(run, side) {
+    const form = new ChoiceForm(this.data, choice => this.send({command: 'choose', side, ...choice}));
+    form.show(run.setup);
+    return form;
+  }
+
+  /** A camera that is chosen in one simulation is chosen in the other. */
+  selectTogether() {
+    const own = this.players.map(player => player.select.bind(player));
+    const all = camera => {
+      if (camera >= 0) this.camera = camera;
+      own.forEach(select => select(camera));
+    };
+    this.players.forEach(player => (player.select = all));
+    if (this.camera < this.runs[0].setup.cameras.length) all(this.camera);
+  }
+
+  push(steps) {
+    for (const {sides} of steps) sides.forEach(({frame, moves}, i) => this.runs[i].push(frame, moves));
+    if (this.runs[0].count > MOST_FRAMES) this.runs.forEach(run => run.thin());
+    this.refresh();
+  }
+
+  /** Draws what has arrived, once for all that arrives before the next picture. */
+  refresh() {
+    this.waiting ??= requestAnimationFrame(() => {
+      this.waiting = null;
+      this.playhead.grow(this.runs[0].count);
+      this.players.forEach(player => player.grew());
+      this.runs.forEach((run, i) => this.forms[i].recent(meanKMin(run)));
+      if (this.runs[0].count) this.root.dataset.ready = '';
+    });
+  }
+
+  state(state) {
+    this.playhead.told(state);
+    if (document.activeElement !== this.seed) this.seed.value = String(state.seed);
+    if (state.fault) this.tell(state.fault);
+    if (!this.started && state.next <= 1 && !state.running) this.playhead.play();
+    this.started = true;
+  }
+
+  /** Shows the camera there at once; the simulations get the latest place, one command at a time. */
+  drag(camera, toX, toY) {
+    const {minX, maxX, minY, maxY} = this.runs[0].setup.field;
+    const x = Math.min(Math.max(toX, minX), maxX);
+    const y = Math.min(Math.max(toY, minY), maxY);
+    this.playhead.show(this.playhead.count - 1);
+    this.runs.forEach(run => run.preview(camera, x, y));
+    this.players.forEach(player => player.show(this.playhead.frame));
+    this.dragged = {command: 'drag', camera, x, y};
+    if (!this.dragging) this.sendDragged();
+  }
+
+  async sendDragged() {
+    this.dragging = true;
+    while (this.dragged) {
+      const latest = this.dragged;
+      this.dragged = null;
+      await this.send(latest);
+    }
+    this.dragging = false;
+  }
+}
+
+/** The mean of k_min over the last steps that are known. */
+function meanKMin(run) {
+  const last = run.kMin.slice(-RECENT);
+  return last.length ? `mean k_min of the last ${last.length} steps: ${decimals(last.reduce((sum, k) => sum + k, 0) / last.length, 2)}` : '';
+}

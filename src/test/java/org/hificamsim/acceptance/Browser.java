@@ -1,0 +1,183 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.logging.Level;
+import java.util.logging.Logger;
+import java.util.stream.StreamSupport;
+import org.openqa.selenium.By;
+import org.openqa.selenium.OutputType;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.chrome.ChromeDriver;
+import org.openqa.selenium.chrome.ChromeDriverService;
+import org.openqa.selenium.chrome.ChromeOptions;
+import org.openqa.selenium.interactions.Actions;
+import org.openqa.selenium.logging.LogEntry;
+import org.openqa.selenium.logging.LogType;
+import org.openqa.selenium.logging.LoggingPreferences;
+import org.openqa.selenium.support.ui.WebDriverWait;
+
+/**
+ * Debian's Chromium without a window, with what its console said and what it asked the network for.
+ */
+final class Browser implements AutoCloseable {
+  private static final Path CHROMIUM = Path.of("/usr/bin/chromium");
+  private static final Path DRIVER = Path.of("/usr/bin/chromedriver");
+  private static final Logger SELENIUM = Logger.getLogger("org.openqa.selenium");
+  private static final ObjectMapper JSON = new ObjectMapper();
+  private static final Duration LONGEST_WAIT = Duration.ofSeconds(30);
+
+  private final ChromeDriver driver;
+
+  private Browser(Path profile) {
+    SELENIUM.setLevel(Level.SEVERE); // it knows no DevTools of this Chromium, and none are used
+    LoggingPreferences logs = new LoggingPreferences();
+    logs.enable(LogType.BROWSER, Level.ALL);
+    logs.enable(LogType.PERFORMANCE, Level.ALL);
+    ChromeOptions options = new ChromeOptions();
+    options.setBinary(CHROMIUM.toFile());
+    options.addArguments(
+        "--headless=new",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--disable-quic",
+        "--no-first-run",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--user-data-dir=" + profile);
+    options.setCapability("goog:loggingPrefs", logs);
+    ChromeDriverService service =
+        new ChromeDriverService.Builder().usingDriverExecutable(DRIVER.toFile()).build();
+    driver = new ChromeDriver(service, options);
+    size(1280, 1000);
+  }
+
+  /** Starts a browser with a new profile in this folder; skips the test where there is none. */
+  static Browser start(Path folder) {
+    assumeTrue(
+        Files.isExecutable(CHROMIUM) && Files.isExecutable(DRIVER),
+        "no Chromium: apt-get install chromium chromium-driver");
+    return new Browser(folder.resolve("profile"));
+  }
+
+  /** Opens an address, with empty logs; waits until the page's script has drawn it. */
+  void open(String address) {
+    driver.get("about:blank");
+    driver.manage().logs().get(LogType.BROWSER);
+    driver.manage().logs().get(LogType.PERFORMANCE);
+    driver.get(address);
+    until("return document.getElementById('page').dataset.ready !== undefined");
+  }
+
+  /** Makes the page this large, in CSS pixels. */
+  void size(int width, int height) {
+    driver.executeCdpCommand(
+        "Emulation.setDeviceMetricsOverride",
+        Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", false));
+  }
+
+  /** What a script returns. */
+  Object run(String script, Object... arguments) {
+    return driver.executeScript(script, arguments);
+  }
+
+  /** Waits until a script returns true. */
+  void until(String script) {
+    new WebDriverWait(driver, LONGEST_WAIT, Duration.ofMillis(50))
+        .withMessage(script)
+        .until(any -> Boolean.TRUE.equals(run(script)));
+  }
+
+  WebElement find(String selector) {
+    return driver.findElement(By.cssSelector(selector));
+  }
+
+  List<WebElement> findAll(String selector) {
+    return driver.findElements(By.cssSelector(selector));
+  }
+
+  /** The text of the one element that a selector finds. */
+  String text(String selector) {
+    return find(selector).getText();
+  }
+
+  /** Presses keys on whatever has the focus. */
+  void press(CharSequence... keys) {
+    driver.switchTo().activeElement().sendKeys(keys);
+  }
+
+  /** Leaves the page. */
+  void leave() {
+    driver.get("about:blank");
+  }
+
+  /** Forgets what the console said since {@link #open}. */
+  void forgetConsole() {
+    driver.manage().logs().get(LogType.BROWSER);
+  }
+
+  /** Waits until what was under way between page and server has been drawn. */
+  void settle() {
+    driver.executeAsyncScript(
+        "const done = arguments[0]; setTimeout(() => requestAnimationFrame(() => done()), 150)");
+  }
+
+  /** What a mouse does. */
+  Actions actions() {
+    return new Actions(driver);
+  }
+
+  /** A picture of what is visible. */
+  void screenshot(Path png) {
+    try {
+      Files.write(png, driver.getScreenshotAs(OutputType.BYTES));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Fails if the console has warnings or errors since {@link #open}. */
+  void assertQuietConsole() {
+    List<String> lines = new ArrayList<>();
+    for (LogEntry entry : driver.manage().logs().get(LogType.BROWSER)) {
+      lines.add(entry.toString());
+    }
+    assertEquals(List.of(), lines);
+  }
+
+  /** Addresses asked for since {@link #open}, in order, but for data that the page itself holds. */
+  List<String> requests() {
+    return StreamSupport.stream(
+            driver.manage().logs().get(LogType.PERFORMANCE).spliterator(), false)
+        .map(entry -> message(entry.getMessage()))
+        .filter(message -> message.path("method").asText().equals("Network.requestWillBeSent"))
+        .map(message -> message.path("params").path("request").path("url").asText())
+        .filter(url -> !url.startsWith("data:") && !url.startsWith("blob:"))
+        .toList();
+  }
+
+  private static JsonNode message(String text) {
+    try {
+      return JSON.readTree(text).path("message");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @Override
+  public void close() {
+    driver.quit();
+  }
+}

@@ -1,0 +1,148 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.support.ui.Select;
+
+/** A comparison's page in a browser. */
+class ComparisonPageTest {
+  private static final String ROWS = "section.card:first-of-type tbody tr";
+
+  @TempDir static Path folder;
+  private static Browser browser;
+  private static Path out;
+
+  @BeforeAll
+  static void compareAndStart() {
+    out = folder.resolve("compared");
+    Cli cli =
+        Cli.run(
+            "compare",
+            Cli.scenario("ring-random"),
+            Cli.scenario("cluster-scripted"),
+            "--policies",
+            "zoom-out,epsilon-greedy",
+            "--steps",
+            120,
+            "--repeat",
+            4,
+            "--out",
+            out);
+    assertEquals(0, cli.exit(), cli.err());
+    browser = Browser.start(folder);
+  }
+
+  @AfterAll
+  static void stop() {
+    if (browser != null) {
+      browser.close();
+    }
+  }
+
+  @Test
+  void showsEveryCaseOfTheSummaryForEachMetric() throws IOException {
+    open();
+    for (String metric : List.of("proportion_of_optimal", "performance", "covered_0")) {
+      new Select(browser.find("select[aria-label=metric]")).selectByVisibleText(metric);
+      List<String> expected = new ArrayList<>();
+      for (String row : Files.readAllLines(out.resolve("summary.csv"))) {
+        String[] cells = row.split(",", -1);
+        if (cells[3].equals(metric)) {
+          expected.add(String.join(",", List.of(cells).subList(5, 8)));
+          assertTrue(browser.find("section.card").getText().contains(cells[2]));
+        }
+      }
+      List<String> shown = new ArrayList<>();
+      for (WebElement row : browser.findAll(ROWS)) {
+        shown.add(cell(row, "mean") + "," + cell(row, "low") + "," + cell(row, "high"));
+      }
+      assertFalse(expected.isEmpty());
+      assertEquals(expected, shown);
+    }
+    WebElement mean = browser.find(ROWS + " td[data-column=mean]");
+    assertEquals(
+        Double.parseDouble(mean.getDomAttribute("data-text")),
+        Double.parseDouble(mean.getText()),
+        0.00005);
+    browser.assertQuietConsole();
+  }
+
+  @Test
+  void sortsByClickAndByKey() {
+    open();
+    WebElement head = browser.findAll(".sortable thead button").get(4);
+    assertEquals("mean", head.getText().split(" ")[0]);
+    head.click();
+    List<Double> up = column("mean");
+    List<Double> sorted = new ArrayList<>(up);
+    Collections.sort(sorted);
+    assertEquals(sorted, up);
+    head.sendKeys(Keys.ENTER);
+    Collections.reverse(sorted);
+    assertEquals(sorted, column("mean"));
+    assertEquals(
+        "descending", browser.findAll(".sortable thead th").get(4).getDomAttribute("aria-sort"));
+  }
+
+  @Test
+  void narrowsToAScenario() {
+    open();
+    int all = browser.findAll(ROWS).size();
+    new Select(browser.find("select[aria-label=scenario]")).selectByVisibleText("ring-random");
+    assertEquals(all / 2, browser.findAll(ROWS).size());
+  }
+
+  @Test
+  void drawsThePicturesAndTheCurvesAndAsksNobody() {
+    open();
+    browser.until("return [...document.images].every(i => i.complete && i.naturalWidth > 100)");
+    assertEquals(4, browser.findAll("img").size());
+    assertEquals(1, browser.findAll(".lines canvas").size());
+    assertEquals(7, browser.findAll(".lines .u-legend .u-series").size());
+    assertEquals(List.of(address()), browser.requests());
+    browser.assertQuietConsole();
+  }
+
+  @Test
+  void holdsAllRunsTheSettingsAndTheCommand() throws IOException {
+    open();
+    browser.find("details summary").click();
+    List<String> results = Files.readAllLines(out.resolve("results.csv"));
+    List<WebElement> rows = browser.findAll("details tbody tr");
+    assertEquals(results.size() - 1, rows.size());
+    assertEquals(results.get(1).split(",")[4], cell(rows.get(0), "performance"));
+    assertTrue(browser.text("pre").startsWith("./hificamsim compare "));
+    assertTrue(browser.text("main").contains("steps: 120"));
+  }
+
+  private static void open() {
+    browser.open(address());
+  }
+
+  private static String address() {
+    return out.resolve("report.html").toUri().toString();
+  }
+
+  private static List<Double> column(String name) {
+    return browser.findAll(ROWS).stream().map(row -> Double.valueOf(cell(row, name))).toList();
+  }
+
+  private static String cell(WebElement row, String column) {
+    return row.findElement(org.openqa.selenium.By.cssSelector("[data-column=" + column + "]"))
+        .getDomAttribute("data-text");
+  }
+}

@@ -1,0 +1,116 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** {@code report --png}, {@code --svg} and {@code --gif}. */
+class PicturesTest {
+  @TempDir static Path run;
+
+  @TempDir Path folder;
+
+  @BeforeAll
+  static void record() {
+    Cli.run(
+        "run",
+        Cli.scenario("cluster-random"),
+        "--steps",
+        60,
+        "--record",
+        "--repeat",
+        2,
+        "--out",
+        run);
+  }
+
+  @Test
+  void theSameStepGivesTheSameBytes() throws IOException {
+    Path[] files = new Path[6];
+    for (int i = 0; i < 2; i++) {
+      files[3 * i] = folder.resolve(i + ".png");
+      files[3 * i + 1] = folder.resolve(i + ".svg");
+      files[3 * i + 2] = folder.resolve(i + ".gif");
+      Cli report =
+          Cli.run(
+              "report",
+              run,
+              "--png",
+              files[3 * i],
+              "--svg",
+              files[3 * i + 1],
+              "--gif",
+              files[3 * i + 2],
+              "--step",
+              30,
+              "--every",
+              20,
+              "--width",
+              300);
+      assertEquals(0, report.exit(), report.err());
+      assertTrue(report.out().contains("4 pictures, one for 20 steps"), report.out());
+    }
+    for (int i = 0; i < 3; i++) {
+      assertArrayEquals(Files.readAllBytes(files[i]), Files.readAllBytes(files[3 + i]));
+    }
+    assertEquals(300, ImageIO.read(files[0].toFile()).getWidth());
+    assertTrue(Files.readString(files[1]).contains("cluster-random, step 30 of 59"));
+  }
+
+  @Test
+  void picturesComeWithoutThePageUnlessThatIsAskedFor() throws IOException {
+    Files.deleteIfExists(run.resolve("report.html"));
+    Path png = folder.resolve("last.png");
+    Cli.run("report", run, "--png", png, "--run", 1);
+    assertEquals(1600, ImageIO.read(png.toFile()).getWidth());
+    assertFalse(Files.exists(run.resolve("report.html")));
+    Path page = folder.resolve("page.html");
+    Cli.run("report", run, "--png", png, "--out", page);
+    assertTrue(Files.exists(page));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--step 60 | --step is 60, expected a step from 0 to 59",
+        "--step -1 | --step is -1, expected a step from 0 to 59",
+        "--step x | 'x'",
+        "--run 2 | --run is 2, expected one of the 2 repeats recorded",
+        "--from 30 --to 20 | --to is 20, expected a step from 30 on",
+        "--every 0 | --every is 0, expected a multiple of 1, above 0",
+        "--width 5 | --width is 5, expected a whole number from 200 to 8000",
+        "--per-second 0 | --per-second is 0, expected a whole number from 1 to 50",
+      })
+  void wrongNumbersAreToldInOneLine(String options, String expected) {
+    Path png = folder.resolve("a.png");
+    Object[] words =
+        Stream.concat(Stream.of("report", run, "--png", png), Stream.of(options.strip().split(" ")))
+            .toArray();
+    Cli report = Cli.run(words);
+    assertEquals(2, report.exit());
+    assertEquals(1, report.err().lines().count(), report.err());
+    assertTrue(report.err().contains(expected), report.err());
+    assertFalse(Files.exists(png));
+  }
+
+  @Test
+  void aFolderWithoutARecordingIsToldInOneLine() {
+    Cli report = Cli.run("report", folder, "--png", folder.resolve("a.png"));
+    assertEquals(2, report.exit());
+    assertTrue(report.err().contains("run --record"), report.err());
+    assertEquals(1, report.err().lines().count());
+  }
+}

@@ -1,0 +1,137 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What {@code report} makes of a folder, and what it refuses. */
+class ReportCommandTest {
+  @TempDir Path folder;
+
+  @Test
+  void makesTheSamePageAgainFromTheFolderAlone() throws IOException {
+    Path scenario = Files.copy(Cli.scenario("ring-random"), folder.resolve("gone.xml"));
+    Path run = folder.resolve("run");
+    Cli.run("run", scenario, "--steps", 30, "--record", "--out", run);
+    Files.delete(scenario);
+    Path moved = Files.move(run, folder.resolve("moved"));
+    Path page = folder.resolve("page.html");
+    Cli report = Cli.run("report", moved, "--out", page);
+    assertEquals(0, report.exit(), report.err());
+    assertEquals(page + "\n", report.out());
+    assertArrayEquals(Files.readAllBytes(moved.resolve("report.html")), Files.readAllBytes(page));
+  }
+
+  @Test
+  void aRunWithoutRecordsHasNoPageAndLosesAnOldOne() {
+    Path run = record();
+    assertTrue(Files.exists(run.resolve("report.html")));
+    Cli.run("run", Cli.scenario("ring-random"), "--steps", 30, "--out", run);
+    assertFalse(Files.exists(run.resolve("report.html")));
+    refuses(run, "replay.json");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"replay.json", "steps.csv", "summary.json", "manifest.json"})
+  void namesAFileThatIsMissing(String name) throws IOException {
+    Path run = record();
+    Files.delete(run.resolve(name));
+    refuses(run, name);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "steps.csv | (?m)^0,7,[0-9]+ | 0,7,99 | steps.csv:9:5: '99,",
+        "steps.csv | (?m)^0,29,.*\\n | '' | no row for run 0 and step 29",
+        "summary.json | epsilon-greedy | sarsa | policy is 'sarsa', but replay.json says"
+            + " 'epsilon-greedy'",
+        "summary.json | \\{ | [[ | not JSON",
+        "replay.json | \"x\":[0-9.e-]+ | \"x\":[] | replay.json:1:",
+        "replay.json | \"data\":\"....... | \"data\":\"eJx?AAA | run 0",
+        "replay.json | \"frames\":30 | \"frames\":-1 | frames of run 0",
+        "replay.json | replay-1 | replay-9 | format is 'hificamsim-replay-9'",
+      })
+  void tellsInOneLineWhatWasEdited(String name, String from, String to, String expected)
+      throws IOException {
+    Path run = record();
+    Path file = run.resolve(name);
+    String before = Files.readString(file);
+    String after = before.replaceFirst(from, to);
+    assertFalse(before.equals(after));
+    Files.writeString(file, after);
+    refuses(run, expected);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "summary.csv | performance,2,[0-9.]+ | performance,2,1.0 | summary.csv:2:1: mean"
+            + " performance 1.0",
+        "summary.csv | performance,2,[0-9.]+ | performance,2,one | mean is 'one', expected a"
+            + " number",
+        "summary.csv | scenario,detection | site,detection | summary.csv:1:1: the columns are"
+            + " site,",
+        "results.csv | (?m)^ring-random,.*,0,.*\\n | '' | of 1",
+        "settings.json | \\[ | < | settings.json:1:1: not JSON",
+      })
+  void tellsInOneLineWhatWasEditedInAComparison(
+      String name, String from, String to, String expected) throws IOException {
+    Path out = folder.resolve("compared");
+    Cli.run(
+        "compare",
+        Cli.scenario("ring-random"),
+        "--detections",
+        "hifi:orb-lin",
+        "--policies",
+        "zoom-out",
+        "--steps",
+        20,
+        "--repeat",
+        2,
+        "--out",
+        out);
+    Path file = out.resolve(name);
+    String before = Files.readString(file);
+    Files.writeString(file, before.replaceFirst(from, to));
+    assertFalse(before.equals(Files.readString(file)));
+    refuses(out, expected);
+  }
+
+  @Test
+  void refusesWhatIsNoFolderAndPlacesThatCannotBeWritten() {
+    refuses(folder.resolve("nowhere"), "no folder");
+    refuses(folder, "replay.json");
+    Path run = record();
+    Cli report = Cli.run("report", run, "--out", folder.resolve("missing/page.html"));
+    assertEquals(2, report.exit());
+    assertTrue(report.err().contains("--out"), report.err());
+  }
+
+  private Path record() {
+    Path run = folder.resolve("recorded");
+    Cli cli = Cli.run("run", Cli.scenario("ring-random"), "--steps", 30, "--record", "--out", run);
+    assertEquals(0, cli.exit(), cli.err());
+    return run;
+  }
+
+  private static void refuses(Path run, String expected) {
+    Cli report = Cli.run("report", run);
+    assertEquals(2, report.exit(), report.err());
+    assertEquals(1, report.err().lines().count(), report.err());
+    assertTrue(report.err().startsWith("error: "), report.err());
+    assertTrue(report.err().contains(expected), report.err());
+  }
+}

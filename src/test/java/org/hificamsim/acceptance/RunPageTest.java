@@ -1,0 +1,277 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNull;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.support.ui.Select;
+
+/** A recorded run's page in a browser. */
+class RunPageTest {
+  private static final int STEPS = 200;
+
+  @TempDir static Path folder;
+  private static Browser browser;
+  private static Path run;
+
+  @BeforeAll
+  static void recordAndStart() {
+    run = record("shown", Cli.scenario("cluster-scripted"), "--steps", STEPS, "--repeat", 3);
+    browser = Browser.start(folder);
+  }
+
+  @AfterAll
+  static void stop() {
+    if (browser != null) {
+      browser.close();
+    }
+  }
+
+  @Test
+  void showsTheNumbersOfTheTablesAtEveryStepLookedAt() throws IOException {
+    open(run);
+    List<String> steps = Files.readAllLines(run.resolve("steps.csv"));
+    for (int step : new int[] {0, 1, 57, 123, STEPS - 1}) {
+      scrubTo(step);
+      assertEquals(Integer.toString(step), browser.text("[data-name=step]"));
+      String[] row = steps.get(1 + step).split(",");
+      for (int column = 2; column < row.length; column++) {
+        String name = steps.get(0).split(",")[column];
+        double shown = Double.parseDouble(browser.text(".readout [data-name=" + name + "]"));
+        assertEquals(Double.parseDouble(row[column]), shown, 0.0005, name + " at step " + step);
+      }
+      assertPlayheadsAt(step / (STEPS - 1.0));
+    }
+    browser.assertQuietConsole();
+  }
+
+  @Test
+  void showsEachTargetWhereItIsAndEachCameraAtItsZoom() throws IOException {
+    open(run);
+    List<String> targets = Files.readAllLines(run.resolve("targets.csv"));
+    List<String> zooms = Files.readAllLines(run.resolve("zooms.csv"));
+    for (int step : new int[] {0, 20, STEPS - 1}) {
+      scrubTo(step);
+      for (int i = 0; i < 3; i++) {
+        String[] row = targets.get(1 + 3 * step + i).split(",");
+        double x = Double.parseDouble(row[3]);
+        double y = Double.parseDouble(row[4]);
+        List<String> told = hover(x, y).lines().toList();
+        assertEquals("target " + row[2], told.get(0));
+        assertEquals(
+            String.format("x %.3f m, y %.3f m", x, y).replace("-0.000", "0.000"),
+            told.get(1).replace("-0.000", "0.000"));
+      }
+      for (int camera : new int[] {0, 8, 13}) {
+        String[] row = zooms.get(1 + 14 * step + camera).split(",");
+        browser.findAll(".rows button").get(camera).click();
+        assertEquals(row[2], browser.text(".agent h2"));
+        WebElement now = browser.find(".agent tr.now");
+        assertEquals(row[3], now.getDomAttribute("data-level"));
+        assertTrue(browser.text(".agent .facts").contains("detects " + row[5] + " of 3"));
+      }
+    }
+  }
+
+  @Test
+  void tellsTheNumbersUnderThePointerOverTime() throws IOException {
+    open(run);
+    browser.until("return document.querySelectorAll('.u-over').length === 2");
+    browser.run(
+        "const over = document.querySelector('.u-over'), box = over.getBoundingClientRect();"
+            + "over.dispatchEvent(new PointerEvent('pointermove', {clientX: box.right - 0.1}))");
+    String last = Files.readAllLines(run.resolve("steps.csv")).get(STEPS).split(",")[2];
+    assertEquals(
+        "step %d: %s".formatted(STEPS - 1, last),
+        browser.findAll(".chart .value").get(0).getText());
+  }
+
+  @Test
+  void opensAtTheStepInItsAddress() {
+    browser.open(address(run) + "#120");
+    assertEquals("120", browser.text("[data-name=step]"));
+    assertPlayheadsAt(120 / (STEPS - 1.0));
+  }
+
+  @Test
+  void playsToTheEndAndStops() {
+    open(run);
+    new Select(browser.find(".controls select")).selectByVisibleText("500 per s");
+    browser.find(".controls .play").click();
+    browser.until("return hificamsim.playhead.frame === " + (STEPS - 1));
+    browser.until("return !hificamsim.playhead.playing");
+    assertEquals(Integer.toString(STEPS - 1), browser.text("[data-name=step]"));
+    browser.assertQuietConsole();
+  }
+
+  @Test
+  void isPlayedWithKeysAlone() {
+    open(run);
+    browser.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT);
+    assertEquals("2", browser.text("[data-name=step]"));
+    browser.press(Keys.ARROW_LEFT);
+    assertEquals("1", browser.text("[data-name=step]"));
+    browser.press(Keys.END);
+    assertEquals(Integer.toString(STEPS - 1), browser.text("[data-name=step]"));
+    browser.press(Keys.HOME);
+    assertEquals("0", browser.text("[data-name=step]"));
+    browser.press("+", "+");
+    assertEquals(50L, browser.run("return hificamsim.playhead.speed"));
+    browser.press(" ");
+    browser.until("return hificamsim.playhead.frame > 3");
+    browser.press(" ");
+    assertEquals(false, browser.run("return hificamsim.playhead.playing"));
+    for (WebElement control : browser.findAll("button, select, input, canvas[role=img]")) {
+      assertTrue(!control.getAccessibleName().isBlank(), control.getDomProperty("outerHTML"));
+    }
+  }
+
+  @Test
+  void asksNobodyForAnything() {
+    open(run);
+    browser.press(Keys.END);
+    assertEquals(List.of(address(run)), browser.requests());
+  }
+
+  @Test
+  void offersTheRepeats() throws IOException {
+    open(run);
+    new Select(browser.find("#run")).selectByVisibleText("2 (seed 2)");
+    browser.until("return document.getElementById('page').dataset.ready === '2'");
+    scrubTo(50);
+    String[] row = Files.readAllLines(run.resolve("steps.csv")).get(1 + 2 * STEPS + 50).split(",");
+    assertEquals("2", row[0]);
+    assertEquals(row[2], browser.text(".readout [data-name=k_min]"));
+    assertEquals(
+        Double.parseDouble(row[7]), Double.parseDouble(browser.text("[data-name=mean_k]")), 0.0005);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"sarsa", "zoom-out"})
+  void tellsWhatAnAgentKnowsOrThatItLearnsNothing(String policy) {
+    Path other = record(policy, Cli.scenario("ring-random"), "--steps", 80, "--policy", policy);
+    open(other);
+    browser.press(Keys.END);
+    boolean learns = policy.equals("sarsa");
+    assertEquals(learns, browser.text(".agent thead").contains("Q"));
+    assertEquals(!learns, browser.text(".agent .note").contains("keeps no estimates"));
+    assertEquals(learns ? 5 : 0, browser.findAll(".agent [data-name=estimate]").size());
+  }
+
+  @Test
+  void isNotMisledByNames() throws IOException {
+    String name = "</script><img src=x onerror='window.fooled=1'>\"&amp;--><!--<script>";
+    Path scenario =
+        Files.writeString(
+            folder.resolve("hostile.xml"),
+            Files.readString(Cli.scenario("ring-random"))
+                .replaceFirst(
+                    "name=\"Cam_01\"",
+                    "name=\""
+                        + name.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;")
+                        + "\""));
+    Path hostile = record("hostile", scenario, "--steps", 10);
+    open(hostile);
+    browser.findAll(".rows button").get(0).click();
+    assertEquals(name, browser.text(".agent h2"));
+    assertNull(browser.run("return window.fooled"));
+    assertEquals(0, browser.findAll("img").size());
+    browser.assertQuietConsole();
+    assertEquals(List.of(address(hostile)), browser.requests());
+  }
+
+  @Test
+  void holdsTenThousandStepsOfFourteenCamerasAndEightTargets() throws IOException {
+    Path large = record("large", eightTargets(), "--steps", 10_000);
+    Path page = large.resolve("report.html");
+    assertTrue(Files.size(page) < 5_000_000, Files.size(page) + " bytes");
+    open(large);
+    assertEquals(10_000L, browser.run("return hificamsim.run.count"));
+    browser.run("hificamsim.playhead.speed = 1000; hificamsim.playhead.play()");
+    browser.until("return hificamsim.playhead.frame > 2500");
+    browser.run("hificamsim.playhead.pause()");
+    System.out.printf(
+        "report of 10,000 steps x 14 cameras x 8 targets: %,d bytes, frames %s%n",
+        Files.size(page), browser.run("return JSON.stringify(hificamsim.playhead.drawn)"));
+    browser.assertQuietConsole();
+  }
+
+  /** The cluster with eight targets, each from its own place. */
+  private static Path eightTargets() throws IOException {
+    String scenario = Files.readString(Cli.scenario("cluster-random"));
+    List<String> added = new ArrayList<>();
+    for (int i = 0; i < 5; i++) {
+      added.add(
+          "<object features=\"%d.0\" x=\"%d\" y=\"%d\" heading=\"%d\" speed=\"0.7\" size=\"0.66\"/>"
+              .formatted(40 + i, 2 * i - 5, 3 - i, 70 * i));
+    }
+    return Files.writeString(
+        folder.resolve("eight.xml"),
+        scenario.replace("</objects>", String.join("\n", added) + "</objects>"));
+  }
+
+  private static Path record(String name, Path scenario, Object... options) {
+    List<Object> words = new ArrayList<>(List.of("run", scenario, "--record"));
+    words.addAll(List.of(options));
+    Path out = folder.resolve(name);
+    words.addAll(List.of("--out", out));
+    Cli cli = Cli.run(words.toArray());
+    assertEquals(0, cli.exit(), cli.err());
+    return out;
+  }
+
+  private static String address(Path run) {
+    return run.resolve("report.html").toUri().toString();
+  }
+
+  private static void open(Path run) {
+    browser.open(address(run));
+  }
+
+  private static void scrubTo(int step) {
+    browser.run(
+        "const s = document.querySelector('input[type=range]'); s.value = arguments[0];"
+            + "s.dispatchEvent(new Event('input'))",
+        step);
+  }
+
+  /** All three lines over time come to stand at this share of their width. */
+  private static void assertPlayheadsAt(double share) {
+    browser.until(
+        "const lines = [...document.querySelectorAll('.playhead')];"
+            + "return lines.length === 3 && lines.every(line => line.style.transform)");
+    List<?> places =
+        (List<?>)
+            browser.run(
+                "return [...document.querySelectorAll('.playhead')].map(line =>"
+                    + " new DOMMatrix(line.style.transform).e / line.parentElement.clientWidth)");
+    assertEquals(3, places.size());
+    places.forEach(place -> assertEquals(share, ((Number) place).doubleValue(), 0.005));
+  }
+
+  /** Moves the pointer to a place of the field, metres; returns what the page tells about it. */
+  private static String hover(double x, double y) {
+    return (String)
+        browser.run(
+            "const {map, surface: {canvas}} = hificamsim.player.field;const box ="
+                + " canvas.getBoundingClientRect();canvas.dispatchEvent(new"
+                + " PointerEvent('pointermove', {bubbles: true, clientX: box.left +"
+                + " map.x(arguments[0]), clientY: box.top + map.y(arguments[1])}));return"
+                + " document.querySelector('.tip').textContent",
+            x,
+            y);
+  }
+}

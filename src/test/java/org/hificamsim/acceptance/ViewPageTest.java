@@ -1,0 +1,250 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+import org.openqa.selenium.support.ui.Select;
+
+/** The live view in a browser. */
+class ViewPageTest {
+  @TempDir static Path folder;
+  private static Browser browser;
+  private ViewProcess view;
+
+  @BeforeAll
+  static void start() {
+    browser = Browser.start(folder);
+  }
+
+  @AfterAll
+  static void stop() {
+    if (browser != null) {
+      browser.close();
+    }
+  }
+
+  @BeforeEach
+  void open() {
+    view = new ViewProcess(Cli.scenario("cluster-random"), "--policy", "zoom-out");
+    browser.open(view.address());
+  }
+
+  /** Nothing but this server was asked, and nobody complained. */
+  @AfterEach
+  void wasQuiet() {
+    browser.assertQuietConsole();
+    List<String> requests = browser.requests();
+    assertTrue(requests.stream().allMatch(url -> url.startsWith(view.address())), "" + requests);
+    browser.leave();
+    view.close();
+  }
+
+  @Test
+  void runsWhenThePageOpensAndPausesAndStepsOnRequest() {
+    browser.until("return hificamsim.runs[0].count > 5");
+    pause();
+    long count = number("hificamsim.runs[0].count");
+    browser.press(Keys.ARROW_RIGHT);
+    browser.until("return hificamsim.runs[0].count === " + (count + 1));
+    assertEquals(count, number("hificamsim.playhead.frame"));
+    browser.press(Keys.ARROW_LEFT);
+    assertEquals(count - 1, number("hificamsim.playhead.frame"));
+    assertEquals(count + 1, number("hificamsim.runs[0].count"));
+    browser.press(" ");
+    browser.until("return hificamsim.runs[0].count > " + (count + 5));
+    assertTrue((boolean) browser.run("return hificamsim.playhead.atEnd"));
+  }
+
+  @Test
+  void runsAsFastAsIsAskedFor() {
+    new Select(browser.find(".controls select")).selectByValue("1000");
+    browser.until("return hificamsim.runs[0].steps > 1500");
+    pause();
+    long last = number("hificamsim.runs[0].steps");
+    assertTrue(number("hificamsim.runs[0].count") > 100);
+    assertEquals(last - 1, number("hificamsim.runs[0].step.at(-1)"));
+  }
+
+  @Test
+  void anotherPolicyAndModelGoOnWithTheSameTargets() {
+    browser.until("return hificamsim.runs[0].count > 3");
+    choose("policy", "sarsa");
+    browser.until("return hificamsim.runs[0].setup.policy === 'sarsa'");
+    long before = number("hificamsim.runs[0].count");
+    browser.until("return hificamsim.runs[0].count > " + (before + 3));
+    assertEquals(0, number("hificamsim.runs[0].step[0]"));
+    assertTrue(browser.text(".agent table").contains("Q"));
+    choose("detection", "geometric");
+    browser.until("return hificamsim.runs[0].setup.detection === 'geometric'");
+    choose("detection", "hifi:orb-lin");
+    browser.until("return hificamsim.runs[0].setup.detection === 'hifi:orb-lin'");
+    browser.find("[name=threshold]").sendKeys(Keys.chord(Keys.CONTROL, "a"), "0.2", Keys.ENTER);
+    browser.until("return hificamsim.runs[0].setup.threshold === 0.2");
+  }
+
+  @Test
+  void aWrongChoiceIsToldOnThePage() {
+    WebElement options = browser.find("[name=options]");
+    options.sendKeys("speed=9", Keys.ENTER);
+    browser.until("return !hificamsim.fault.hidden");
+    assertTrue(browser.text("[role=alert]").contains("speed=9"), browser.text("[role=alert]"));
+    assertEquals("zoom-out", browser.run("return hificamsim.runs[0].setup.policy"));
+    browser.forgetConsole(); // Chromium tells of the answer 400
+  }
+
+  @Test
+  void aDraggedCameraMovesInTheSimulation() {
+    pause();
+    String place =
+        "const {map} = hificamsim.players[0].field, run = hificamsim.runs[0],"
+            + " pose = run.pose(2, run.count - 1); return Math.round(";
+    long x = (long) browser.run(place + "map.x(pose.x))");
+    long y = (long) browser.run(place + "map.y(pose.y))");
+    WebElement field = browser.find("canvas.field");
+    browser
+        .actions()
+        .moveToElement(
+            field,
+            (int) x - field.getSize().getWidth() / 2,
+            (int) y - field.getSize().getHeight() / 2)
+        .clickAndHold()
+        .moveByOffset(-40, 30)
+        .moveByOffset(-20, 20)
+        .release()
+        .perform();
+    browser.until("return !hificamsim.dragging && !hificamsim.dragged");
+    browser.press(Keys.ARROW_RIGHT);
+    browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
+    assertEquals(x - 60, (long) browser.run(place + "map.x(pose.x))"), 1);
+    assertEquals(y + 50, (long) browser.run(place + "map.y(pose.y))"), 1);
+  }
+
+  @Test
+  void theLineOfThePlayheadIsWhereTheStepIs() {
+    new Select(browser.find(".controls select")).selectByValue("100");
+    browser.until("return hificamsim.runs[0].count > 100");
+    pause();
+    for (String chart : List.of("kMin", "cover")) {
+      String script =
+          "const {plot, line} = hificamsim.players[0].timeline.%s;"
+              + "return Math.abs(plot.over.getBoundingClientRect().right"
+              + " - line.getBoundingClientRect().right) <= 2";
+      assertEquals(true, browser.run(script.formatted(chart)), chart);
+    }
+  }
+
+  @Test
+  void twoModelsSeeTheSameTargets() {
+    browser.find("#compare").click();
+    browser.until("return hificamsim.runs.length === 2 && hificamsim.runs[1].count > 3");
+    new Select(browser.findAll("[name=detection]").get(1)).selectByValue("geometric");
+    browser.until("return hificamsim.runs[1].setup.detection === 'geometric'");
+    new Select(browser.find(".controls select")).selectByValue("200");
+    long count = number("hificamsim.runs[0].count");
+    browser.until("return hificamsim.runs[0].count > " + (count + 100));
+    pause();
+    assertEquals(
+        true,
+        browser.run(
+            "const [a, b] = hificamsim.runs;"
+                + "return a.x.every((list, i) => list.every((x, j) => x === b.x[i][j]))"
+                + " && a.step.every((step, i) => step === b.step[i])"));
+    assertEquals(
+        true,
+        browser.run(
+            "const [a, b] = hificamsim.runs;"
+                + "return a.sum.reduce((s, k) => s + k) < b.sum.reduce((s, k) => s + k)"));
+    assertEquals(2, browser.findAll("canvas.field").size());
+    browser.find("#compare").click();
+    browser.until("return hificamsim.runs.length === 1");
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280,1000,1", "1280,1000,2", "3840,2000,1", "3840,2000,2"})
+  void fitsTheWindow(int width, int height, int models) throws IOException {
+    browser.size(width, height);
+    choose("policy", "sarsa");
+    if (models == 2) {
+      browser.find("#compare").click();
+      browser.until("return hificamsim.runs.length === 2 && hificamsim.runs[1].count > 3");
+      new Select(browser.findAll("[name=detection]").get(1)).selectByValue("camsim-range");
+    }
+    new Select(browser.find(".controls select")).selectByValue("200");
+    browser.until("return hificamsim.runs[0].count > 400");
+    pause();
+    Path pictures = Files.createDirectories(Path.of("build", "screenshots"));
+    browser.screenshot(pictures.resolve("view-%d-%d.png".formatted(width, models)));
+    assertEquals(
+        true, browser.run("return document.documentElement.scrollWidth <= innerWidth"), "overflow");
+    browser.size(1280, 1000);
+  }
+
+  @Test
+  void restartsWithAnotherSeed() {
+    pause();
+    Object before = browser.run("return hificamsim.runs[0].x.map(list => list[0])");
+    step(3);
+    WebElement seed = browser.find("#seed");
+    seed.clear();
+    seed.sendKeys("7");
+    browser.find("#restart").click();
+    browser.until("return hificamsim.runs[0].setup.seed === 7 && hificamsim.runs[0].count === 1");
+    step(30);
+    Object other = browser.run("return hificamsim.runs[0].x.map(list => list.at(-1))");
+    assertNotEquals(before, other);
+  }
+
+  @Test
+  void outlivesAReload() throws Exception {
+    new Select(browser.find(".controls select")).selectByValue("100");
+    browser.until("return hificamsim.runs[0].count > 50");
+    pause();
+    long steps = number("hificamsim.runs[0].steps");
+    browser.run("location.reload()");
+    browser.until("return window.hificamsim?.runs[0]?.count > 50");
+    assertEquals(steps, number("hificamsim.runs[0].steps"));
+    assertEquals(0, number("hificamsim.runs[0].step[0]"));
+  }
+
+  @Test
+  void endsWhenThePageIsClosed() throws Exception {
+    browser.leave();
+    assertEquals(0, view.exit(), view.err());
+  }
+
+  private static void choose(String name, String value) {
+    new Select(browser.find("[name=" + name + "]")).selectByValue(value);
+  }
+
+  private static void step(int steps) {
+    long next = number("hificamsim.runs[0].steps") + steps;
+    browser.run("hificamsim.playhead.move(arguments[0])", steps);
+    browser.until("return hificamsim.runs[0].steps === " + next);
+  }
+
+  private static void pause() {
+    browser.until("return hificamsim.playhead.playing");
+    browser.find(".controls .play").click();
+    browser.until("return !hificamsim.playhead.playing");
+    browser.settle();
+  }
+
+  private static long number(String expression) {
+    return ((Number) browser.run("return " + expression)).longValue();
+  }
+}
