@@ -5,14 +5,14 @@ import org.hificamsim.core.registry.Options;
 /** The option {@code nodes}: how long the proof of a step may take. */
 final class Nodes {
   /** By default; more than steps of some hundred cameras need, and seconds of search. */
-  static final int MOST = 1_000_000;
+  static final int DEFAULT = 1_000_000;
 
   private Nodes() {}
 
   static int from(Options options) {
     return options.integer(
         "nodes",
-        MOST,
+        DEFAULT,
         0,
         Integer.MAX_VALUE,
         "search nodes of a step before the best configuration found is taken, unproven");

@@ -25,7 +25,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
    * @param preference what decides between configurations with the same k_min
    */
   public OneHopZoomPolicy(Preference preference) {
-    this(preference, Nodes.MOST);
+    this(preference, Nodes.DEFAULT);
   }
 
   /**

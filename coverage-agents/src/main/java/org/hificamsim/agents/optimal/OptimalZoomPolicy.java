@@ -25,7 +25,7 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   private boolean settled;
 
   public OptimalZoomPolicy() {
-    this(Nodes.MOST);
+    this(Nodes.DEFAULT);
   }
 
   /**
