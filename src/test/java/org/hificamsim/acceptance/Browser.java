@@ -123,6 +123,11 @@ final class Browser implements AutoCloseable {
     driver.get("about:blank");
   }
 
+  /** Goes to an address that leads to another one; waits for nothing. */
+  void follow(String address) {
+    driver.get(address);
+  }
+
   /** Forgets what the console said since {@link #open}. */
   void forgetConsole() {
     driver.manage().logs().get(LogType.BROWSER);

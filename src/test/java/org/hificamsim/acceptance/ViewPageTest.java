@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.hificamsim.experiments.view.Browsers;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeAll;
@@ -48,7 +49,8 @@ class ViewPageTest {
   @AfterEach
   void wasQuiet() {
     browser.assertQuietConsole();
-    List<String> requests = browser.requests();
+    List<String> requests =
+        browser.requests().stream().filter(url -> !url.startsWith("file:")).toList();
     assertTrue(requests.stream().allMatch(url -> url.startsWith(view.address())), "" + requests);
     browser.leave();
     view.close();
@@ -207,6 +209,16 @@ class ViewPageTest {
     step(30);
     Object other = browser.run("return hificamsim.runs[0].x.map(list => list.at(-1))");
     assertNotEquals(before, other);
+  }
+
+  @Test
+  void theFileThatIsHandedToTheBrowserLeadsToThePage() throws IOException {
+    Path file = Files.writeString(folder.resolve("open.html"), Browsers.page(view.address()));
+    browser.leave();
+    browser.follow(file.toUri().toString());
+    browser.until("return window.hificamsim?.runs[0]?.count > 3");
+    assertEquals(view.address(), browser.run("return location.href"));
+    assertEquals("", browser.run("return document.referrer"));
   }
 
   @Test

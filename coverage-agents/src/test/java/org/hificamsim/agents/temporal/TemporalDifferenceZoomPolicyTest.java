@@ -58,7 +58,7 @@ class TemporalDifferenceZoomPolicyTest {
       AbstractTemporalDifferenceZoomPolicy policy = begun(name + ":epsilon=0,ties=narrowest");
       start();
       network.step(policy);
-      policy.values().set(policy.values().row(0, 0, 2), 1, 7);
+      policy.values().set(0, policy.values().row(0, 0, 2), 1, 7);
       double[] estimates = new double[2];
       double[] counts = new double[2];
       assertEquals("Q", policy.estimates(network, 0, estimates, counts));

@@ -42,12 +42,21 @@ public final class ReplayRecorder {
 
   /** The listener that records one repeat. */
   public StepListener listener(int run) {
-    if (run >= MOST_RUNS) {
+    if (run >= MOST_RUNS || full()) {
       return NOTHING;
     }
     Tape tape = new Tape(setup, detection, run, limits);
     tapes.put(run, tape);
     return tape;
+  }
+
+  /** Whether the first repeats that have ended already fill the file: later ones are not kept. */
+  private boolean full() {
+    long bytes = 0;
+    for (int run = 0; tapes.containsKey(run) && tapes.get(run).packed() != null; run++) {
+      bytes += tapes.get(run).packed().data().length();
+    }
+    return bytes > limits.bytes();
   }
 
   /** Writes what was recorded. */

@@ -21,7 +21,7 @@ final class Tape implements StepListener {
   private Snapshots snapshots;
   private Frame last;
   private long every = 1;
-  private PackedRun packed;
+  private volatile PackedRun packed;
 
   Tape(Setup setup, Detection detection, int run, TapeLimits limits) {
     this.setup = setup;

@@ -27,12 +27,17 @@ public final class Browsers {
       if (hasScreen()) {
         Path file = Files.createTempFile("hificamsim-", ".html");
         file.toFile().deleteOnExit();
-        Files.writeString(file, PAGE.formatted(address));
+        Files.writeString(file, page(address));
         show(file);
       }
     } catch (IOException | UnsupportedOperationException e) {
       // the address has been printed
     }
+  }
+
+  /** What the file holds: a page that goes on to the address. */
+  public static String page(String address) {
+    return PAGE.formatted(address);
   }
 
   private static boolean hasScreen() {

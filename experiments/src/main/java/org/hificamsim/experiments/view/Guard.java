@@ -32,7 +32,10 @@ final class Guard {
     return token;
   }
 
-  /** What is wrong with a request; null when nothing is. */
+  /**
+   * What is wrong with a request; null when nothing is. A window may be sent here from elsewhere, as
+   * by the file that opens it: the page shows itself to nobody else.
+   */
   String objection(HttpExchange exchange) {
     Headers headers = exchange.getRequestHeaders();
     if (!hosts.contains(only(headers.get("Host")))) {
@@ -45,7 +48,8 @@ final class Guard {
       return "another origin";
     }
     String site = only(headers.get("Sec-Fetch-Site"));
-    if (!Set.of("", "same-origin", "none").contains(site)) {
+    boolean opens = !posts && only(headers.get("Sec-Fetch-Mode")).equals("navigate");
+    if (!opens && !Set.of("", "same-origin", "none").contains(site)) {
       return "another site";
     }
     return hasToken(exchange.getRequestURI().getRawPath()) ? null : "no token";

@@ -1,6 +1,11 @@
 // What the chosen camera does and knows: a bar of its estimate for each zoom level.
 import { el, decimals, metres, say } from './dom.js';
 
+const MEANING = {
+  Q: 'Q of the state the camera is in. ',
+  'mean reward': 'Reward: targets detected at that level. ',
+};
+
 export class AgentPanel {
   constructor(run) {
     this.run = run;
@@ -68,7 +73,7 @@ export class AgentPanel {
     const {policy, targetSize, onAxis} = this.run.setup;
     const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.`;
     if (!this.run.estimated) return `${policy} keeps no estimates of its levels. ${range}`;
-    return (this.run.estimated === 'Q' ? 'Q of the state the camera is in. ' : 'Reward: targets detected at that level. ') + range;
+    return (MEANING[this.run.estimated] || '') + range;
   }
 }
 

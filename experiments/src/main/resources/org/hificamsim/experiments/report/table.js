@@ -40,7 +40,7 @@ export function sortable(caption, columns, rows) {
 function line(columns, row) {
   return el('tr', {}, ...columns.map(({name, show}) => {
     const text = row[name] ?? '';
-    return el('td', {class: isNumber(text) ? 'number' : null, title: text, data: {column: name, text}}, show ? show(text, row) : text);
+    return el('td', {class: isNumber(text) ? 'number' : text.length > 40 ? 'long' : null, title: text, data: {column: name, text}}, show ? show(text, row) : text);
   }));
 }
 
