@@ -120,7 +120,7 @@ final class Browser implements AutoCloseable {
 
   /** Leaves the page. */
   void leave() {
-    driver.get("about:blank");
+    follow("about:blank");
   }
 
   /** Goes to an address that leads to another one; waits for nothing. */

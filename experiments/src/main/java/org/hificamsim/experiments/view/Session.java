@@ -83,12 +83,15 @@ public final class Session implements AutoCloseable {
    *     value is wrong
    */
   public CompletableFuture<Void> submit(Command command) {
-    return enqueue(() -> command.obey(this));
+    if (closed) {
+      throw new RejectedExecutionException("the session has ended");
+    }
+    return CompletableFuture.runAsync(() -> command.obey(this), queue::add);
   }
 
   /** Tells somebody all that there is, and from then on whatever happens. */
-  CompletableFuture<Void> watch(Watcher watcher) {
-    return enqueue(
+  void watch(Watcher watcher) {
+    queue.add(
         () -> {
           watcher.setup(setup(true), true);
           history.all().forEach(watcher::step);
@@ -104,16 +107,7 @@ public final class Session implements AutoCloseable {
 
   /** Tells somebody nothing more. */
   void unwatch(Watcher watcher) {
-    if (!closed) {
-      enqueue(() -> watchers.remove(watcher));
-    }
-  }
-
-  private CompletableFuture<Void> enqueue(Runnable task) {
-    if (closed) {
-      throw new RejectedExecutionException("the session has ended");
-    }
-    return CompletableFuture.runAsync(task, queue::add);
+    queue.add(() -> watchers.remove(watcher));
   }
 
   private void work() {
