@@ -155,13 +155,17 @@ class Simulation:
 
     def observe(self, level: np.ndarray) -> np.ndarray:
         """Whether camera i detects target j at these levels."""
-        dx = self.place[:, 0] - self.camera_x[:, np.newaxis]
-        dy = self.place[:, 1] - self.camera_y[:, np.newaxis]
-        distance = np.sqrt(dx * dx + dy * dy)
+        distance = self.distance()
         z = self.focal_lengths[level][:, np.newaxis]
         pip = np.minimum(1, 10 ** -(-18.82 * z - 2.0 * self.size + 0.2 * distance + 2.47))
         confidence = 0.571 * pip + 0.026
         return (distance <= self.radii[level][:, np.newaxis]) & (confidence >= THRESHOLD)
+
+    def distance(self) -> np.ndarray:
+        """From camera i to target j, metres."""
+        dx = self.place[:, 0] - self.camera_x[:, np.newaxis]
+        dy = self.place[:, 1] - self.camera_y[:, np.newaxis]
+        return np.sqrt(dx * dx + dy * dy)
 
     def move(self) -> None:
         """Moves the targets; one that would leave the field stays and turns about."""
