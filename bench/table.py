@@ -15,7 +15,7 @@ import subprocess
 import sys
 from dataclasses import dataclass
 from pathlib import Path
-from statistics import fmean, median
+from statistics import fmean, median, quantiles
 
 ROOT = Path(__file__).resolve().parent.parent
 DOCUMENT = ROOT / "docs" / "performance.md"
@@ -36,6 +36,11 @@ class Times:
     def of(cls, runs: list[float]) -> "Times":
         return cls(median(runs), min(runs), max(runs))
 
+    @classmethod
+    def quartiles(cls, runs: list[float]) -> "Times":
+        low, middle, high = quantiles(runs, n=4)
+        return cls(middle, low, high)
+
     def __str__(self) -> str:
         unit, factor = next((u, f) for u, f in (("s", 1), ("ms", 1e3), ("µs", 1e6)) if self.middle * f >= 1 or f == 1e6)
         return f"{number(self.middle * factor)} {unit} ({number(self.least * factor)} .. {number(self.most * factor)})"
@@ -43,16 +48,29 @@ class Times:
 
 @dataclass(frozen=True)
 class Row:
+    """A comparison; the ratio has its middle, least and most too."""
+
     what: str
     peer: str
     ours: Times
     theirs: Times
+    ratio: Times
+
+    @classmethod
+    def of(cls, what: str, peer: str, ours: Times, theirs: Times) -> "Row":
+        """With the spread of both sides' runs propagated."""
+        ratio = Times(theirs.middle / ours.middle, theirs.least / ours.most, theirs.most / ours.least)
+        return cls(what, peer, ours, theirs, ratio)
+
+    @classmethod
+    def paired(cls, what: str, peer: str, ours: list[float], theirs: list[float]) -> "Row":
+        """Of instances that differ in difficulty: medians and quartiles."""
+        ratios = [peers / own for own, peers in zip(ours, theirs, strict=True)]
+        return cls(what, peer, Times.quartiles(ours), Times.quartiles(theirs), Times.quartiles(ratios))
 
     def cells(self) -> list[str]:
-        ratio = number(self.theirs.middle / self.ours.middle)
-        low = number(self.theirs.least / self.ours.most)
-        high = number(self.theirs.most / self.ours.least)
-        return [self.what, self.peer, str(self.ours), str(self.theirs), f"**{ratio}** ({low} .. {high})"]
+        low, middle, high = (number(value) for value in (self.ratio.least, self.ratio.middle, self.ratio.most))
+        return [self.what, self.peer, str(self.ours), str(self.theirs), f"**{middle}** ({low} .. {high})"]
 
 
 def number(value: float) -> str:
@@ -94,6 +112,10 @@ class Results:
                 sys.exit(f"error: {path} differs from the optima in {kind}.jsonl.values")
         return Times.of([fmean(float(row["seconds"]) for row in rows(path)) for path in paths])
 
+    def skip(self, why: str) -> None:
+        with open(self.folder / "skipped.txt", "a") as file:
+            print(why, file=file)
+
     def skipped(self) -> list[str]:
         return (self.folder / "skipped.txt").read_text().splitlines()
 
@@ -102,7 +124,7 @@ class Results:
 
         def add(what: str, peer: str, ours: Times | None, theirs: Times | None) -> None:
             if ours and theirs:
-                table.append(Row(what, peer, ours, theirs))
+                table.append(Row.of(what, peer, ours, theirs))
 
         for policy in ("zoom-out", "epsilon-greedy", "sarsa"):
             task = {"scenario": "bench/cluster-8.xml", "policy": policy}
@@ -122,7 +144,28 @@ class Results:
             add(f"optimum of a step, 14 cameras, 8 targets, {name}: proof", "CP-SAT", ours, self.cp_sat(kind))
         step = self.ours("PeerBenchmark.ours", scenario="bench/crowd-8.xml", policy="optimal")
         add("the same, nested sets: ours a whole step of `optimal`", "CP-SAT", step, self.cp_sat("nested"))
-        return table
+        return table + self.large_optima()
+
+    def large_optima(self) -> list[Row]:
+        """The processor times of the instances that both proved, by density; without those, nothing."""
+        folder = self.folder / "optimum"
+        if not (folder / "cpsat.csv").exists():
+            return []
+        pairs: dict[str, list[tuple[float, float]]] = {}
+        unproven = [0, 0]
+        for own, peer in zip(rows(folder / "ours.csv"), rows(folder / "cpsat.csv"), strict=True):
+            times = (float(own["cpu_ms"]) * 1e-3, float(peer["cpu_ms"]) * 1e-3)
+            open_ones = [side["value"] != side["bound"] for side in (own, peer)]
+            unproven = [count + is_open for count, is_open in zip(unproven, open_ones)]
+            if not any(open_ones):
+                pairs.setdefault(own["density"], []).append(times)
+        if any(unproven):
+            self.skip(f"optima for 200 cameras left unproven, by ours in {unproven[0]} cases, by CP-SAT in {unproven[1]}")
+        what = "optimum, 200 cameras, 40 targets, not nested, {} instances `{}`, quartiles: proof"
+        return [
+            Row.paired(what.format(len(times), density), "CP-SAT", *map(list, zip(*times)))
+            for density, times in pairs.items()
+        ]
 
     def machine(self) -> str:
         """Processor, cores and versions, on one line."""
