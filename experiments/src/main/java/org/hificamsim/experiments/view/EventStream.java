@@ -59,6 +59,7 @@ final class EventStream implements Session.Watcher {
   }
 
   /** Waits for something to be told, a second at most; null when the stream has ended. */
+  @SuppressWarnings("WaitNotInLoop") // woken for nothing, it tells nothing: a heartbeat more
   synchronized String take() throws InterruptedException {
     if (!ended && events.isEmpty() && steps.isEmpty() && state == null) {
       wait(HEARTBEAT);
