@@ -114,8 +114,7 @@ final class RunCommand implements Callable<Integer> {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
       ReplayRecorder replay = replay(plan, catalogue);
       IntFunction<List<StepListener>> own =
-          run ->
-              record ? List.of(kMin.listener(), replay.listener(run)) : List.of(kMin.listener());
+          run -> record ? List.of(kMin.listener(), replay.listener(run)) : List.of(kMin.listener());
       List<RunResult> results = execute(plan, executor, catalogue, output, own);
       SummaryFile.write(output.open("summary.json"), plan, results);
       ManifestFile.write(

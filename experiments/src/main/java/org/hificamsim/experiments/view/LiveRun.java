@@ -146,7 +146,8 @@ public final class LiveRun {
   private LiveSide side(World world, Choice choice, long ofSeed, long at) {
     Double threshold = choice.threshold();
     if (threshold != null && !(threshold >= 0 && threshold <= 1)) {
-      throw new InputException("threshold is %s, expected a number from 0 to 1".formatted(threshold));
+      throw new InputException(
+          "threshold is %s, expected a number from 0 to 1".formatted(threshold));
     }
     DetectionModel file = files.get(choice.detection());
     DetectionModel model = file != null ? file : catalogue.detections().create(choice.detection());
