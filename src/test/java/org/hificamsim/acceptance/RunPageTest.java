@@ -87,6 +87,17 @@ class RunPageTest {
   }
 
   @Test
+  void choosesTheCameraThatIsClickedInTheField() {
+    open(run);
+    point("pointerdown", 12.2, 6.0);
+    assertEquals("Cam_01", browser.text(".agent h2"));
+    assertTrue(hover(12.2, 6.0).startsWith("camera Cam_01\nx 12.200 m, y 6.000 m"));
+    point("pointerdown", -1.0, -7.0);
+    assertEquals("Cam_05", browser.text(".agent h2"));
+    assertEquals("Cam_05", browser.text(".rows [aria-pressed=true]"));
+  }
+
+  @Test
   void tellsTheNumbersUnderThePointerOverTime() throws IOException {
     open(run);
     browser.until("return document.querySelectorAll('.u-over').length === 2");
@@ -264,14 +275,19 @@ class RunPageTest {
 
   /** Moves the pointer to a place of the field, metres; returns what the page tells about it. */
   private static String hover(double x, double y) {
-    return (String)
-        browser.run(
-            "const {map, surface: {canvas}} = hificamsim.player.field;const box ="
-                + " canvas.getBoundingClientRect();canvas.dispatchEvent(new"
-                + " PointerEvent('pointermove', {bubbles: true, clientX: box.left +"
-                + " map.x(arguments[0]), clientY: box.top + map.y(arguments[1])}));return"
-                + " document.querySelector('.tip').textContent",
-            x,
-            y);
+    point("pointermove", x, y);
+    return (String) browser.run("return document.querySelector('.tip').textContent");
+  }
+
+  private static void point(String event, double x, double y) {
+    browser.until("return hificamsim.player.field.map !== undefined");
+    browser.run(
+        "const {map, surface: {canvas}} = hificamsim.player.field;"
+            + "const box = canvas.getBoundingClientRect();"
+            + "canvas.dispatchEvent(new PointerEvent(arguments[0], {bubbles: true,"
+            + " clientX: box.left + map.x(arguments[1]), clientY: box.top + map.y(arguments[2])}))",
+        event,
+        x,
+        y);
   }
 }

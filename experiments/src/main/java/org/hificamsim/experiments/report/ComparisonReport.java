@@ -22,6 +22,7 @@ final class ComparisonReport {
   private static final List<String> OTHERS =
       List.of("verdicts.csv", "table-8.1.csv", "sensitivity.csv");
   private static final int MOST_ROWS = 5_000;
+  private static final int MOST_SUMMARY_ROWS = 20_000;
 
   private final Path folder;
   private final ObjectNode data = new ObjectMapper().createObjectNode();
@@ -63,7 +64,7 @@ final class ComparisonReport {
     ArrayNode tables = data.putArray("tables");
     for (String name : OTHERS) {
       if (Files.isRegularFile(folder.resolve(name))) {
-        write(tables.addObject(), TableFile.read(folder.resolve(name)));
+        write(tables.addObject(), TableFile.read(folder.resolve(name)), MOST_ROWS);
       }
     }
   }
@@ -84,8 +85,8 @@ final class ComparisonReport {
         TableFile.read(
             folder.resolve(RESULTS), "scenario", "detection", "policy", "seed", "performance");
     ComparisonCheck.check(summary, results);
-    write(data.putObject("summary"), summary);
-    write(data.putObject("results"), results);
+    write(data.putObject("summary"), summary, MOST_SUMMARY_ROWS);
+    write(data.putObject("results"), results, MOST_ROWS);
     data.set("settings", ReportFiles.json(folder, "settings.json"));
     if (Files.isRegularFile(folder.resolve(STEPS))) {
       data.set(
@@ -109,13 +110,13 @@ final class ComparisonReport {
         policy -> node.put(policy, "#%06x".formatted(colors.of(policy).getRGB() & 0xffffff)));
   }
 
-  private static void write(ObjectNode node, TableFile table) {
+  private static void write(ObjectNode node, TableFile table, int most) {
     node.put("name", table.file().getFileName().toString());
     node.put("count", table.rows().size());
     ArrayNode columns = node.putArray("columns");
     table.columns().forEach(columns::add);
     ArrayNode rows = node.putArray("rows");
-    for (String[] row : table.rows().subList(0, Math.min(MOST_ROWS, table.rows().size()))) {
+    for (String[] row : table.rows().subList(0, Math.min(most, table.rows().size()))) {
       ArrayNode cells = rows.addArray();
       for (String cell : row) {
         cells.add(cell);

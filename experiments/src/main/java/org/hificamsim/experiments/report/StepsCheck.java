@@ -6,6 +6,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.experiments.replay.Frame;
@@ -26,13 +28,14 @@ final class StepsCheck {
       StepCoverage coverage = frame.measure();
       expected.put(
           recording.run() + "," + frame.step() + ",",
-          "%d,%d,%d,%d,%d,"
-              .formatted(
+          IntStream.of(
                   coverage.kMin(),
                   coverage.targets(),
                   coverage.covered0(),
                   coverage.covered1(),
-                  coverage.coveredK()));
+                  coverage.coveredK())
+              .mapToObj(Integer::toString)
+              .collect(Collectors.joining(",", "", ",")));
     }
   }
 

@@ -52,7 +52,7 @@ function comparison({summary, colours}) {
   }
 
   fill();
-  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), place);
+  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), shortened(summary), place);
 }
 
 function summaryColumns(rows, colours) {
@@ -137,8 +137,12 @@ const axis = more => ({stroke: () => style('--faint'), font: font(), grid: {stro
 
 function plainTable(table) {
   const columns = table.columns.map(name => ({name, show: text => (/^-?\d+\.\d{5,}$/.test(text) ? decimals(Number(text), SHORT) : text)}));
-  const more = table.rows.length < table.count ? el('p', {class: 'notice'}, `The first ${table.rows.length} of ${table.count} rows; ${table.name} has all.`) : null;
-  return el('div', {class: 'scroll'}, more, sortable(table.name, columns, rowsOf(table)));
+  return el('div', {class: 'scroll'}, shortened(table), sortable(table.name, columns, rowsOf(table)));
+}
+
+/** What is said of a table that is not here as a whole. */
+function shortened({rows, count, name}) {
+  return rows.length < count ? el('p', {class: 'notice'}, `The first ${rows.length} of ${count} rows; ${name} has all.`) : null;
 }
 
 /** A part that is made when it is opened. */
