@@ -132,8 +132,8 @@ class ViewPageTest {
     browser.until("return !hificamsim.dragging && !hificamsim.dragged");
     browser.press(Keys.ARROW_RIGHT);
     browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
-    assertEquals(x - 60, (long) browser.run(place + "map.x(pose.x))"), 1);
-    assertEquals(y + 50, (long) browser.run(place + "map.y(pose.y))"), 1);
+    assertEquals(x - 60, ((Number) browser.run(place + "map.x(pose.x))")).doubleValue(), 1);
+    assertEquals(y + 50, ((Number) browser.run(place + "map.y(pose.y))")).doubleValue(), 1);
   }
 
   @Test

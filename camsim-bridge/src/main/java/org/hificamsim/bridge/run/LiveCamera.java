@@ -114,6 +114,11 @@ final class LiveCamera {
     }
   }
 
+  /** Radians, 0 is +y and pi/2 is +x; not normalised. */
+  double heading() {
+    return heading;
+  }
+
   /** The angle between heading and an offset, radians; NaN without any, or by rounding. */
   double offAxis(double dx, double dy, double distance) {
     return Math.acos(headingX * (dx / distance) + headingY * (dy / distance));

@@ -162,6 +162,11 @@ final class LiveNetwork implements NetworkView {
   }
 
   @Override
+  public double cameraHeading(int camera) {
+    return cameras.get(camera).heading();
+  }
+
+  @Override
   public int levels(int camera) {
     return zooms.levels();
   }

@@ -2,12 +2,12 @@ package org.hificamsim.experiments.bench;
 
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.world.World;
-import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.experiments.generate.RandomField;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;

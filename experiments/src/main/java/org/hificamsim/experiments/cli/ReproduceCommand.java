@@ -52,12 +52,12 @@ final class ReproduceCommand implements Callable<Integer> {
         new Preset(
             ShippedScenarios.read(Preset.scenarioNames(), catalogue), steps, batch.seed(), repeats);
     Optional<List<CaseResult>> cases =
-    new BatchRun(spec, batch, catalogue)
-        .execute(
-            preset.plans(catalogue::detection),
-            out,
-            ComparisonRun::execute,
-            (folder, results) -> judgement = ReproductionFiles.write(folder, results));
+        new BatchRun(spec, batch, catalogue)
+            .execute(
+                preset.plans(catalogue::detection),
+                out,
+                ComparisonRun::execute,
+                (folder, results) -> judgement = ReproductionFiles.write(folder, results));
     if (cases.isPresent()) {
       Report.write(out, out.resolve(Report.FILE));
       JudgementTable.print(batch.quiet().out(spec), judgement, out);

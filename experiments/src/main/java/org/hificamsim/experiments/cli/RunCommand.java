@@ -6,8 +6,10 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
@@ -122,22 +124,25 @@ final class RunCommand implements Callable<Integer> {
     try (OutputFolder output = new OutputFolder(folder);
         Workers workers = Workers.of(Threads.number(threads))) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
-      ReplayRecorder replay = replay(plan, catalogue);
-      IntFunction<List<StepListener>> own =
+      Optional<ReplayRecorder> replay =
+          record ? Optional.of(replay(plan, catalogue)) : Optional.empty();
+      IntFunction<Stream<StepListener>> own =
           run ->
-              record ? List.of(kMin.listener(), replay.listener(run)) : List.of(kMin.listener());
-      List<RunResult> results = execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
+              Stream.concat(
+                  Stream.of(kMin.listener()), replay.map(film -> film.listener(run)).stream());
+      List<RunResult> results =
+          execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
       SummaryFile.write(output.open("summary.json"), plan, results);
       ManifestFile.write(
           output.open("manifest.json"),
           spec.commandLine().getParent().getParseResult().originalArgs(),
           started,
           (long) plan.steps() * plan.repeats());
-      if (record) {
-        replay.write(output.stream(ReplayRecorder.FILE));
+      if (replay.isPresent()) {
+        replay.get().write(output.stream(ReplayRecorder.FILE));
       }
       output.commit(RunRecorder.RECORDS);
-      if (record) {
+      if (replay.isPresent()) {
         Report.write(folder, folder.resolve(Report.FILE));
       }
       SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
@@ -167,7 +172,7 @@ final class RunCommand implements Callable<Integer> {
       RunExecutor executor,
       Catalogue catalogue,
       OutputFolder output,
-      IntFunction<List<StepListener>> own)
+      IntFunction<Stream<StepListener>> own)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (RunRecorder recorder = new RunRecorder(output, record);
@@ -178,7 +183,7 @@ final class RunCommand implements Callable<Integer> {
           run -> {
             List<StepListener> all = new ArrayList<>();
             all.add(recorder.listener(run));
-            all.addAll(own.apply(run));
+            own.apply(run).forEach(all::add);
             all.add((network, coverage) -> progress.advance());
             listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
             return all;

@@ -50,12 +50,12 @@ final class SensitivityCommand implements Callable<Integer> {
     Sweeps sweeps =
         new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
     Optional<List<CaseResult>> cases =
-    new BatchRun(spec, batch, catalogue)
-        .execute(
-            sweeps.plans(steps, batch.seed(), repeats),
-            out,
-            ComparisonRun::executeWithoutTables,
-            (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results));
+        new BatchRun(spec, batch, catalogue)
+            .execute(
+                sweeps.plans(steps, batch.seed(), repeats),
+                out,
+                ComparisonRun::executeWithoutTables,
+                (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results));
     if (cases.isPresent()) {
       Report.write(out, out.resolve(Report.FILE));
       batch.quiet().out(spec).println(findings + "files: " + out);

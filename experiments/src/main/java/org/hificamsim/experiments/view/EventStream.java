@@ -6,8 +6,8 @@ import java.util.List;
 import org.hificamsim.experiments.replay.ReplayJson;
 
 /**
- * What one open page is yet to be told, as server-sent events. A page that is slow gets fewer steps,
- * never a longer queue: the last one is always among them.
+ * What one open page is yet to be told, as server-sent events. A page that is slow gets fewer
+ * steps, never a longer queue: the last one is always among them.
  */
 final class EventStream implements Session.Watcher {
   private static final int STEPS_PER_EVENT = 200;

@@ -10,9 +10,9 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Who may ask for what: pages that this server has sent, on this machine, and nobody else. The token
- * keeps out other users and programs of the machine, the host name DNS rebinding, the origin other
- * sites in the same browser.
+ * Who may ask for what: pages that this server has sent, on this machine, and nobody else. The
+ * token keeps out other users and programs of the machine, the host name DNS rebinding, the origin
+ * other sites in the same browser.
  */
 final class Guard {
   private static final int TOKEN_BYTES = 24;
@@ -33,8 +33,8 @@ final class Guard {
   }
 
   /**
-   * What is wrong with a request; null when nothing is. A window may be sent here from elsewhere, as
-   * by the file that opens it: the page shows itself to nobody else.
+   * What is wrong with a request; null when nothing is. A window may be sent here from elsewhere,
+   * as by the file that opens it: the page shows itself to nobody else.
    */
   String objection(HttpExchange exchange) {
     Headers headers = exchange.getRequestHeaders();

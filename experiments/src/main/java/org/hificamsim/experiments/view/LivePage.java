@@ -6,8 +6,8 @@ import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.hificamsim.core.registry.Registry;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.registry.Registry;
 import org.hificamsim.experiments.report.Page;
 
 /** The page that watches and commands a session. */

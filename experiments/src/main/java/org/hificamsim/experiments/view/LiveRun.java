@@ -4,13 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
-import org.hificamsim.catalogue.Catalogue;
 
 /**
  * One or two simulations of the same targets, in step. The targets are the same because each world
@@ -146,7 +146,8 @@ public final class LiveRun {
   private LiveSide side(World world, Choice choice, long ofSeed, long at) {
     Double threshold = choice.threshold();
     if (threshold != null && !(threshold >= 0 && threshold <= 1)) {
-      throw new InputException("threshold is %s, expected a number from 0 to 1".formatted(threshold));
+      throw new InputException(
+          "threshold is %s, expected a number from 0 to 1".formatted(threshold));
     }
     DetectionModel file = files.get(choice.detection());
     DetectionModel model = file != null ? file : catalogue.detections().create(choice.detection());

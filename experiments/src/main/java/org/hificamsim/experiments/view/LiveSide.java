@@ -2,6 +2,7 @@ package org.hificamsim.experiments.view;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
@@ -11,7 +12,6 @@ import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
-import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.experiments.replay.Move;
 import org.hificamsim.experiments.replay.Pose;
 import org.hificamsim.experiments.replay.Setup;

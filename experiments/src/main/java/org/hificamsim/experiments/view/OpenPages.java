@@ -19,8 +19,8 @@ final class OpenPages implements AutoCloseable {
   private ScheduledFuture<?> ending;
 
   /**
-   * @param grace how long no page may be open, after one was, before {@code end} is called: time for
-   *     a page to be loaded again
+   * @param grace how long no page may be open, after one was, before {@code end} is called: time
+   *     for a page to be loaded again
    */
   OpenPages(int most, Duration grace, Runnable end) {
     this.most = most;
