@@ -132,8 +132,8 @@ class ViewPageTest {
     browser.until("return !hificamsim.dragging && !hificamsim.dragged");
     browser.press(Keys.ARROW_RIGHT);
     browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
-    assertEquals(x - 60, ((Number) browser.run(place + "map.x(pose.x))")).doubleValue(), 1);
-    assertEquals(y + 50, ((Number) browser.run(place + "map.y(pose.y))")).doubleValue(), 1);
+    assertEquals(x - 60.0, number(place, "map.x(pose.x))"), 1);
+    assertEquals(y + 50.0, number(place, "map.y(pose.y))"), 1);
   }
 
   @Test
@@ -254,6 +254,10 @@ class ViewPageTest {
     browser.find(".controls .play").click();
     browser.until("return !hificamsim.playhead.playing");
     browser.settle();
+  }
+
+  private static double number(String before, String expression) {
+    return ((Number) browser.run(before + expression)).doubleValue();
   }
 
   private static long number(String expression) {

@@ -3,6 +3,8 @@ package org.hificamsim.experiments.view;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import org.hificamsim.experiments.replay.ReplayJson;
 
 /**
@@ -16,6 +18,7 @@ final class EventStream implements Session.Watcher {
   /** A comment, which pages ignore: writing it shows whether anybody is there. */
   private static final String NOTHING = ":\n\n";
 
+  private final Semaphore news = new Semaphore(0);
   private final Deque<String> events = new ArrayDeque<>();
   private final StepBuffer steps;
   private String state;
@@ -37,33 +40,36 @@ final class EventStream implements Session.Watcher {
       addSteps();
     }
     events.add(event("setup", json));
-    notifyAll();
+    news.release();
   }
 
   @Override
   public synchronized void step(LiveStep step) {
     steps.add(step);
-    notifyAll();
+    news.release();
   }
 
   @Override
   public synchronized void state(String json) {
     state = event("state", json);
-    notifyAll();
+    news.release();
   }
 
   /** Has {@link #take} return null from now on. */
   synchronized void end() {
     ended = true;
-    notifyAll();
+    news.release();
   }
 
   /** Waits for something to be told, a second at most; null when the stream has ended. */
-  @SuppressWarnings("WaitNotInLoop") // woken for nothing, it tells nothing: a heartbeat more
-  synchronized String take() throws InterruptedException {
-    if (!ended && events.isEmpty() && steps.isEmpty() && state == null) {
-      wait(HEARTBEAT);
+  String take() throws InterruptedException {
+    if (news.tryAcquire(HEARTBEAT, TimeUnit.MILLISECONDS)) {
+      news.drainPermits();
     }
+    return told();
+  }
+
+  private synchronized String told() {
     if (ended) {
       return null;
     }

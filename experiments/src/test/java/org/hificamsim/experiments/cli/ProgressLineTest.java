@@ -39,7 +39,7 @@ class ProgressLineTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "70 | run ring  25% [======                     ] 200000 steps/s, 0:00:30 left",
+        "70 | run ring  25% [======                   ] 200000 steps/s, 0:00:30 left",
         "50 | run ring  25% 200000 steps/s, 0:00:30 left",
         "40 | 25%, 200000 steps/s, 0:00:30 left",
         "30 | 25%, 0:00:30 left",
