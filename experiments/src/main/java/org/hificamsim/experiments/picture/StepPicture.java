@@ -128,7 +128,7 @@ public final class StepPicture implements Picture {
     x = word(graphics, "field of view", x + 16, middle);
     graphics.setColor(Palette.pale(FieldPainter.RANGE, 2 * FieldPainter.RANGE_STRENGTH));
     graphics.fill(new Ellipse2D.Double(x, middle - 6.0, 12, 12));
-    word(graphics, "detected", x + 16, middle);
+    word(graphics, "detection range", x + 16, middle);
   }
 
   /** Writes a word and returns where the next thing may begin. */
