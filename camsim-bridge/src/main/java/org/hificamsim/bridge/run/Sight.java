@@ -1,8 +1,5 @@
 package org.hificamsim.bridge.run;
 
-import java.util.HashMap;
-import java.util.Map;
-import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
@@ -20,7 +17,6 @@ final class Sight {
   private final Detection detection;
   private final double size;
   private final boolean clamped;
-  private final Map<ZoomLevel, DetectedDistances> distances = new HashMap<>();
 
   /**
    * @param size of every object, metres
@@ -62,10 +58,6 @@ final class Sight {
     if (detection.model().dependsOnBearing()) {
       return zoom.equals(other);
     }
-    return reach(zoom).includes(reach(other));
-  }
-
-  private DetectedDistances reach(ZoomLevel zoom) {
-    return distances.computeIfAbsent(zoom, level -> detection.distances(size, level));
+    return detection.distances(size, zoom).includes(detection.distances(size, other));
   }
 }

@@ -1,19 +1,48 @@
 package org.hificamsim.core.detection;
 
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
 /**
- * A detection model with the threshold it is used with.
- *
- * @param threshold a target inside the field of view is detected when the model's value is at least
- *     this
+ * A detection model with the threshold it is used with. Any number of runs and threads may share
+ * one: what it has found out about a zoom level is remembered for all of them.
  */
-public record Detection(DetectionModel model, double threshold) {
+public final class Detection {
+  private final DetectionModel model;
+  private final double threshold;
+  private final Map<Pair, DetectedDistances> found = new ConcurrentHashMap<>();
+
+  /**
+   * Of a model and a threshold.
+   *
+   * @param threshold a target inside the field of view is detected when the model's value is at
+   *     least this
+   */
+  public Detection(DetectionModel model, double threshold) {
+    this.model = model;
+    this.threshold = threshold;
+  }
+
   /** The model with its own default threshold. */
   public static Detection of(DetectionModel model) {
     return new Detection(model, model.defaultThreshold());
   }
 
+  /** The detection model. */
+  public DetectionModel model() {
+    return model;
+  }
+
+  /** The least value of the model at which a target counts as detected. */
+  public double threshold() {
+    return threshold;
+  }
+
   /** The distances detected at a zoom level; the model must not depend on the bearing. */
   public DetectedDistances distances(double size, ZoomLevel zoom) {
-    return DetectedDistances.of(model, size, zoom, threshold);
+    return found.computeIfAbsent(
+        new Pair(size, zoom), pair -> DetectedDistances.of(model, size, zoom, threshold));
   }
+
+  private record Pair(double size, ZoomLevel zoom) {}
 }

@@ -101,10 +101,9 @@ final class CompareCommand implements Callable<Integer> {
     for (Scenario scenario : scenarios) {
       for (DetectionModel model : models) {
         double threshold = scenario.threshold().orElse(model.defaultThreshold());
+        Detection detection = new Detection(model, threshold);
         for (String policy : specs) {
-          plans.add(
-              new RunPlan(
-                  scenario, new Detection(model, threshold), policy, steps, batch.seed(), repeats));
+          plans.add(new RunPlan(scenario, detection, policy, steps, batch.seed(), repeats));
         }
       }
     }
