@@ -17,7 +17,8 @@ import org.hificamsim.core.world.World;
  *
  * <p>Reaches are kept in rows, one for each zoom level, with one entry for each size class; cameras
  * with equal zoom levels share them. Nearly all are a single interval, held in two flat arrays; the
- * others are looked up in full.
+ * others are looked up in full. Where there is one size and the interval begins at 0, what is seen
+ * is a disc, which has an array and a loop of its own.
  */
 final class DistanceSight implements Sight {
   private final Cameras cameras;
@@ -34,6 +35,7 @@ final class DistanceSight implements Sight {
   private double[] from = new double[1];
   private double[] to = new double[1];
   private boolean[] single = new boolean[1];
+  private double[] disc = new double[1];
   private int revision = -1;
 
   DistanceSight(World world, Detection detection) {
@@ -93,6 +95,7 @@ final class DistanceSight implements Sight {
       from = Arrays.copyOf(from, length);
       to = Arrays.copyOf(to, length);
       single = Arrays.copyOf(single, length);
+      disc = Arrays.copyOf(disc, length);
     }
   }
 
@@ -101,6 +104,8 @@ final class DistanceSight implements Sight {
     single[at] = set.intervals() == 1;
     from[at] = set.intervals() == 0 ? Double.POSITIVE_INFINITY : set.from(0);
     to[at] = set.intervals() == 0 ? -1 : set.to(set.intervals() - 1);
+    boolean whole = sizes.length == 1 && single[at] && from[at] == 0;
+    disc[at] = whole ? to[at] : Double.NaN;
   }
 
   private int row(int camera, int level) {
@@ -132,35 +137,32 @@ final class DistanceSight implements Sight {
   }
 
   @Override
-  public int look(int camera, int level, PointGrid targets, int begin, int end, int[] coverage) {
-    int row = row(camera, level);
-    return sizes.length == 1 && single[row] && allRound[camera]
-        ? lookAllRound(camera, row, targets, begin, end, coverage)
-        : Sight.super.look(camera, level, targets, begin, end, coverage);
+  public int look(int camera, int level, PointGrid targets, int begin, int end, int[] counts) {
+    double most = disc[row(camera, level)];
+    return most >= 0 && allRound[camera]
+        ? lookAllRound(camera, most, targets, begin, end, counts)
+        : Sight.super.look(camera, level, targets, begin, end, counts);
   }
 
   /**
-   * Compares with one interval and without branches, which would be guessed wrong half of the time:
-   * a target is missed where one of two differences is negative, so that its sign bit is set.
+   * Looks at a whole disc without branches, which would be guessed wrong half of the time: a target
+   * is missed where a difference is negative, and then its sign is -1 and otherwise 0.
+   *
+   * @param most square metres
    */
   private int lookAllRound(
-      int camera, int row, PointGrid targets, int begin, int end, int[] coverage) {
+      int camera, double most, PointGrid targets, int begin, int end, int[] counts) {
     double x = cameras.x(camera);
     double y = cameras.y(camera);
-    double least = from[row];
-    double most = to[row];
-    int count = 0;
+    long missed = 0;
     for (int i = begin; i < end; i++) {
       double dx = targets.x(i) - x;
       double dy = targets.y(i) - y;
-      double squared = dx * dx + dy * dy;
-      long signs =
-          Double.doubleToRawLongBits(squared - least) | Double.doubleToRawLongBits(most - squared);
-      int seen = 1 - (int) (signs >>> 63);
-      coverage[targets.point(i)] += seen;
-      count += seen;
+      long sign = Double.doubleToRawLongBits(most - (dx * dx + dy * dy)) >> 63;
+      counts[i] += 1 + (int) sign;
+      missed -= sign;
     }
-    return count;
+    return end - begin - (int) missed;
   }
 
   @Override

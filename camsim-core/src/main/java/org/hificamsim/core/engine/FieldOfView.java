@@ -49,10 +49,14 @@ final class FieldOfView {
    * position, or where rounding takes the cosine past 1.
    */
   double offAxis(int camera, int target) {
+    return Math.acos(cosine(camera, target));
+  }
+
+  /** The cosine of that angle, as computed; NaN on the camera's own position. */
+  double cosine(int camera, int target) {
     double dx = targets.x(target) - cameras.x(camera);
     double dy = targets.y(target) - cameras.y(camera);
     double length = Math.sqrt(dx * dx + dy * dy);
-    return Math.acos(
-        cameras.headingX(camera) * (dx / length) + cameras.headingY(camera) * (dy / length));
+    return cameras.headingX(camera) * (dx / length) + cameras.headingY(camera) * (dy / length);
   }
 }

@@ -22,7 +22,7 @@ final class ObservedNetwork implements NetworkView {
   private final int[] coverage;
   private final PointGrid places;
   private final Workers workers;
-  private final int[][] counts;
+  private final int[][] counts; // of each worker, in the order of places
   private final Workers.Share looking = this::look;
   private final Workers.Share adding = this::addUp;
   private final Division division = new Division();
@@ -46,7 +46,7 @@ final class ObservedNetwork implements NetworkView {
     this.places = places;
     this.workers = workers;
     this.counts = new int[workers.count()][];
-    Arrays.setAll(counts, worker -> worker == 0 ? coverage : new int[coverage.length]);
+    Arrays.setAll(counts, worker -> new int[coverage.length]);
   }
 
   /** Says which step is under way, and takes note of what its events changed. */
@@ -74,9 +74,8 @@ final class ObservedNetwork implements NetworkView {
   /** Every online camera looks at the targets, each at its current level. */
   void observe() {
     workers.run(looking);
-    if (counts.length > 1) {
-      workers.run(adding);
-    }
+    Arrays.fill(coverage, 0);
+    workers.run(adding);
   }
 
   private void look(int worker) {
@@ -104,12 +103,13 @@ final class ObservedNetwork implements NetworkView {
     return seen;
   }
 
-  /** Adds what the other workers counted to the first one's, each worker for some targets. */
+  /** Adds up what all workers counted, each worker for some of the places. */
   private void addUp(int worker) {
-    int end = workers.first(worker + 1, coverage.length);
-    for (int other = 1; other < counts.length; other++) {
-      for (int target = workers.first(worker, coverage.length); target < end; target++) {
-        coverage[target] += counts[other][target];
+    int first = workers.first(worker, places.count());
+    int end = workers.first(worker + 1, places.count());
+    for (int[] count : counts) {
+      for (int i = first; i < end; i++) {
+        coverage[places.point(i)] += count[i];
       }
     }
   }

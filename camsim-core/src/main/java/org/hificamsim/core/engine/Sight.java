@@ -32,14 +32,13 @@ interface Sight {
    * Counts the targets that the camera would detect at this level, among some that are near.
    *
    * @param targets where they are; those from index {@code from} up to {@code to} are looked at
-   * @param coverage one is added to the entry of each target detected
+   * @param counts one is added to the entry of each index whose target is detected
    */
-  default int look(int camera, int level, PointGrid targets, int from, int to, int[] coverage) {
+  default int look(int camera, int level, PointGrid targets, int from, int to, int[] counts) {
     int count = 0;
     for (int i = from; i < to; i++) {
-      int target = targets.point(i);
-      if (detects(camera, level, target)) {
-        coverage[target]++;
+      if (detects(camera, level, targets.point(i))) {
+        counts[i]++;
         count++;
       }
     }

@@ -18,9 +18,11 @@ final class DetectionSets {
   private final int[] levelOf;
   private final int allWords;
   private final long[] seen;
+  private final long[] union;
   private final long[] masks;
   private final int[] order;
   private final int[] sizes;
+  private final int[] levelOfRow;
   private int targets;
   private boolean everyTarget;
   private int words;
@@ -38,9 +40,11 @@ final class DetectionSets {
     levelOf = new int[all];
     allWords = CoverageProblem.wordsFor(network.targets());
     seen = new long[most * allWords];
+    union = new long[allWords];
     masks = new long[most * allWords];
     order = new int[most];
     sizes = new int[most];
+    levelOfRow = new int[most];
   }
 
   /** The problem that {@link #fill} fills. */
@@ -85,35 +89,73 @@ final class DetectionSets {
   }
 
   private void add(NetworkView network, int camera, CandidateLevels candidates) {
-    int count = candidates.count(camera);
     network.detections(camera, seen, allWords);
+    int whole = firstThatSeesAll(camera, candidates);
+    if (whole == 0 || (whole > 0 && preference.mostTargets())) {
+      look(camera, candidates, whole, 0);
+      addSet(0);
+    } else {
+      addInOrder(camera, candidates);
+    }
+  }
+
+  /** The first candidate that detects whatever any of them does; -1 when there is none. */
+  private int firstThatSeesAll(int camera, CandidateLevels candidates) {
+    int count = candidates.count(camera);
+    Arrays.fill(union, 0);
     for (int i = 0; i < count; i++) {
-      look(candidates.level(camera, i) * allWords, i);
+      int from = candidates.level(camera, i) * allWords;
+      for (int word = 0; word < allWords; word++) {
+        union[word] |= seen[from + word];
+      }
+    }
+    for (int i = 0; i < count; i++) {
+      int from = candidates.level(camera, i) * allWords;
+      if (Arrays.equals(union, 0, allWords, seen, from, from + allWords)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private void addInOrder(int camera, CandidateLevels candidates) {
+    int count = candidates.count(camera);
+    for (int i = 0; i < count; i++) {
+      look(camera, candidates, i, i);
       place(i);
     }
     int first = problem.sets();
     for (int i = 0; i < count; i++) {
       if (!included(order[i], first)) {
-        levelOf[problem.sets()] = candidates.level(camera, order[i]);
-        problem.addSet(masks, order[i] * words);
+        addSet(order[i]);
       }
     }
   }
 
-  /** Copies what is seen at a level, by target, into a row, by target present. */
-  private void look(int from, int row) {
-    Arrays.fill(masks, row * words, (row + 1) * words, 0);
+  private void addSet(int row) {
+    levelOf[problem.sets()] = levelOfRow[row];
+    problem.addSet(masks, row * words);
+  }
+
+  /** Copies what a camera sees as candidate i, by target, into a row, by target present. */
+  private void look(int camera, CandidateLevels candidates, int i, int row) {
+    levelOfRow[row] = candidates.level(camera, i);
+    int from = levelOfRow[row] * allWords;
+    int to = row * words;
+    if (everyTarget) {
+      System.arraycopy(seen, from, masks, to, words);
+    } else {
+      Arrays.fill(masks, to, to + words, 0);
+      for (int word = 0; word < allWords; word++) {
+        for (long bits = seen[from + word]; bits != 0; bits &= bits - 1) {
+          int at = placeOf[(word << 6) + Long.numberOfTrailingZeros(bits)];
+          masks[to + (at >> 6)] |= 1L << at;
+        }
+      }
+    }
     int size = 0;
-    for (int word = 0; word < allWords; word++) {
-      size += Long.bitCount(seen[from + word]);
-      if (everyTarget) {
-        masks[row * words + word] = seen[from + word];
-        continue;
-      }
-      for (long bits = seen[from + word]; bits != 0; bits &= bits - 1) {
-        int at = placeOf[(word << 6) + Long.numberOfTrailingZeros(bits)];
-        masks[row * words + (at >> 6)] |= 1L << at;
-      }
+    for (int word = to; word < to + words; word++) {
+      size += Long.bitCount(masks[word]);
     }
     sizes[row] = size;
   }

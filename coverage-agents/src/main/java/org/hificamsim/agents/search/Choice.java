@@ -14,6 +14,14 @@ final class Choice {
     coverage = new int[problem.mostTargets()];
   }
 
+  /** Every camera's most preferred set. */
+  void reset() {
+    Arrays.fill(coverage, 0, problem.targets(), 0);
+    for (int camera = 0; camera < problem.cameras(); camera++) {
+      give(camera, problem.firstSet(camera));
+    }
+  }
+
   /** Every camera's most preferred set among those that remain. */
   void copy(Remaining remaining) {
     Arrays.fill(coverage, 0, problem.targets(), 0);

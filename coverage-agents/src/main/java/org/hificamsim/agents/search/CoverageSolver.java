@@ -28,6 +28,7 @@ public final class CoverageSolver {
   private static final int GROWTH = 4;
   private static final int MOST_HEURISTIC_EFFORT = 1 << 10;
 
+  private final CoverageProblem problem;
   private final long mostNodes;
   private final Domains domains;
   private final Choice choice;
@@ -44,6 +45,7 @@ public final class CoverageSolver {
    *     equally good ones is bounded apart
    */
   public CoverageSolver(CoverageProblem problem, long mostNodes) {
+    this.problem = problem;
     this.mostNodes = mostNodes;
     domains = new Domains(problem);
     choice = new Choice(problem);
@@ -55,11 +57,14 @@ public final class CoverageSolver {
 
   /** Solves the problem as it is filled now. */
   public void solve() {
-    domains.reset();
     search.reset();
-    choice.copy(domains.remaining());
+    choice.reset();
     value = choice.least();
-    bound = domains.bound();
+    bound = value;
+    if (problem.sets() > problem.cameras()) { // some camera has a choice
+      domains.reset();
+      bound = domains.bound();
+    }
     if (value < bound) {
       closeGap();
       preferred.find(value, choice);

@@ -7,8 +7,9 @@ import org.hificamsim.core.policy.NetworkView;
 
 /**
  * The Q tables of all cameras (Eq 7.6), each in an array of its own: the entry for an action stands
- * at the row of the camera's state plus the action's level, and a row's last entry is its best
- * action, so that asking for it, which neighbours do most often, is one look.
+ * at the row of the camera's state plus the action's level. Two more entries of a row are its best
+ * action, so that asking for it, which neighbours do most often, is one look; and a value that none
+ * of the other actions exceeds, so that most updates tell at a glance that the best one stays best.
  *
  * <p>Rows go by the number of targets detected, the fewest first. In a small network every table
  * has all its rows from the start; in a big one, where most counts never occur, a table grows to
@@ -21,6 +22,9 @@ public final class ActionValues {
 
   /** Entries of one table: what an array can hold, with room to spare. */
   private static final long MOST_ENTRIES = 1 << 28;
+
+  /** Entries of a row beside its actions' values. */
+  private static final int EXTRA = 2;
 
   /** Counts that a table of a big network has rows for at first. */
   private static final int FIRST_COUNTS = 4;
@@ -67,17 +71,25 @@ public final class ActionValues {
   private void fill(int camera, int fromRow) {
     double[] table = tables[camera];
     Arrays.fill(table, fromRow, table.length, initialValue);
-    for (int row = fromRow; row < table.length; row += levels[camera] + 1) {
+    for (int row = fromRow; row < table.length; row += levels[camera] + EXTRA) {
       findBest(camera, row);
     }
   }
 
   private void findBest(int camera, int row) {
-    tables[camera][row + levels[camera]] = ties.best(tables[camera], row, levels[camera]);
+    double[] table = tables[camera];
+    int end = row + levels[camera];
+    int best = ties.best(table, row, levels[camera]);
+    double others = Double.NEGATIVE_INFINITY;
+    for (int i = row; i < end; i++) {
+      others = i == row + best ? others : Math.max(others, table[i]);
+    }
+    table[end] = best;
+    table[end + 1] = others;
   }
 
   private long size(int ofLevels, int counts) {
-    return (long) counts * reading.statesPerCount(ofLevels) * (ofLevels + 1);
+    return (long) counts * reading.statesPerCount(ofLevels) * (ofLevels + EXTRA);
   }
 
   /** The row of a camera's present state. */
@@ -92,7 +104,7 @@ public final class ActionValues {
    * @param detected number of targets in [0, all targets]
    */
   public int row(int camera, int level, int detected) {
-    return reading.state(level, detected, levels[camera]) * (levels[camera] + 1);
+    return reading.state(level, detected, levels[camera]) * (levels[camera] + EXTRA);
   }
 
   /** Whether the camera has levels enough to ever be at this one. */
@@ -107,6 +119,11 @@ public final class ActionValues {
       return ties.best(unmet, 0, actions);
     }
     return actions == levels[camera] ? (int) table[row + actions] : ties.best(table, row, actions);
+  }
+
+  /** What a camera's table holds best for another camera's state, of the levels that both have. */
+  public int answer(int camera, int level, int detected, int levelsOfOther) {
+    return best(camera, row(camera, level, detected), Math.min(levelsOfOther, levels[camera]));
   }
 
   /** The value of an action in a row. */
@@ -140,10 +157,13 @@ public final class ActionValues {
     double before = table[row + action];
     double after = before + alpha * (target - before);
     table[row + action] = after;
-    int best = (int) table[row + levels[camera]];
-    boolean challenged = action == best ? after < before : after >= table[row + best];
-    if (challenged) {
+    int end = row + levels[camera];
+    int best = (int) table[end];
+    boolean stays = action == best ? after > table[end + 1] : after < table[row + best];
+    if (!stays) {
       findBest(camera, row);
+    } else if (action != best) {
+      table[end + 1] = Math.max(table[end + 1], after);
     }
   }
 }

@@ -80,20 +80,17 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     if (settings.ownVote() == VoteSettings.OwnVote.YES) {
       vote.vote(own);
     }
+    int level = network.level(camera);
+    int detected = network.detected(camera);
+    int levels = network.levels(camera);
     int asked = nearest.count(camera);
     for (int i = 0; i < asked; i++) {
-      ask(network, camera, nearest.neighbour(camera, i), vote);
+      int neighbour = nearest.neighbour(camera, i);
+      if (values().knows(neighbour, level)) {
+        vote.vote(values().answer(neighbour, level, detected, levels));
+      }
     }
     messages[camera] += 2L * asked;
     return vote.winner(own);
-  }
-
-  private void ask(NetworkView network, int camera, int neighbour, MajorityVote vote) {
-    int level = network.level(camera);
-    if (values().knows(neighbour, level)) {
-      int row = values().row(neighbour, level, network.detected(camera));
-      int shared = Math.min(network.levels(camera), network.levels(neighbour));
-      vote.vote(values().best(neighbour, row, shared));
-    }
   }
 }
