@@ -31,7 +31,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @OutputTimeUnit(TimeUnit.MICROSECONDS)
 @Warmup(iterations = 3, time = 1)
 @Measurement(iterations = 5, time = 1)
-@Fork(1)
+@Fork(value = 1, jvmArgs = "-XX:+UseSerialGC") // as the launcher has it
 public class BigNetworkBenchmark {
   @Param({"100", "1000", "10000", "100000"})
   private int cameras;

@@ -59,6 +59,13 @@ public final class XyPanel {
     return this;
   }
 
+  /** Makes both axes logarithmic. */
+  public XyPanel logarithmic() {
+    chart.getStyler().setXAxisLogarithmic(true);
+    chart.getStyler().setYAxisLogarithmic(true);
+    return this;
+  }
+
   /** Names x = 1, 2, 3, ... instead of numbering the axis. */
   public XyPanel names(List<String> names) {
     chart.getStyler().setPlotGridVerticalLinesVisible(false);
