@@ -31,9 +31,9 @@ public interface DetectionModel {
   }
 
   /**
-   * Whether {@link #confidence} depends on {@code offAxis}; such a model is called in full. It may be
-   * asked at the two ends of a bracket of 6e-8 radians around the angle, and is taken to decide the
-   * same in between where it decides alike at both.
+   * Whether {@link #confidence} depends on {@code offAxis}; such a model is called in full. It may
+   * be asked at the two ends of a bracket of 6e-8 radians around the angle, and is taken to decide
+   * the same in between where it decides alike at both.
    */
   default boolean dependsOnBearing() {
     return false;

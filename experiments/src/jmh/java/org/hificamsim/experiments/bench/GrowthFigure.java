@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.TreeMap;
 import org.hificamsim.experiments.plot.Curve;
 import org.hificamsim.experiments.plot.Figure;
@@ -37,7 +38,7 @@ public final class GrowthFigure {
    * @param args JMH's JSON file; the picture to write
    */
   public static void main(String[] args) throws IOException {
-    Map<String, TreeMap<Integer, Double>> costs = read(new File(args[0]));
+    Map<String, NavigableMap<Integer, Double>> costs = read(new File(args[0]));
     costs.forEach(GrowthFigure::print);
     try (OutputStream out = Files.newOutputStream(Path.of(args[1]))) {
       FigureFile.png(out, figure(costs));
@@ -45,8 +46,8 @@ public final class GrowthFigure {
   }
 
   /** Milliseconds a step, by policy and number of cameras. */
-  private static Map<String, TreeMap<Integer, Double>> read(File file) throws IOException {
-    Map<String, TreeMap<Integer, Double>> costs = new LinkedHashMap<>();
+  private static Map<String, NavigableMap<Integer, Double>> read(File file) throws IOException {
+    Map<String, NavigableMap<Integer, Double>> costs = new LinkedHashMap<>();
     for (JsonNode result : new ObjectMapper().readTree(file)) {
       costs
           .computeIfAbsent(result.at("/params/policy").asText(), policy -> new TreeMap<>())
@@ -57,7 +58,7 @@ public final class GrowthFigure {
     return costs;
   }
 
-  private static void print(String policy, TreeMap<Integer, Double> costs) {
+  private static void print(String policy, NavigableMap<Integer, Double> costs) {
     costs.forEach(
         (cameras, cost) -> {
           Integer fewer = costs.lowerKey(cameras);
@@ -77,7 +78,7 @@ public final class GrowthFigure {
     return String.format(Locale.ROOT, format, value);
   }
 
-  private static Figure figure(Map<String, TreeMap<Integer, Double>> costs) {
+  private static Figure figure(Map<String, NavigableMap<Integer, Double>> costs) {
     XyPanel panel = new XyPanel("", "cameras", "milliseconds a step").logarithmic();
     List<LegendEntry> legend = new ArrayList<>();
     costs.forEach(
@@ -87,7 +88,7 @@ public final class GrowthFigure {
           panel.straight(curve, color).dots(curve, color);
           legend.add(new LegendEntry(policy, color, Mark.LINE));
         });
-    TreeMap<Integer, Double> first = costs.values().iterator().next();
+    NavigableMap<Integer, Double> first = costs.values().iterator().next();
     panel.dashed(squared(first), Palette.GREY);
     legend.add(new LegendEntry("with the square", Palette.GREY, Mark.DASHES));
     return new Figure(
@@ -100,14 +101,14 @@ public final class GrowthFigure {
         360);
   }
 
-  private static Curve curve(TreeMap<Integer, Double> costs) {
+  private static Curve curve(NavigableMap<Integer, Double> costs) {
     return new Curve(
         costs.keySet().stream().mapToDouble(cameras -> cameras).toArray(),
         costs.values().stream().mapToDouble(cost -> cost).toArray());
   }
 
   /** What a cost would come to that grew with the square, up to the size where it leaves all. */
-  private static Curve squared(TreeMap<Integer, Double> costs) {
+  private static Curve squared(NavigableMap<Integer, Double> costs) {
     double few = costs.firstKey();
     double many = costs.lastKey();
     double end = Math.min(many, few * Math.sqrt(many / few) * 4);
