@@ -21,8 +21,15 @@ import org.hificamsim.core.policy.ZoomPolicy;
 public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy {
   private static final int NONE = -1;
 
+  /** Cameras whose values are fetched at a time: few enough to stay in the first cache. */
+  private static final int BLOCK = 32;
+
+  /** Cameras whose values are in the cache anyway. */
+  private static final int FEW = 500;
+
   private final CameraTask<int[]> choosing = this::choose;
   private final CameraTask<int[]> updating = this::update;
+  private final CameraTask<int[]> choosingAndUpdating = this::chooseAndUpdate;
   private final TemporalDifferenceSettings settings;
   private final EpsilonGreedyChoice choice;
   private ActionValues values;
@@ -30,6 +37,9 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
   private int[] credited;
   private int[] actions;
   private int[] counts;
+
+  @SuppressWarnings("UnusedVariable") // written lest the reads that it sums up are left out
+  private double fetched;
 
   protected AbstractTemporalDifferenceZoomPolicy(
       TemporalDifferenceSettings settings, EpsilonGreedyChoice choice) {
@@ -50,10 +60,17 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
 
   /**
    * The level that the camera takes when it does not explore: its best known one. Asked for several
-   * cameras at a time.
+   * cameras at a time. Where it looks at other cameras' values, {@link #asksOthers} must say so.
    */
   protected int exploit(NetworkView network, int camera, int row) {
     return values.best(camera, row, network.levels(camera));
+  }
+
+  /**
+   * Whether {@link #exploit} looks at other cameras' values: then all choose before any updates.
+   */
+  protected boolean asksOthers() {
+    return false;
   }
 
   /** All cameras' tables; null before {@link #begin}. */
@@ -74,8 +91,37 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
 
   @Override
   public void decide(NetworkView network, int[] levels) {
-    network.divide(levels, choosing);
-    network.divide(levels, updating);
+    if (asksOthers()) {
+      network.divide(levels, choosing);
+      network.divide(levels, updating);
+    } else {
+      network.divide(levels, choosingAndUpdating);
+    }
+  }
+
+  /**
+   * Block by block: what a block needs comes from memory at once, where camera by camera each would
+   * wait for its own.
+   */
+  private void chooseAndUpdate(NetworkView network, int[] levels, int from, int to) {
+    for (int first = from; first < to; first += BLOCK) {
+      int end = Math.min(to, first + BLOCK);
+      if (credited.length > FEW) {
+        fetch(network, first, end);
+      }
+      choose(network, levels, first, end);
+      update(network, levels, first, end);
+    }
+  }
+
+  /** Reads what the next two loops are to read, with nothing in between that waits for it. */
+  private void fetch(NetworkView network, int from, int to) {
+    double sum = 0;
+    for (int camera = from; camera < to; camera++) {
+      sum += values.fetch(camera, values.row(network, camera));
+      sum += values.fetch(camera, Math.max(0, credited[camera]));
+    }
+    fetched = sum;
   }
 
   private void choose(NetworkView network, int[] levels, int from, int to) {

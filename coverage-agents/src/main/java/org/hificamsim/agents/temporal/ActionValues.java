@@ -112,6 +112,12 @@ public final class ActionValues {
     return reading != StateReading.LEVEL_COUNT || level < levels[camera];
   }
 
+  /** Reads both ends of a row, so that it comes into the cache; what it returns means nothing. */
+  double fetch(int camera, int row) {
+    double[] table = tables[camera];
+    return row < table.length ? table[row] + table[row + levels[camera] + 1] : 0;
+  }
+
   /** The best action of a row's first {@code actions} levels. */
   public int best(int camera, int row, int actions) {
     double[] table = tables[camera];

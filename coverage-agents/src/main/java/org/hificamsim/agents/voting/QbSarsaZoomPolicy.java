@@ -73,6 +73,11 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   }
 
   @Override
+  protected boolean asksOthers() {
+    return true;
+  }
+
+  @Override
   protected int exploit(NetworkView network, int camera, int row) {
     int own = super.exploit(network, camera, row);
     MajorityVote vote = votes[camera];
