@@ -27,9 +27,12 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
   /** Cameras whose values are in the cache anyway. */
   private static final int FEW = 500;
 
-  private final CameraTask<int[]> choosing = this::choose;
-  private final CameraTask<int[]> updating = this::update;
-  private final CameraTask<int[]> choosingAndUpdating = this::chooseAndUpdate;
+  private final CameraTask<int[]> choosing =
+      (network, levels, from, to) -> inBlocks(network, levels, from, to, true, false);
+  private final CameraTask<int[]> updating =
+      (network, levels, from, to) -> inBlocks(network, levels, from, to, false, true);
+  private final CameraTask<int[]> choosingAndUpdating =
+      (network, levels, from, to) -> inBlocks(network, levels, from, to, true, true);
   private final TemporalDifferenceSettings settings;
   private final EpsilonGreedyChoice choice;
   private ActionValues values;
@@ -100,28 +103,38 @@ public abstract class AbstractTemporalDifferenceZoomPolicy implements ZoomPolicy
   }
 
   /**
-   * Block by block: what a block needs comes from memory at once, where camera by camera each would
-   * wait for its own.
+   * In a big network what a block of cameras needs is read beforehand, with nothing in between that
+   * waits for it: so it comes from memory at once, where camera by camera each would wait.
    */
-  private void chooseAndUpdate(NetworkView network, int[] levels, int from, int to) {
+  private void inBlocks(
+      NetworkView network, int[] levels, int from, int to, boolean choosing, boolean updating) {
     for (int first = from; first < to; first += BLOCK) {
       int end = Math.min(to, first + BLOCK);
       if (credited.length > FEW) {
-        fetch(network, first, end);
+        fetch(network, first, end, choosing);
       }
-      choose(network, levels, first, end);
-      update(network, levels, first, end);
+      if (choosing) {
+        choose(network, levels, first, end);
+      }
+      if (updating) {
+        update(network, levels, first, end);
+      }
     }
   }
 
-  /** Reads what the next two loops are to read, with nothing in between that waits for it. */
-  private void fetch(NetworkView network, int from, int to) {
+  private void fetch(NetworkView network, int from, int to, boolean choosing) {
     double sum = 0;
     for (int camera = from; camera < to; camera++) {
       sum += values.fetch(camera, values.row(network, camera));
       sum += values.fetch(camera, Math.max(0, credited[camera]));
+      sum += choosing ? fetchOthers(network, camera) : 0;
     }
     fetched = sum;
+  }
+
+  /** Reads what {@link #exploit} is to read of other cameras; what it returns means nothing. */
+  protected double fetchOthers(NetworkView network, int camera) {
+    return 0;
   }
 
   private void choose(NetworkView network, int[] levels, int from, int to) {

@@ -113,7 +113,7 @@ public final class ActionValues {
   }
 
   /** Reads both ends of a row, so that it comes into the cache; what it returns means nothing. */
-  double fetch(int camera, int row) {
+  public double fetch(int camera, int row) {
     double[] table = tables[camera];
     return row < table.length ? table[row] + table[row + levels[camera] + 1] : 0;
   }

@@ -78,6 +78,18 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   }
 
   @Override
+  protected double fetchOthers(NetworkView network, int camera) {
+    int level = network.level(camera);
+    int detected = network.detected(camera);
+    double sum = 0;
+    for (int i = 0; i < nearest.count(camera); i++) {
+      int neighbour = nearest.neighbour(camera, i);
+      sum += values().fetch(neighbour, values().row(neighbour, level, detected));
+    }
+    return sum;
+  }
+
+  @Override
   protected int exploit(NetworkView network, int camera, int row) {
     int own = super.exploit(network, camera, row);
     MajorityVote vote = votes[camera];
