@@ -69,6 +69,11 @@ final class Run {
     return core;
   }
 
+  /** Counts the runs of this JVM, from 0. */
+  int number() {
+    return number;
+  }
+
   /** A step begins. */
   void stepBegins() {
     prepared = false;
