@@ -118,7 +118,10 @@ final class Run {
       ended = true;
       if (recording.isPresent()) {
         Recording files = recording.get();
-        files.commit(plan(files.steps()), steering.map(Steering::messages).orElse(0L));
+        files.commit(
+            plan(files.steps()),
+            steering.map(Steering::messages).orElse(0L),
+            steering.flatMap(Steering::proof));
       }
     }
   }
