@@ -211,7 +211,7 @@ class CompareCommandTest {
     for (Path out : List.of(file, file.resolve("below"))) {
       Cli compare = Cli.run(words(out, 1, 1));
       assertEquals(2, compare.exit(), compare.err());
-      assertTrue(compare.err().startsWith("error: --out '" + out + "' "), compare.err());
+      assertTrue(compare.err().startsWith("error: folder '" + out + "' "), compare.err());
     }
     assertEquals("mine", Files.readString(file));
   }

@@ -41,12 +41,13 @@ final class BridgeOptions {
     Optional<String> size = text("size", "target size, m");
     Optional<String> policy = text("policy", "name and options of the zoom policy");
     Optional<String> zooms = text("zooms", "radii, m");
-    int seed = given.integer("seed", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "seed of the policy");
+    Optional<String> seed = text("seed", "seed of the policy");
     Optional<String> out = text("out", "folder for result files");
     given.choice("strict", Strict.FALSE, "whether to stop when something is wrong");
-    given.rejectUnknown();
+    rejectUnknown();
     requireFor("threshold", threshold, model.isPresent(), "detection");
     requireFor("size", size, model.isPresent(), "detection");
+    requireFor("seed", seed, policy.isPresent(), "policy");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
     return new Setup(
         model.map(name -> detection(name, threshold)),
@@ -54,12 +55,21 @@ final class BridgeOptions {
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),
         zooms.map(BridgeOptions::radii).orElse(List.of()),
-        seed,
+        seed.map(BridgeOptions::seed).orElse(0),
         out.map(Path::of));
   }
 
   private Optional<String> text(String key, String meaning) {
     return Optional.ofNullable(given.text(key, null, meaning));
+  }
+
+  /** After a comma, what was meant for a policy is an unknown option here. */
+  private void rejectUnknown() {
+    try {
+      given.rejectUnknown();
+    } catch (InputException e) {
+      throw new InputException(e.getMessage() + ", with ';' between a policy's own", e);
+    }
   }
 
   private Detection detection(String name, Optional<String> threshold) {
@@ -101,6 +111,11 @@ final class BridgeOptions {
           "zooms has " + radii.size() + " radii, expected at most " + MOST_LEVELS);
     }
     return radii;
+  }
+
+  private static int seed(String text) {
+    return Options.parse("options", "seed=" + text)
+        .integer("seed", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "seed");
   }
 
   private static double number(String key, String text, double least, double most) {

@@ -54,7 +54,7 @@ class BridgeOptionsTest {
 
   @Test
   void asksForNothingWithoutDetectionPolicyAndOut() {
-    assertFalse(parse("strict=true,seed=4").asksForAnything());
+    assertFalse(parse("strict=true").asksForAnything());
     assertTrue(parse("out=results").asksForAnything());
   }
 
@@ -85,7 +85,16 @@ class BridgeOptionsTest {
         arguments("threshold=0.5", "threshold is '0.5' without detection, expected both"),
         arguments(
             "policy=random,zooms=5;3", "zooms has '3' after 5.0, expected rising radii, each once"),
-        arguments("policy=random,zooms=0;3", "options: zooms is '0', expected a number from"),
+        arguments(
+            "policy=random,zooms=0;3",
+            "options: zooms is '0', expected a number above 0 and at most 1000000"),
+        arguments(
+            "policy=sarsa:gamma=0.9,epsilon=0.1",
+            "options: unknown option 'epsilon=0.1', expected one of detection, threshold, size,"
+                + " policy, zooms, seed, out, strict, with ';' between a policy's own"),
+        arguments("seed=4,out=results", "seed is '4' without policy, expected both"),
+        arguments(
+            "policy=random,seed=1.5", "options: seed is '1.5', expected a whole number from -2147"),
         arguments(
             "strict=perhaps,policy=random",
             "options: strict is 'perhaps', expected one of false, true"),

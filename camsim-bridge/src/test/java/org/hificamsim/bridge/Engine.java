@@ -25,13 +25,18 @@ final class Engine {
   static RunCoverage record(
       Path folder, Path file, List<Double> zooms, Detection detection, String policy, int steps)
       throws IOException {
-    Scenario scenario = scenario(file, zooms);
-    World world = new World(scenario, CATALOGUE.movements(), 0);
-    ZoomPolicy zooming = CATALOGUE.policies().create(policy);
+    return record(folder, file, zooms, detection, CATALOGUE.policies().create(policy), steps);
+  }
+
+  /** The same with a policy that can be asked afterwards. */
+  static RunCoverage record(
+      Path folder, Path file, List<Double> zooms, Detection detection, ZoomPolicy policy, int steps)
+      throws IOException {
+    World world = new World(scenario(file, zooms), CATALOGUE.movements(), 0);
     RunCoverage coverage = new RunCoverage();
     try (OutputFolder output = new OutputFolder(folder)) {
       try (RunRecorder recorder = new RunRecorder(output, true)) {
-        new Simulation(world, detection, zooming, 0, List.of(coverage, recorder.listener(0)))
+        new Simulation(world, detection, policy, 0, List.of(coverage, recorder.listener(0)))
             .run(steps);
       }
       output.commit(List.of());

@@ -11,7 +11,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,6 +26,25 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PolicyTest {
   private static final List<Double> RADII = List.of(3.0, 7.5, 14.0, 24.0);
   private static final String ZOOMS = "zooms=3;7.5;14;24";
+
+  private static final String CAMERA =
+      "<camera name='c%d' x='%d' y='%d' heading='0' viewing_angle='360' range='9'"
+          + " ai_algorithm='Active' comm='0'/>\n";
+  private static final String OBJECT =
+      "<object features='%d.5' x='%d' y='%d' heading='0' speed='0'/>\n";
+  private static final String DENSE =
+      """
+<root>
+  <simulation min_x='-7' max_x='7' min_y='-7' max_y='7'>
+    <cameras>%s</cameras>
+    <objects>%s</objects>
+    <events>
+      <event timestep='5' participant='camera' event='add' name='late' x='0' y='0' heading='0'
+          viewing_angle='360' range='9' comm='0'/>
+    </events>
+  </simulation>
+</root>
+""";
 
   @TempDir Path folder;
 
@@ -51,6 +75,47 @@ class PolicyTest {
     for (String file : List.of("steps.csv", "zooms.csv", "targets.csv")) {
       assertEquals(Files.readString(expected.resolve(file)), with.text("results/" + file), file);
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"dense.xml", "so-that-the-policy-begins-anew.scenario"})
+  void theSummaryTellsWhatTheOptimumCouldNotProve(String name) throws IOException {
+    Path file = Files.writeString(folder.resolve(name), dense());
+    String options = "detection=hifi:orb-power,policy=one-hop:nodes=0," + ZOOMS + ",out=results";
+    CamSimRun with = CamSimRun.of(folder.resolve("with"), options, file, 10);
+    assertEquals(!name.equals("dense.xml"), with.err().contains("begins anew"), with.err());
+    ProvingZoomPolicy policy =
+        (ProvingZoomPolicy) Engine.CATALOGUE.policies().create("one-hop:nodes=0");
+    Detection detection = Engine.detection("hifi:orb-power");
+    RunCoverage coverage =
+        Engine.record(folder.resolve("engine"), file, RADII, detection, policy, 10);
+    assertTrue(policy.unprovenSteps() > 5, policy.unprovenSteps() + " steps");
+    assertEquals(
+        List.of(
+            "\"unproven_steps\" : " + policy.unprovenSteps(),
+            "\"performance_bound\" : " + (coverage.performance() + policy.gap())),
+        proof(with));
+  }
+
+  /** More cameras side by side than a search without nodes can do right; one comes later. */
+  private static String dense() {
+    StringBuilder cameras = new StringBuilder();
+    StringBuilder objects = new StringBuilder();
+    for (int i = 0; i < 60; i++) {
+      cameras.append(CAMERA.formatted(i, i * 5 % 13 - 6, i * 7 % 11 - 5));
+    }
+    for (int i = 0; i < 30; i++) {
+      objects.append(OBJECT.formatted(i + 1, i * 3 % 11 - 5, i * 8 % 13 - 6));
+    }
+    return DENSE.formatted(cameras, objects);
+  }
+
+  private static List<String> proof(CamSimRun run) {
+    return Pattern.compile("\"(unproven_steps|performance_bound)\" : \\d+")
+        .matcher(run.text("results/summary.json"))
+        .results()
+        .map(MatchResult::group)
+        .toList();
   }
 
   @Test

@@ -47,7 +47,16 @@ class RefusalTest {
     CamSimRun with = CamSimRun.of(folder.resolve("with"), "out=stdout", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
     assertEquals(
-        "hificamsim-bridge: --out 'stdout' is a file, expected a folder" + UNCHANGED, with.err());
+        "hificamsim-bridge: folder 'stdout' is a file, expected a folder" + UNCHANGED, with.err());
+  }
+
+  @Test
+  void aFolderInAFileIsOneLineWithTheReason() {
+    CamSimRun with =
+        CamSimRun.of(folder.resolve("with"), "out=stdout/results", CamSimRun.CROSSING, 30);
+    assertEquals(
+        "hificamsim-bridge: folder 'stdout/results' cannot be made: Not a directory" + UNCHANGED,
+        with.err());
   }
 
   @Test

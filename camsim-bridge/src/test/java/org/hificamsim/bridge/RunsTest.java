@@ -9,6 +9,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -122,6 +124,70 @@ public class Threads {
   }
 
   @Test
+  void coresThatStepInTurnHaveARunEach() throws IOException {
+    CamSimRun both =
+        stepped(
+            "policy=sarsa,out=results",
+            """
+            for (int i = 0; i < 100; i++) {
+              first.update();
+              second.update();
+            }
+            first.close_files();
+            second.close_files();
+            """);
+    assertEquals("", both.err());
+    CamSimRun first =
+        CamSimRun.of(folder.resolve("1"), "policy=sarsa,out=results", CamSimRun.CROSSING, 100);
+    CamSimRun second =
+        CamSimRun.of(folder.resolve("2"), "policy=sarsa,seed=1,out=results", OTHER, 100);
+    assertEquals(first.text("looks.csv"), both.text("first/looks.csv"));
+    assertEquals(second.text("looks.csv"), both.text("second/looks.csv"));
+    assertEquals(100, both.rows("results/steps.csv").size());
+    assertEquals(100, both.rows("results/run-1/steps.csv").size());
+  }
+
+  @Test
+  void aCoreThatGoesOnAfterItsEndZoomsWithinItsOwnRanges() throws IOException {
+    CamSimRun on =
+        stepped(
+            "policy=zoom-in,out=results",
+            """
+            for (int end = 0; end < 3; end++) {
+              for (int i = 0; i < 10; i++) first.update();
+              first.close_files();
+            }
+            """);
+    assertEquals("", on.err());
+    assertEquals(10, on.rows("results/steps.csv").size());
+    assertEquals(
+        Set.of(4.0),
+        on.rows("first/looks.csv").stream()
+            .map(Look::of)
+            .filter(look -> look.camera().equals("A"))
+            .map(Look::range)
+            .collect(Collectors.toSet()));
+  }
+
+  @Test
+  void noRunNumberIsLeftOut() throws IOException {
+    CamSimRun on =
+        stepped(
+            "policy=random,seed=7,out=results",
+            """
+            first.update();
+            first.close_files();
+            first.close_files();
+            first.update();
+            first.close_files();
+            second.update();
+            second.close_files();
+            """);
+    assertEquals("", on.err());
+    assertTrue(on.text("results/run-1/summary.json").contains("\"seed\" : 8"));
+  }
+
+  @Test
   void moreThanCouldBeExpectedMakesThePolicyBeginAnew() throws IOException {
     Path file = folder.resolve("hidden.scenario"); // not told by its name to be a scenario
     Files.copy(CamSimRun.CROSSING, file);
@@ -153,6 +219,36 @@ public class Threads {
             List.of("-t", "5", OTHER.toString()));
     String summary = run.text("results/summary.json");
     assertTrue(summary.contains("\"scenario\" : \"tutorial-camsim\""), summary);
+  }
+
+  /** Runs statements that use two cores, {@code first} and {@code second}. */
+  private CamSimRun stepped(String options, String statements) throws IOException {
+    String main =
+        """
+        import epics.camsim.core.SimCore;
+        import java.io.File;
+        import java.nio.file.*;
+
+        public class Steps {
+          public static void main(String[] files) throws Exception {
+            SimCore first = core(files[0], "first");
+            SimCore second = core(files[1], "second");
+            STATEMENTS
+          }
+
+          private static SimCore core(String file, String folder) throws Exception {
+            Path output = Files.createDirectories(Paths.get(folder)).resolve("output.csv");
+            return new SimCore(new File(file), 0, output);
+          }
+        }
+        """;
+    Path classes = Variant.compile(folder, "Steps.java", main.replace("STATEMENTS", statements));
+    return CamSimRun.start(
+        folder.resolve("steps"),
+        options,
+        List.of(classes, CamSimRun.DOUBLES),
+        "Steps",
+        List.of(CamSimRun.CROSSING.toString(), OTHER.toString()));
   }
 
   private CamSimRun start(String main, String options, String... arguments) {

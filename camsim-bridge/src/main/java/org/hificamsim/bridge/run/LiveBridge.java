@@ -16,20 +16,22 @@ import org.hificamsim.core.Place;
  * Whatever goes wrong here is told in one line, and from then on CamSim is on its own.
  *
  * <p>A run begins with the first step of a {@code SimCore} and ends with its {@code close_files()},
- * with the first step of another core in the same thread, or with the JVM. Runs in several threads
- * do not meet.
+ * or with the JVM. Cores that step in turn, or in several threads, do not meet.
  */
 public final class LiveBridge implements Bridge {
   private final Setup setup;
   private final boolean strict;
   private final List<Run> runs = new ArrayList<>();
-  private final List<WeakReference<Object>> endedCores = new ArrayList<>();
+  private final List<Ended> ended = new ArrayList<>();
 
   @SuppressWarnings("ThreadLocalUsage") // a JVM has one bridge
   private final ThreadLocal<Run> current = new ThreadLocal<>();
 
   private int begun;
   private volatile boolean off;
+
+  /** A core whose run has ended, and that run's number. */
+  private record Ended(WeakReference<Object> core, int number) {}
 
   /**
    * @param strict whether the JVM stops when something goes wrong
@@ -43,10 +45,6 @@ public final class LiveBridge implements Bridge {
   public void stepBegins(Object core) {
     guarded(
         () -> {
-          Run before = current.get();
-          if (before != null && !before.isOf(core)) {
-            end(before);
-          }
           current.set(run(core));
           current.get().stepBegins();
         });
@@ -69,8 +67,8 @@ public final class LiveBridge implements Bridge {
   @Override
   public void looked(Object camera, Object object, double confidence) {
     Run run = current.get();
-    if (!off && run != null) {
-      run.looked(camera, object, confidence);
+    if (run != null) {
+      guarded(() -> run.looked(camera, object, confidence));
     }
   }
 
@@ -81,11 +79,7 @@ public final class LiveBridge implements Bridge {
 
   @Override
   public void runEnds(Object core) {
-    guarded(
-        () -> {
-          end(run(core));
-          current.remove();
-        });
+    guarded(() -> live(core).ifPresent(this::endAndLetGo));
   }
 
   /** Puts the files of all runs into place; the JVM is about to end, and cannot be stopped. */
@@ -147,14 +141,19 @@ public final class LiveBridge implements Bridge {
   }
 
   private synchronized Run run(Object core) {
-    return runs.stream().filter(run -> run.isOf(core)).findFirst().orElseGet(() -> begin(core));
+    return live(core).orElseGet(() -> begin(core));
+  }
+
+  private synchronized Optional<Run> live(Object core) {
+    return runs.stream().filter(run -> run.isOf(core)).findFirst();
   }
 
   /** A core that goes on after its end is steered still, but its files stay as they are. */
   private Run begin(Object core) {
-    boolean again = endedCores.stream().anyMatch(ended -> ended.get() == core);
+    Optional<Ended> earlier = ended.stream().filter(end -> end.core().refersTo(core)).findFirst();
+    Setup its = earlier.isPresent() ? setup.with(Optional.empty()) : setup;
     try {
-      Run run = new Run(again ? setup.with(Optional.empty()) : setup, begun++, core);
+      Run run = new Run(its, earlier.map(Ended::number).orElseGet(() -> begun++), core);
       runs.add(run);
       return run;
     } catch (IOException e) {
@@ -162,11 +161,18 @@ public final class LiveBridge implements Bridge {
     }
   }
 
+  /** The cameras' own ranges are known to the run alone: another one has to find them as before. */
+  private void endAndLetGo(Run run) {
+    current.remove();
+    end(run);
+    run.letGo();
+  }
+
   private void end(Run run) {
     synchronized (this) {
       runs.remove(run);
-      endedCores.removeIf(ended -> ended.get() == null);
-      endedCores.add(new WeakReference<>(run.core()));
+      ended.removeIf(end -> end.core().refersTo(null) || end.core().refersTo(run.core()));
+      ended.add(new Ended(new WeakReference<>(run.core()), run.number()));
     }
     try {
       run.end();

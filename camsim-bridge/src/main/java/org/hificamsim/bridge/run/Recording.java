@@ -3,6 +3,7 @@ package org.hificamsim.bridge.run;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
@@ -10,17 +11,20 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.experiments.output.OutputFolder;
 import org.hificamsim.experiments.output.RunRecorder;
 import org.hificamsim.experiments.output.SummaryFile;
+import org.hificamsim.experiments.run.Proof;
 import org.hificamsim.experiments.run.RunPlan;
 import org.hificamsim.experiments.run.RunResult;
 
-/** The files of one run, as {@code hificamsim run --record} writes them. */
+/**
+ * The files of one run, as {@code hificamsim run --record} writes them: {@code steps.csv}, {@code
+ * zooms.csv}, {@code targets.csv} and {@code summary.json}.
+ */
 final class Recording {
   private final int run;
   private final OutputFolder folder;
   private final RunRecorder recorder;
   private final RunCoverage sums = new RunCoverage();
   private final StepListener rows;
-  private boolean started;
 
   /**
    * Opens the files.
@@ -36,10 +40,6 @@ final class Recording {
 
   /** Writes the rows of a step. */
   void stepped(NetworkView network, StepCoverage coverage) {
-    if (!started) {
-      sums.started(network);
-      started = true;
-    }
     sums.stepped(network, coverage);
     rows.stepped(network, coverage);
   }
@@ -53,10 +53,11 @@ final class Recording {
    * Moves the files into place.
    *
    * @param plan the run's settings, and its seed
+   * @param proof what the policy proved; empty under one that does not claim to be the best
    */
-  void commit(RunPlan plan, long messages) throws IOException {
+  void commit(RunPlan plan, long messages, Optional<Proof> proof) throws IOException {
     recorder.close();
-    RunResult result = RunResult.of(run, plan.seed(), sums, messages);
+    RunResult result = RunResult.of(run, plan.seed(), sums, messages, proof);
     SummaryFile.write(folder.open("summary.json"), plan, List.of(result));
     folder.commit(List.of());
   }

@@ -69,6 +69,11 @@ final class Run {
     return core;
   }
 
+  /** Counts the runs of this JVM, from 0. */
+  int number() {
+    return number;
+  }
+
   /** A step begins. */
   void stepBegins() {
     prepared = false;
@@ -113,7 +118,10 @@ final class Run {
       ended = true;
       if (recording.isPresent()) {
         Recording files = recording.get();
-        files.commit(plan(files.steps()), steering.map(Steering::messages).orElse(0L));
+        files.commit(
+            plan(files.steps()),
+            steering.map(Steering::messages).orElse(0L),
+            steering.flatMap(Steering::proof));
       }
     }
   }

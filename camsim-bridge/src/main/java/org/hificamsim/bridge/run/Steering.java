@@ -1,8 +1,10 @@
 package org.hificamsim.bridge.run;
 
+import java.util.Optional;
 import java.util.SplittableRandom;
 import org.hificamsim.bridge.agent.Trouble;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.experiments.run.Proof;
 
 /**
  * A zoom policy that sets the ranges of CamSim's cameras.
@@ -16,6 +18,7 @@ final class Steering {
   private ZoomPolicy policy;
   private int[] levels;
   private long earlierMessages;
+  private Proof earlierProof = Proof.OF_NOTHING;
 
   Steering(Setup.Policy given, long seed) {
     this.given = given;
@@ -52,6 +55,11 @@ final class Steering {
     return earlierMessages + (policy == null ? 0 : policy.messages());
   }
 
+  /** What the policy proved; empty for one that does not claim to be the best. */
+  Optional<Proof> proof() {
+    return Optional.ofNullable(policy).flatMap(Proof::of).map(earlierProof::plus);
+  }
+
   private void begin(LiveNetwork network) {
     if (policy != null) {
       Trouble.note(
@@ -62,6 +70,7 @@ final class Steering {
       network.makeRoom();
     }
     earlierMessages = messages();
+    earlierProof = proof().orElse(earlierProof);
     policy = given.maker().get();
     policy.begin(network, new SplittableRandom(seed));
     levels = new int[network.cameras()];

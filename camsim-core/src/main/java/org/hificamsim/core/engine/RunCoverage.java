@@ -1,5 +1,6 @@
 package org.hificamsim.core.engine;
 
+import java.util.Arrays;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -17,12 +18,7 @@ public final class RunCoverage implements StepListener {
   private double sumOfMeans;
   private long detections;
   private long zoomChanges;
-  private int[] levels;
-
-  @Override
-  public void started(NetworkView network) {
-    levels = new int[network.cameras()];
-  }
+  private int[] levels = {};
 
   @Override
   public void stepped(NetworkView network, StepCoverage coverage) {
@@ -37,10 +33,15 @@ public final class RunCoverage implements StepListener {
     countZoomChanges(network);
   }
 
+  /** A camera's first level is no change; a network may grow. */
   private void countZoomChanges(NetworkView network) {
-    for (int camera = 0; camera < levels.length; camera++) {
+    int known = levels.length;
+    if (network.cameras() > known) {
+      levels = Arrays.copyOf(levels, network.cameras());
+    }
+    for (int camera = 0; camera < network.cameras(); camera++) {
       int level = network.level(camera);
-      if (steps > 1 && level != levels[camera]) {
+      if (camera < known && level != levels[camera]) {
         zoomChanges++;
       }
       levels[camera] = level;

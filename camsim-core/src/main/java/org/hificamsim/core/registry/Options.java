@@ -1,5 +1,6 @@
 package org.hificamsim.core.registry;
 
+import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -75,7 +76,7 @@ public final class Options {
     } catch (NumberFormatException e) {
       // told below
     }
-    throw invalid(key, text, "a number from " + least + " to " + most);
+    throw invalid(key, text, "a number " + range(least, most));
   }
 
   /** A whole number in [{@code least}, {@code most}]. */
@@ -162,6 +163,13 @@ public final class Options {
       // told below
     }
     throw invalid(key, text, "a whole number from " + least + " to " + most);
+  }
+
+  /** The least number that is above 0 says no more than that. */
+  private static String range(double least, double most) {
+    return least == Double.MIN_VALUE
+        ? "above 0 and at most " + BigDecimal.valueOf(most).stripTrailingZeros().toPlainString()
+        : "from " + least + " to " + most;
   }
 
   private InputException invalid(String key, String text, String expected) {

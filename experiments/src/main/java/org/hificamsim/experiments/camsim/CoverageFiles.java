@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.experiments.output.ManifestFile;
@@ -40,7 +41,7 @@ public final class CoverageFiles implements Closeable {
    */
   public void commit(List<String> command, Instant started, long messages) throws IOException {
     recorder.close();
-    RunResult result = RunResult.of(0, plan.seed(), coverage, messages);
+    RunResult result = RunResult.of(0, plan.seed(), coverage, messages, Optional.empty());
     SummaryFile.write(folder.open("summary.json"), plan, List.of(result));
     ManifestFile.write(folder.open("manifest.json"), command, started, plan.steps());
     folder.commit(RunRecorder.RECORDS);

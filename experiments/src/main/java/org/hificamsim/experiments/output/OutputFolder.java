@@ -8,6 +8,7 @@ import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
@@ -38,20 +39,28 @@ public final class OutputFolder implements Closeable {
   public OutputFolder(Path folder) {
     this.folder = folder;
     if (folder.toString().isEmpty()) {
-      throw new InputException("--out is empty, expected a folder");
+      throw new InputException("the folder for results has an empty name, expected one");
     }
     if (Files.exists(folder) && !Files.isDirectory(folder)) {
-      throw new InputException("--out '" + folder + "' is a file, expected a folder");
+      throw new InputException("folder '" + folder + "' is a file, expected a folder");
     }
     try {
       Files.createDirectories(folder);
     } catch (IOException e) {
-      throw new InputException("--out '" + folder + "' cannot be made: " + e.getMessage(), e);
+      throw new InputException("folder '" + folder + "' cannot be made: " + reason(e), e);
     }
     if (!Files.isWritable(folder)) {
-      throw new InputException("--out '" + folder + "' is not writable, expected a folder that is");
+      throw new InputException(
+          "folder '" + folder + "' is not writable, expected a folder that is");
     }
     removeLeftovers();
+  }
+
+  /** What the system says of it; where that is the path alone, the kind of problem. */
+  private static String reason(IOException e) {
+    return e instanceof FileSystemException told && told.getReason() != null
+        ? told.getReason()
+        : e.getClass().getSimpleName();
   }
 
   /** Removes what processes that were killed have left under temporary names. */

@@ -11,10 +11,18 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param gap what the performance might gain in those steps at most
  */
 public record Proof(long unprovenSteps, long gap) {
+  /** Of no steps at all. */
+  public static final Proof OF_NOTHING = new Proof(0, 0);
+
   /** What a policy proved; empty for one that does not claim to be the best. */
-  static Optional<Proof> of(ZoomPolicy policy) {
+  public static Optional<Proof> of(ZoomPolicy policy) {
     return policy instanceof ProvingZoomPolicy proving
         ? Optional.of(new Proof(proving.unprovenSteps(), proving.gap()))
         : Optional.empty();
+  }
+
+  /** What is proven of these steps and of others. */
+  public Proof plus(Proof other) {
+    return new Proof(unprovenSteps + other.unprovenSteps, gap + other.gap);
   }
 }

@@ -74,16 +74,17 @@ public record RunResult(
 
   /** The result of a repeat whose coverage has been added up, under a policy. */
   public static RunResult of(int run, long seed, RunCoverage coverage, ZoomPolicy policy) {
-    return of(run, seed, coverage, policy.messages(), Proof.of(policy).orElse(NO_CLAIM));
+    return of(run, seed, coverage, policy.messages(), Proof.of(policy));
   }
 
-  /** The result of a repeat whose coverage has been added up. */
-  public static RunResult of(int run, long seed, RunCoverage coverage, long messages) {
-    return of(run, seed, coverage, messages, NO_CLAIM);
-  }
-
-  private static RunResult of(
-      int run, long seed, RunCoverage coverage, long messages, Proof proof) {
+  /**
+   * The result of a repeat whose coverage has been added up.
+   *
+   * @param proven what its policy proved; empty under one that does not claim to be the best
+   */
+  public static RunResult of(
+      int run, long seed, RunCoverage coverage, long messages, Optional<Proof> proven) {
+    Proof proof = proven.orElse(NO_CLAIM);
     return new RunResult(
         run,
         seed,
