@@ -54,6 +54,8 @@ class ReportCommandTest {
       delimiter = '|',
       value = {
         "steps.csv | (?m)^0,7,[0-9]+ | 0,7,99 | steps.csv:9:5: '99,",
+        "steps.csv | (?m)^(0,7,.*),[0-9.]+$ | $1,9.5 | steps.csv:9:5: '",
+        "summary.json | (?<=performance. : )[0-9]+ | 99999 | summary.json: performance is 99999",
         "steps.csv | (?m)^0,29,.*\\n | '' | no row for run 0 and step 29",
         "summary.json | epsilon-greedy | sarsa | policy is 'sarsa', but replay.json says"
             + " 'epsilon-greedy'",
@@ -118,6 +120,17 @@ class ReportCommandTest {
     Cli report = Cli.run("report", run, "--out", folder.resolve("missing/page.html"));
     assertEquals(2, report.exit());
     assertTrue(report.err().contains("--out"), report.err());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"--run", "--step", "--from", "--to", "--every", "--per-second", "--width"})
+  void refusesWordsAboutPicturesThatNobodyAsksFor(String option) {
+    Cli report = Cli.run("report", record(), option, 5);
+    assertEquals(2, report.exit());
+    assertEquals(
+        "error: " + option + " is about pictures, expected --png, --svg or --gif with it\n",
+        report.err());
   }
 
   private Path record() {

@@ -22,6 +22,8 @@ import org.openqa.selenium.support.ui.Select;
 /** A recorded run's page in a browser. */
 class RunPageTest {
   private static final int STEPS = 200;
+  private static final int SLOWEST_DRAWING =
+      50; // milliseconds, the mean; some 5 on a quick machine
 
   @TempDir static Path folder;
   private static Browser browser;
@@ -98,6 +100,21 @@ class RunPageTest {
   }
 
   @Test
+  void showsTheWholeTipWhereverThePointerIs() {
+    open(run);
+    browser.until("return hificamsim.player.field.map !== undefined");
+    assertEquals(
+        true,
+        browser.run(
+            "const {field} = hificamsim.player, {width, height} = field.surface;field.nearest = ()"
+                + " => ({target: 0});const box = field.element.getBoundingClientRect();return [[1,"
+                + " 1], [width - 1, 1], [1, height - 1], [width - 1, height - 1]].every(at => { "
+                + " field.pointer = at; field.hover();  const tip ="
+                + " field.tip.getBoundingClientRect();  return tip.left >= box.left && tip.right <="
+                + " box.right    && tip.top >= box.top && tip.bottom <= box.bottom;})"));
+  }
+
+  @Test
   void tellsTheNumbersUnderThePointerOverTime() throws IOException {
     open(run);
     browser.until("return document.querySelectorAll('.u-over').length === 2");
@@ -129,6 +146,17 @@ class RunPageTest {
   }
 
   @Test
+  void playsSoManyStepsOfTheRunASecondHoweverManyOfThemAreShown() {
+    open(run);
+    assertEquals(
+        2.5,
+        browser.run(
+            "const {playhead} = hificamsim;Object.assign(playhead, {every: 4, speed: 100, playing:"
+                + " true, exact: 0, before: 0});playhead.tick(100); playhead.pause(); return"
+                + " playhead.exact"));
+  }
+
+  @Test
   void isPlayedWithKeysAlone() {
     open(run);
     browser.press(Keys.ARROW_RIGHT, Keys.ARROW_RIGHT);
@@ -148,6 +176,18 @@ class RunPageTest {
     for (WebElement control : browser.findAll("button, select, input, canvas[role=img]")) {
       assertTrue(!control.getAccessibleName().isBlank(), control.getDomProperty("outerHTML"));
     }
+  }
+
+  @Test
+  void isPlayedWithKeysOnTheSliderToo() {
+    open(run);
+    browser.run("document.querySelector('input[type=range]').focus()");
+    browser.press(Keys.ARROW_RIGHT);
+    assertEquals("1", browser.text("[data-name=step]"));
+    browser.press(" ");
+    browser.until("return hificamsim.playhead.playing");
+    browser.press(" ");
+    assertEquals(false, browser.run("return hificamsim.playhead.playing"));
   }
 
   @Test
@@ -217,6 +257,12 @@ class RunPageTest {
     System.out.printf(
         "report of 10,000 steps x 14 cameras x 8 targets: %,d bytes, frames %s%n",
         Files.size(page), browser.run("return JSON.stringify(hificamsim.playhead.drawn)"));
+    assertEquals(
+        true,
+        browser.run(
+            "const {milliseconds, frames} = hificamsim.playhead.drawn;"
+                + "return milliseconds / frames < arguments[0]",
+            SLOWEST_DRAWING));
     browser.assertQuietConsole();
   }
 

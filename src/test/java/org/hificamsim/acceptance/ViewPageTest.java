@@ -106,6 +106,15 @@ class ViewPageTest {
     browser.until("return !hificamsim.fault.hidden");
     assertTrue(browser.text("[role=alert]").contains("speed=9"), browser.text("[role=alert]"));
     assertEquals("zoom-out", browser.run("return hificamsim.runs[0].setup.policy"));
+    assertEquals("speed=9", options.getDomProperty("value")); // as long as somebody is at it
+    new Select(browser.find("[name=policy]")).selectByValue("sarsa");
+    browser.until("return hificamsim.runs[0].setup.policy === 'sarsa'");
+    browser.run(
+        "const {options, policy, element} = hificamsim.forms[0]; options.value = 'speed=9';"
+            + "policy.value = 'random'; element.dispatchEvent(new Event('change'))");
+    browser.until("return document.querySelector('[name=options]').value === ''");
+    assertEquals("sarsa", browser.find("[name=policy]").getDomProperty("value"));
+    assertTrue(browser.findAll("[name=policy] option[value=best-fixed]").isEmpty());
     browser.forgetConsole(); // Chromium tells of the answer 400
   }
 
@@ -134,6 +143,26 @@ class ViewPageTest {
     browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
     assertEquals(x - 60.0, number(place, "map.x(pose.x))"), 1);
     assertEquals(y + 50.0, number(place, "map.y(pose.y))"), 1);
+  }
+
+  @Test
+  void aCameraThatIsClickedStaysAndWhereItIsGrabbedDoesNotMatter() {
+    pause();
+    String drag =
+        "const {field} = hificamsim.players[0], {map, surface: {canvas}} = field;"
+            + "const run = hificamsim.runs[0], pose = run.pose(2, run.count - 1);"
+            + "const box = canvas.getBoundingClientRect(), told = [];"
+            + "canvas.setPointerCapture = () => {}; field.on.drag = (camera, x, y) =>"
+            + "  told.push([camera, Math.round(map.x(x) - map.x(pose.x)),"
+            + "    Math.round(map.y(y) - map.y(pose.y))].join(' '));"
+            + "const fire = (name, right, down) => canvas.dispatchEvent(new PointerEvent(name, {"
+            + "  button: arguments[0], clientX: box.left + map.x(pose.x) + 5 + right,"
+            + "  clientY: box.top + map.y(pose.y) - 4 + down}));"
+            + "fire('pointerdown', 0, 0); fire('pointermove', 2, 0); fire('pointermove', 12, 7);"
+            + "fire('pointermove', 1, 1); fire('pointercancel', 1, 1); fire('pointermove', 9, 9);"
+            + "return told.join()";
+    assertEquals("2 12 7,2 1 1", browser.run(drag, 0));
+    assertEquals("", browser.run(drag, 2));
   }
 
   @Test
@@ -194,6 +223,17 @@ class ViewPageTest {
     assertEquals(
         true, browser.run("return document.documentElement.scrollWidth <= innerWidth"), "overflow");
     browser.size(1280, 1000);
+  }
+
+  @Test
+  void saysThatItDoesNotShowEveryStep() {
+    pause();
+    step(9);
+    assertTrue(!browser.find("p.notice:not([role])").isDisplayed());
+    browser.run("hificamsim.runs[0].thin(); hificamsim.runs[0].thin(); hificamsim.refresh()");
+    browser.settle();
+    String told = browser.text("p.notice:not([role])");
+    assertTrue(told.matches("This run has \\d+ steps; the page shows one in 4 of the .*"), told);
   }
 
   @Test

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.experiments.output.OutputFile;
 import org.hificamsim.experiments.picture.Animation;
@@ -13,6 +14,7 @@ import org.hificamsim.experiments.plot.FigureFile;
 import org.hificamsim.experiments.replay.Recording;
 import org.hificamsim.experiments.replay.Replay;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
 
 /** The options of {@code report} that ask for pictures: for papers, without a browser. */
 final class PictureOptions {
@@ -80,6 +82,21 @@ final class PictureOptions {
   /** Whether any picture is asked for. */
   boolean asked() {
     return png != null || svg != null || gif != null;
+  }
+
+  /**
+   * Checks that nothing is said about pictures where none is asked for.
+   *
+   * @param words the command line
+   */
+  void checkNoneMeant(ParseResult words) {
+    for (String option :
+        List.of("--run", "--step", "--from", "--to", "--every", "--per-second", "--width")) {
+      if (words.hasMatchedOption(option)) {
+        throw new InputException(
+            option + " is about pictures, expected --png, --svg or --gif with it");
+      }
+    }
   }
 
   /** Draws what is asked for, telling each file on {@code out}. */

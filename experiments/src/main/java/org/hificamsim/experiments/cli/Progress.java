@@ -11,7 +11,12 @@ import me.tongfei.progressbar.ProgressBarBuilder;
  * short runs show nothing.
  */
 final class Progress implements AutoCloseable {
-  private static final long MOST_UNSEEN = 1 << 12;
+  /** Units between two looks at the clock, at most: more would save nothing. */
+  private static final long MOST_UNSEEN = 64;
+
+  /** As often as a look need be, nanoseconds. */
+  private static final long SOON = TimeUnit.MILLISECONDS.toNanos(1);
+
   private static final long QUIET = TimeUnit.SECONDS.toNanos(2);
   private static final long BETWEEN_LINES = TimeUnit.SECONDS.toNanos(10);
 
@@ -31,11 +36,13 @@ final class Progress implements AutoCloseable {
 
   private final ProgressLine line;
   private final long total;
-  private final long lookEvery;
   private final PrintWriter err;
   private final Telling telling;
   private final long started = System.nanoTime();
   private long done;
+  private long unseen = 1;
+  private long nextLook = 1;
+  private long lastLook = started;
   private long lastLine = started;
   private ProgressBar bar;
 
@@ -49,7 +56,6 @@ final class Progress implements AutoCloseable {
   Progress(String task, String unit, long total, PrintWriter err, Telling telling) {
     this.line = new ProgressLine(task, unit.strip(), total);
     this.total = total;
-    this.lookEvery = Math.max(1, Math.min(MOST_UNSEEN, total / 1000));
     this.err = err;
     this.telling = telling;
   }
@@ -57,8 +63,12 @@ final class Progress implements AutoCloseable {
   /** Counts one unit. */
   synchronized void advance() {
     done++;
-    if (done % lookEvery == 0 && telling != Telling.NOTHING) {
-      look(System.nanoTime());
+    if (done >= nextLook && telling != Telling.NOTHING) {
+      long now = System.nanoTime();
+      unseen = now - lastLook < SOON ? Math.min(2 * unseen, MOST_UNSEEN) : 1;
+      lastLook = now;
+      nextLook = done + unseen;
+      look(now);
     }
   }
 

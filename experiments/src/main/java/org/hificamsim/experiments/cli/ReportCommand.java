@@ -40,6 +40,8 @@ final class ReportCommand implements Callable<Integer> {
       if (out == null) {
         return 0;
       }
+    } else {
+      pictures.checkNoneMeant(spec.commandLine().getParseResult());
     }
     Path page = out != null ? out : folder.resolve(Report.FILE);
     Report.write(folder, page);

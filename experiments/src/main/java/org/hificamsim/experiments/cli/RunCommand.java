@@ -2,6 +2,7 @@ package org.hificamsim.experiments.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -43,6 +44,7 @@ import picocli.CommandLine.Spec;
 final class RunCommand implements Callable<Integer> {
   private static final int MOST_STEPS = 1_000_000_000;
   private static final int MOST_REPEATS = 1_000_000;
+  private static final int MOST_MEGABYTES = 5; // of a page
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
@@ -143,11 +145,24 @@ final class RunCommand implements Callable<Integer> {
       }
       output.commit(RunRecorder.RECORDS);
       if (replay.isPresent()) {
-        Report.write(folder, folder.resolve(Report.FILE));
+        report(folder);
       }
       SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
     }
     return 0;
+  }
+
+  private void report(Path folder) throws IOException {
+    Path page = folder.resolve(Report.FILE);
+    Report.write(folder, page);
+    double megabytes = Files.size(page) / 1e6;
+    if (megabytes >= MOST_MEGABYTES) {
+      stderr()
+          .printf(
+              "warning: %s has %.1f MB: where the cameras of this network stand, and what they see"
+                  + " at each zoom level, does not fit into %d MB%n",
+              page, megabytes, MOST_MEGABYTES);
+    }
   }
 
   /** Checks every option before anything is written. */

@@ -55,6 +55,11 @@ public record PackedRun(
         pack(recording.frames(), columns));
   }
 
+  /** How many bytes this takes in a file, but for a hundred or so. */
+  long bytes() {
+    return data.length() + (long) ReplayJson.of(moves).length();
+  }
+
   /**
    * The frames, as rounded.
    *

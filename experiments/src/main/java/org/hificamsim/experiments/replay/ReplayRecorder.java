@@ -37,7 +37,7 @@ public final class ReplayRecorder {
     this.setup = setup;
     this.detection = detection;
     this.repeats = repeats;
-    this.limits = limits;
+    this.limits = limits.beside(setup);
   }
 
   /** The listener that records one repeat. */
@@ -54,7 +54,7 @@ public final class ReplayRecorder {
   private boolean full() {
     long bytes = 0;
     for (int run = 0; tapes.containsKey(run) && tapes.get(run).packed() != null; run++) {
-      bytes += tapes.get(run).packed().data().length();
+      bytes += tapes.get(run).packed().bytes();
     }
     return bytes > limits.bytes();
   }
@@ -68,7 +68,7 @@ public final class ReplayRecorder {
     List<PackedRun> runs = new ArrayList<>();
     long bytes = 0;
     for (Tape tape : tapes.values()) {
-      bytes += tape.packed().data().length();
+      bytes += tape.packed().bytes();
       if (bytes > limits.bytes() && !runs.isEmpty()) {
         break;
       }

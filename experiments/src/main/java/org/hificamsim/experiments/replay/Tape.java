@@ -51,7 +51,7 @@ final class Tape implements StepListener {
   @Override
   public void ended(NetworkView network) {
     packed = pack(snapshots.estimated(network));
-    while (packed.data().length() > limits.bytes() && frames.size() > 2) {
+    while (packed.bytes() > limits.bytes() && frames.size() > 2) {
       thin();
       packed = pack(packed.estimated());
     }

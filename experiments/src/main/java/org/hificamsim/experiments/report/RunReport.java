@@ -16,6 +16,7 @@ import org.hificamsim.experiments.run.Metric;
 /** The page of a run that was recorded: made from its folder alone. */
 final class RunReport {
   private static final ObjectMapper JSON = new ObjectMapper();
+  private static final double ROUNDING = 1e-9;
 
   private final Path folder;
   private final Replay replay;
@@ -77,6 +78,16 @@ final class RunReport {
       check.expect(recording);
     }
     check.read();
+    checkPerformance((double) check.performance() / replay.repeat());
+  }
+
+  private void checkPerformance(double mean) {
+    double told = summary.path("performance").asDouble(Double.NaN);
+    if (!(Math.abs(told - mean) <= ROUNDING * Math.max(1, mean))) {
+      throw new InputException(
+          "%s: performance is %s, but the k_min of steps.csv make %s, expected the files of one run"
+              .formatted(folder.resolve("summary.json"), told, mean));
+    }
   }
 
   /** The settings, and each figure with its interval. */

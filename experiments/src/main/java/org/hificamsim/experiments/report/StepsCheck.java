@@ -17,6 +17,7 @@ import org.hificamsim.experiments.replay.Recording;
 final class StepsCheck {
   private final Path file;
   private final Map<String, String> expected = new HashMap<>();
+  private long performance;
 
   StepsCheck(Path file) {
     this.file = file;
@@ -35,7 +36,7 @@ final class StepsCheck {
                   coverage.covered1(),
                   coverage.coveredK())
               .mapToObj(Integer::toString)
-              .collect(Collectors.joining(",", "", ",")));
+              .collect(Collectors.joining(",", "", "," + coverage.meanK())));
     }
   }
 
@@ -63,10 +64,26 @@ final class StepsCheck {
   private void check(String line, int number) {
     int step = line.indexOf(',', line.indexOf(',') + 1) + 1;
     String wanted = expected.remove(line.substring(0, step));
-    if (wanted != null && !line.startsWith(wanted, step)) {
+    if (wanted != null && !line.substring(step).equals(wanted)) {
       throw new InputException(
           "%s:%d:%d: '%s', but the recorded run has %s there, expected the files of one run"
               .formatted(file, number, step + 1, line.substring(step), wanted));
     }
+    performance += kMin(line.substring(step).split(",", 2)[0], number, step + 1);
+  }
+
+  private long kMin(String text, int line, int column) {
+    try {
+      return Long.parseLong(text);
+    } catch (NumberFormatException e) {
+      throw new InputException(
+          "%s:%d:%d: k_min is '%s', expected a whole number".formatted(file, line, column, text),
+          e);
+    }
+  }
+
+  /** The sum of k_min over all rows that were read. */
+  long performance() {
+    return performance;
   }
 }

@@ -7,6 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.experiments.report.Page;
 
@@ -26,7 +27,10 @@ public final class LivePage {
       detections.add(0, detection);
     }
     List<Map<String, String>> policies =
-        catalogue.policies().entries().stream().map(LivePage::described).toList();
+        catalogue.policies().entries().stream()
+            .filter(entry -> live(catalogue, entry.name()))
+            .map(LivePage::described)
+            .toList();
     Map<String, Object> data =
         Map.of("scenario", scenario, "detections", detections, "policies", policies);
     try {
@@ -35,6 +39,11 @@ public final class LivePage {
     } catch (JsonProcessingException e) {
       throw new UncheckedIOException(e);
     }
+  }
+
+  /** Whether a policy can be viewed live: none that looks at the whole run first. */
+  private static boolean live(Catalogue catalogue, String policy) {
+    return !(catalogue.policies().create(policy) instanceof HindsightZoomPolicy);
   }
 
   private static Map<String, String> described(Registry.Entry<?> entry) {

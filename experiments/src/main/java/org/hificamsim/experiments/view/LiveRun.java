@@ -109,7 +109,10 @@ public final class LiveRun {
     choices.set(side, choice);
   }
 
-  /** Adds a second simulation of the same targets, with the first one's choice, or removes it. */
+  /**
+   * Adds a second simulation of the same targets, with the first one's choice, or removes it. The
+   * next step tells where every camera is.
+   */
   public void compare(boolean on) {
     if (on && sides.size() == 1) {
       World world = new World(scenario, catalogue.movements(), seed);
@@ -124,6 +127,7 @@ public final class LiveRun {
       sides.remove(1);
       choices.remove(1);
     }
+    sides.forEach(LiveSide::tellPosesAgain);
   }
 
   private void place(World world) {

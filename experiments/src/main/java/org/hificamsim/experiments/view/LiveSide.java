@@ -80,6 +80,13 @@ final class LiveSide {
     return moves;
   }
 
+  /**
+   * Has the next step tell where every camera is, for those who have forgotten the steps before.
+   */
+  void tellPosesAgain() {
+    begun = false;
+  }
+
   World world() {
     return world;
   }

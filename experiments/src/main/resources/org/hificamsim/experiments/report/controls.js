@@ -70,7 +70,7 @@ export class Controls {
     document.addEventListener('keydown', event => {
       const tag = event.target.tagName;
       if (event.ctrlKey || event.altKey || event.metaKey || tag === 'SELECT' || tag === 'TEXTAREA') return;
-      if (tag === 'INPUT' && event.target !== this.slider) return;
+      if (tag === 'INPUT' && event.target.type !== 'range') return;
       if (event.key === ' ' && (tag === 'BUTTON' || tag === 'SUMMARY')) return;
       const action = this.action(event);
       if (!action) return;

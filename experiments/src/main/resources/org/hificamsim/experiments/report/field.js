@@ -4,6 +4,8 @@ import { COVER, coverClass, shape } from './palette.js';
 
 const TRAIL = 40;
 const NEAR = 16;
+const STILL = 3; // pixels a pressed camera may be off before it moves
+const TIP_GAP = 16;
 const TRAIL_SEGMENTS = 1500;
 const MARGIN = [46, 36]; // for the numbers along the borders
 const ROOM = 40; // pixels a figure has about it before it shrinks
@@ -51,27 +53,33 @@ export class FieldView {
       this.tip.hidden = true;
     });
     canvas.addEventListener('pointerdown', event => this.pressed(event));
-    canvas.addEventListener('pointerup', () => (this.dragged = -1));
-    this.dragged = -1;
+    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => (this.grabbed = null));
   }
 
   pressed(event) {
+    if (event.button !== 0) return;
     this.pointer = [event.offsetX, event.offsetY];
     const camera = this.nearest().camera;
     this.on.select(camera);
     if (camera >= 0 && this.on.drag) {
-      this.dragged = camera;
+      const pose = this.run.pose(camera, this.frame);
+      this.grabbed = {camera, at: this.pointer, centre: [this.map.x(pose.x), this.map.y(pose.y)], moves: false};
       this.surface.canvas.setPointerCapture(event.pointerId);
     }
   }
 
   moved(event) {
     this.pointer = [event.offsetX, event.offsetY];
-    if (this.dragged >= 0) {
-      const [x, y] = this.map.place(...this.pointer);
-      this.on.drag(this.dragged, x, y);
-    }
+    if (this.grabbed) this.dragGrabbed(this.grabbed);
     this.hover();
+  }
+
+  /** Moves the camera as far as the pointer has moved: it does not jump to where it was pressed. */
+  dragGrabbed(grabbed) {
+    const {camera, at, centre} = grabbed;
+    const [right, down] = this.pointer.map((place, i) => place - at[i]);
+    grabbed.moves ||= Math.hypot(right, down) >= STILL;
+    if (grabbed.moves) this.on.drag(camera, ...this.map.place(centre[0] + right, centre[1] + down));
   }
 
   /** The camera and the target under the pointer; -1 for none. */
@@ -100,8 +108,9 @@ export class FieldView {
     this.tip.hidden = !lines;
     if (!lines) return;
     this.tip.textContent = lines.join('\n');
-    const left = Math.min(this.pointer[0] + 16, this.surface.width - 230);
-    this.tip.style.transform = `translate(${Math.max(0, left)}px, ${this.pointer[1] + 16}px)`;
+    const left = besides(this.pointer[0], this.tip.offsetWidth, this.surface.width);
+    const top = besides(this.pointer[1], this.tip.offsetHeight, this.surface.height);
+    this.tip.style.transform = `translate(${left}px, ${top}px)`;
   }
 
   describeTarget(i) {
@@ -274,6 +283,12 @@ export class FieldView {
     this.surface.canvas.setAttribute('aria-label', `The field at step ${row.step}: ${row.targets} targets, ` +
       `${row.covered_0} covered by no camera, ${row.covered_1} by one, ${row.covered_k} by two or more.`);
   }
+}
+
+/** Where something of this size begins: after the pointer, or before it where there is no room. */
+function besides(pointer, size, room) {
+  const after = pointer + TIP_GAP;
+  return Math.max(0, after + size <= room ? after : pointer - TIP_GAP - size);
 }
 
 /** Maps metres to pixels, the whole field in sight, y upwards. */

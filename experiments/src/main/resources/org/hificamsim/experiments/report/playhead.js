@@ -4,8 +4,13 @@ export const SPEEDS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
 const LONGEST_PAUSE = 250;
 
 export class Playhead {
-  constructor(count = 0) {
+  /**
+   * @param count frames
+   * @param every steps from one frame to the next
+   */
+  constructor(count = 0, every = 1) {
     this.count = count;
+    this.every = every;
     this.frame = 0;
     this.playing = false;
     this.speed = 10;
@@ -63,7 +68,7 @@ export class Playhead {
     if (!this.playing) return;
     const passed = Math.max(0, Math.min(now - this.before, LONGEST_PAUSE));
     this.before = now;
-    this.exact = Math.min(this.exact + (passed * this.speed) / 1000, this.count - 1);
+    this.exact = Math.min(this.exact + (passed * this.speed) / (1000 * this.every), this.count - 1);
     const frame = Math.floor(this.exact);
     if (frame !== this.frame) {
       this.frame = frame;

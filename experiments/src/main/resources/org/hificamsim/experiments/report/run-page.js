@@ -1,5 +1,6 @@
 // The page of one run that was recorded: its replay, with a choice among the repeats.
 import { el, decimals, percent } from './dom.js';
+import { thinned } from './run.js';
 import { unpack } from './recording.js';
 import { Playhead } from './playhead.js';
 import { Controls } from './controls.js';
@@ -14,14 +15,15 @@ export async function runPage(root, data) {
 
   async function open(index) {
     const run = await unpack(setup, runs[index]);
-    const playhead = new Playhead(run.count);
+    const playhead = new Playhead(run.count, run.every);
     controls = new Controls(playhead, run);
     const player = new Player(run, playhead, {middle: controls.element});
     place.replaceChildren(player.element);
     window.hificamsim = {run, playhead, player};
     playhead.show(run.frameAt(Number(location.hash.slice(1)) || 0)); // report.html#120 opens at step 120
     root.dataset.ready = String(index);
-    if (runs[index].every > 1) place.prepend(el('p', {class: 'notice'}, thinned(runs[index])));
+    if (run.every > 1) place.prepend(el('p', {class: 'notice'},
+      `${thinned(run, run.every)}, and the last, so that the file stays small. steps.csv has them all.`));
   }
 
   const keys = new Controls(new Playhead(), {count: 0, steps: 0});
@@ -29,9 +31,6 @@ export async function runPage(root, data) {
   keys.listen();
   await open(0);
 }
-
-const thinned = run => `This run has ${run.steps} steps; the page shows one in ${run.every}, and the last, so that the file stays small. ` +
-  'steps.csv has them all.';
 
 function header({replay: {setup, runs, repeat}, settings}, open) {
   const facts = [setup.detection, `threshold ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
@@ -51,7 +50,7 @@ function chooser(runs, repeat, open) {
 /** The whole run in numbers, and how to do it again. */
 function details({summary, command, version}) {
   const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) =>
-    el('tr', {}, el('th', {scope: 'row'}, name), el('td', {data: {name: `summary-${name}`}}, String(mean)),
+    el('tr', {}, el('th', {scope: 'row'}, name), el('td', {data: {name: `summary-${name}`}}, decimals(mean, 4)),
       el('td', {}, low === high ? '' : `${decimals(low, 4)} to ${decimals(high, 4)}`)));
   const settings = Object.entries(summary.settings).map(([name, value]) =>
     el('tr', {}, el('th', {scope: 'row'}, name), el('td', {}, Array.isArray(value) ? value.join(' ') : String(value))));

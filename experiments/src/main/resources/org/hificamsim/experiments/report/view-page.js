@@ -1,6 +1,6 @@
 // The live page: one or two simulations of the same targets, stepped by the command that serves it.
 import { el, decimals, say } from './dom.js';
-import { Run } from './run.js';
+import { Run, thinned } from './run.js';
 import { Controls } from './controls.js';
 import { Player } from './player.js';
 import { LivePlayhead } from './live-playhead.js';
@@ -27,8 +27,9 @@ class LiveView {
     this.keep = el('input', {type: 'checkbox', id: 'keep', checked: true});
     this.twice = el('button', {type: 'button', id: 'compare', onclick: () => this.send({command: 'compare', on: this.runs.length < 2})});
     this.fault = el('p', {class: 'notice', role: 'alert', hidden: true});
+    this.thinned = el('p', {class: 'notice', hidden: true});
     this.place = el('div');
-    root.append(this.header(), this.fault, this.place);
+    root.append(this.header(), this.fault, this.thinned, this.place);
     this.playhead = new LivePlayhead(command => this.send(command));
     this.controls = new Controls(this.playhead, {count: 0, steps: 0, step: []});
     this.controls.listen();
@@ -109,9 +110,14 @@ class LiveView {
   }
 
   form(run, side) {
-    const form = new ChoiceForm(this.data, choice => this.send({command: 'choose', side, ...choice}));
+    const form = new ChoiceForm(this.data, choice => this.choose(side, choice));
     form.show(run.setup);
     return form;
+  }
+
+  /** Has a simulation go on under another choice; where that is refused, the form says again what it runs under. */
+  async choose(side, choice) {
+    if (!(await this.send({command: 'choose', side, ...choice}))) this.forms[side]?.show(this.runs[side].setup);
   }
 
   /** A camera that is chosen in one simulation is chosen in the other. */
@@ -138,8 +144,16 @@ class LiveView {
       this.playhead.grow(this.runs[0].count);
       this.players.forEach(player => player.grew());
       this.runs.forEach((run, i) => this.forms[i].recent(meanKMin(run)));
+      this.tellThinned(this.runs[0]);
       if (this.runs[0].count) this.root.dataset.ready = '';
     });
+  }
+
+  /** The first steps are the ones that lie furthest apart. */
+  tellThinned(run) {
+    const every = run.count > 1 ? run.step[1] - run.step[0] : 1;
+    this.thinned.hidden = every === 1;
+    if (every > 1) say(this.thinned, `${thinned(run, every)} of the first ones, and all of the last.`);
   }
 
   state(state) {

@@ -65,10 +65,22 @@ class ReplayRecorderTest {
 
   @Test
   void thinsUntilTheBytesFit() throws IOException {
-    record(plan("lattice-random", "sarsa", 1000, 1), new TapeLimits(10_000, 1 << 20, 5_000));
+    record(plan("lattice-random", "sarsa", 1000, 1), new TapeLimits(10_000, 1 << 20, 20_000));
     Replay replay = Replay.read(folder);
     assertTrue(replay.runs().get(0).every() > 1);
-    assertTrue(replay.runs().get(0).data().length() <= 5_000);
+    long bytes = Files.size(folder.resolve(ReplayRecorder.FILE));
+    assertTrue(bytes <= 20_500, bytes + " bytes");
+  }
+
+  @Test
+  void keepsTheFirstAndTheLastStepsOfOneRunWhereTheSetupAloneIsTooLarge() throws IOException {
+    record(plan("lattice-random", "sarsa", 100, 2), new TapeLimits(10_000, 1 << 20, 10));
+    Replay replay = Replay.read(folder);
+    assertEquals(1, replay.runs().size());
+    List<Frame> frames = replay.recording(folder, 0).frames();
+    assertEquals(0, frames.get(0).step());
+    assertEquals(99, frames.get(frames.size() - 1).step());
+    assertTrue(frames.size() <= 3, frames.size() + " frames");
   }
 
   @Test
@@ -78,7 +90,9 @@ class ReplayRecorderTest {
     Replay all = Replay.read(folder);
     assertEquals(5, all.runs().size());
     assertEquals(4, all.runs().get(4).seed());
-    record(plan, new TapeLimits(1000, 1 << 20, 2 * all.runs().get(0).data().length() + 2000));
+    int setup = ReplayJson.of(all.setup()).length();
+    record(
+        plan, new TapeLimits(1000, 1 << 20, setup + 2 * all.runs().get(0).data().length() + 2000));
     assertEquals(2, Replay.read(folder).runs().size());
     assertEquals(5, Replay.read(folder).repeat());
   }

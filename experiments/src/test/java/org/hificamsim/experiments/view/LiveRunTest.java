@@ -117,6 +117,24 @@ class LiveRunTest {
   }
 
   @Test
+  void comparingTellsWhereEveryCameraIsInEachSimulation() {
+    LiveRun live = live("cluster-random", 0);
+    steps(live, 2);
+    live.drag(2, 0, 0);
+    steps(live, 2);
+    live.compare(true);
+    LiveStep both = live.step();
+    List<Move> moves = both.sides().get(0).moves();
+    assertEquals(14, moves.size());
+    assertEquals(0, moves.get(2).pose().x());
+    assertEquals(ReplayJson.of(moves), ReplayJson.of(both.sides().get(1).moves()));
+    live.compare(false);
+    assertEquals(
+        ReplayJson.of(moves.get(2).pose()),
+        ReplayJson.of(live.step().sides().get(0).moves().get(2).pose()));
+  }
+
+  @Test
   void draggingChangesWhatIsDetected() {
     LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0);
     LiveRun still = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0);
