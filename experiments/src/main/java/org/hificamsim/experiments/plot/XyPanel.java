@@ -28,6 +28,8 @@ public final class XyPanel {
   /** How far axes reach beyond their ends: XChart leaves out a tick that stands on the very end. */
   private static final double EDGE = 0.003;
 
+  private static final double LOGARITHMIC_CONTENT = 0.94;
+
   private final XYChart chart;
 
   /** An empty panel with these axes. */
@@ -59,10 +61,13 @@ public final class XyPanel {
     return this;
   }
 
-  /** Makes both axes logarithmic. */
+  /** Makes both axes logarithmic, with numbers written out and room around what is drawn. */
   public XyPanel logarithmic() {
     chart.getStyler().setXAxisLogarithmic(true);
     chart.getStyler().setYAxisLogarithmic(true);
+    chart.getStyler().setXAxisDecimalPattern("#,##0.###");
+    chart.getStyler().setYAxisDecimalPattern("#,##0.###");
+    chart.getStyler().setPlotContentSize(LOGARITHMIC_CONTENT);
     return this;
   }
 
