@@ -9,7 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -115,6 +117,19 @@ class ComparisonPageTest {
     assertEquals(7, browser.findAll(".lines .u-legend .u-series").size());
     assertEquals(List.of(address()), browser.requests());
     browser.assertQuietConsole();
+  }
+
+  @Test
+  void theLegendTellsEveryCurveApart() {
+    open();
+    Set<String> looks = new HashSet<>();
+    List<WebElement> pieces =
+        browser.findAll(".lines .u-legend .u-series:not(:first-child) .u-marker");
+    for (WebElement piece : pieces) {
+      looks.add(piece.getCssValue("border-top-color") + piece.getCssValue("border-top-style"));
+    }
+    assertEquals(6, pieces.size());
+    assertEquals(pieces.size(), looks.size(), looks.toString());
   }
 
   @Test

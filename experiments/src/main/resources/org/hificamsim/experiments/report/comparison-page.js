@@ -94,6 +94,9 @@ function choice(name, values, chosen, onchange) {
   return select;
 }
 
+/** What tells detection models apart: the lines, and their pieces in the legend. */
+const DASHES = [{line: [], piece: 'solid'}, {line: [8, 4], piece: 'dashed'}, {line: [2, 4], piece: 'dotted'}, {line: [10, 3, 2, 3], piece: 'double'}];
+
 /** k_min over time of a scenario's cases: policies by colour, detection models by dashes. */
 function curves({curves: {cases, steps}, colours}) {
   const pick = choice('scenario', distinct(cases, 'scenario'), cases[0].scenario, () => draw());
@@ -110,15 +113,16 @@ function curves({curves: {cases, steps}, colours}) {
     plot?.destroy();
     plot = new uPlot({
       width: box.clientWidth || 600, height: 26 * rem(), padding: [8, rem(), 0, 0], cursor: {drag: {x: true, y: false}},
-      scales: {x: {time: false}, y: {range: (any, low, high) => [0, Math.max(1, high) * 1.05]}},
+      scales: {x: {time: false}, y: {range: (any, low, high) => [0, (high || 1) * 1.05]}},
       axes: [axis({size: 2.2 * rem(), space: 5 * rem(), label: 'step', labelSize: 1.4 * rem(), labelFont: font()}), axis({size: 3.5 * rem(), space: 2 * rem()})],
       series: [{label: 'step'}, ...shown.map(one => series(one))],
+      legend: {markers: {dash: (any, i) => DASHES[Math.max(0, detections.indexOf(shown[i - 1]?.detection)) % DASHES.length].piece}},
     }, [x, ...shown.map(one => movingMean(one.k_min, (Number(width.value) - 1) / 2))], box);
   }
 
   const series = ({policy, detection}) => ({
     label: `${policy}, ${detection}`, stroke: colours[policy] === '#000000' ? () => style('--ink') : colours[policy], width: 0.12 * rem(),
-    dash: [[], [8, 4], [2, 4], [10, 3, 2, 3]][detections.indexOf(detection) % 4], points: {show: false},
+    dash: DASHES[detections.indexOf(detection) % DASHES.length].line, points: {show: false},
     value: (any, value) => (value == null ? '' : decimals(value, SHORT)),
   });
   new ResizeObserver(() => requestAnimationFrame(() => {

@@ -53,7 +53,7 @@ class Chart {
 
   make(width, height) {
     this.plot = new uPlot({
-      width, height, legend: {show: false}, padding: [6, RIGHT * rem(), 0, 0],
+      width, height, legend: {show: false}, padding: [Math.round(0.6 * rem()), RIGHT * rem(), 0, 0],
       cursor: {drag: {x: false, y: false}, points: {show: false}, y: false, x: false},
       scales: {x: {time: false, range: (plot, low, high) => [low, Math.max(high, low + 1)]}, ...this.more.scales},
       axes: [axis({size: 1.7 * rem(), space: 4 * rem()}), axis({size: GUTTER * rem(), space: 1.8 * rem(), ...this.more.yAxis})],
