@@ -7,11 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What a run says where the exact optimum ran out of search nodes. */
+/** What runs and comparisons say where the exact optimum ran out of search nodes. */
 class ProofTest {
   @TempDir Path folder;
 
@@ -37,11 +39,60 @@ class ProofTest {
     assertFalse(summary().has("unproven_steps"));
   }
 
+  @Test
+  void comparisonsTellStepsWithoutAProof() throws IOException {
+    Path scenario = folder.resolve("dense.xml");
+    Cli.run("generate", scenario, "--cameras", 60, "--targets", 30, "--area", 3);
+    Cli compared = compare(scenario);
+    assertTrue(
+        compared.err().contains("'one-hop:nodes=0' is not proven to be the best in "),
+        compared.err());
+    assertFalse(compared.err().contains("'optimal' is not proven"), compared.err());
+    assertTrue(figure("one-hop:nodes=0", "unproven_steps") > 0);
+    assertTrue(
+        figure("one-hop:nodes=0", "performance_bound") > figure("one-hop:nodes=0", "performance"));
+    assertEquals(0, figure("optimal", "unproven_steps"));
+    assertEquals(figure("optimal", "performance"), figure("optimal", "performance_bound"));
+    assertFalse(metrics().anyMatch(row -> row.contains(",zoom-out,") && row.contains("_bound,")));
+  }
+
   private Cli run(Path scenario, String policy) {
     Cli run =
         Cli.run("run", scenario, "--policy", policy, "--steps", 30, "--out", folder.resolve("out"));
     assertEquals(0, run.exit(), run.err());
     return run;
+  }
+
+  private Cli compare(Path scenario) {
+    Cli run =
+        Cli.run(
+            "compare",
+            scenario,
+            "--detections",
+            "hifi:orb-lin",
+            "--policies",
+            "zoom-out,one-hop:nodes=0",
+            "--steps",
+            30,
+            "--repeat",
+            1,
+            "--out",
+            folder.resolve("out"));
+    assertEquals(0, run.exit(), run.err());
+    return run;
+  }
+
+  private double figure(String policy, String metric) throws IOException {
+    String row =
+        metrics()
+            .filter(line -> line.contains("," + policy + ",0," + metric + ","))
+            .findAny()
+            .get();
+    return Double.parseDouble(row.substring(row.lastIndexOf(',') + 1));
+  }
+
+  private Stream<String> metrics() throws IOException {
+    return Files.readAllLines(folder.resolve("out/metrics.csv")).stream();
   }
 
   private JsonNode summary() throws IOException {

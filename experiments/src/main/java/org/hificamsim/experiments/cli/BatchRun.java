@@ -59,7 +59,9 @@ final class BatchRun {
       part(shard.get(), engine, all, out);
       return Optional.empty();
     }
-    return Optional.of(whole(engine, plans, out, writing, extras));
+    List<CaseResult> results = whole(engine, plans, out, writing, extras);
+    results.forEach(this::tellUnproven);
+    return Optional.of(results);
   }
 
   private List<CaseResult> whole(
@@ -77,6 +79,22 @@ final class BatchRun {
             extras.write(folder, results);
             manifest(folder, steps);
           });
+    }
+  }
+
+  /** Says so where a policy's claim to be the best is not proven for every step. */
+  private void tellUnproven(CaseResult one) {
+    if (one.proof().unprovenSteps() > 0) {
+      RunPlan plan = one.plan();
+      options
+          .quiet()
+          .err(command)
+          .printf(
+              "warning: scenario %s, detection %s: '%s' is not proven to be the best in %s%n",
+              plan.scenario().name(),
+              plan.detection().model().name(),
+              plan.policy(),
+              one.proof().missing((long) plan.steps() * plan.repeats()));
     }
   }
 

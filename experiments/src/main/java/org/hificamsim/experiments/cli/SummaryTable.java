@@ -53,14 +53,9 @@ final class SummaryTable {
 
   /** Says so where the policy's claim to be the best is not proven for every step. */
   private void unproven(RunPlan plan) {
-    List<Proof> proofs = results.stream().flatMap(result -> result.proof().stream()).toList();
-    long steps = proofs.stream().mapToLong(Proof::unprovenSteps).sum();
-    if (steps > 0) {
-      long gap = proofs.stream().mapToLong(Proof::gap).sum();
-      long all = (long) plan.steps() * plan.repeats();
-      line(
-          "not proven",
-          "%d of %d steps; their k_min might be up to %d higher in sum".formatted(steps, all, gap));
+    Proof proof = RunResult.proofOf(results);
+    if (proof.unprovenSteps() > 0) {
+      line("not proven", proof.missing((long) plan.steps() * plan.repeats()));
     }
   }
 

@@ -1,7 +1,10 @@
 package org.hificamsim.experiments.compare;
 
+import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.experiments.run.Proof;
 import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.experiments.run.RunResult;
 
 /**
  * One plan with all its runs.
@@ -12,6 +15,20 @@ import org.hificamsim.experiments.run.RunPlan;
  *     intervals over time are made of
  */
 public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, double[][] levels) {
+  /** The figures that the case has. */
+  List<Score> scores() {
+    List<Score> scores = new ArrayList<>(Score.ALL);
+    if (runs.get(0).result().proof().isPresent()) {
+      scores.addAll(Score.OF_PROOFS);
+    }
+    return scores;
+  }
+
+  /** What is proven of all runs together. */
+  public Proof proof() {
+    return RunResult.proofOf(runs.stream().map(ScoredRun::result).toList());
+  }
+
   /** One figure of every run. */
   public double[] figures(Score score) {
     return runs.stream().mapToDouble(score::of).toArray();

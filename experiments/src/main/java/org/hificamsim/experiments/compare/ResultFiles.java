@@ -76,7 +76,7 @@ final class ResultFiles {
             "value")) {
       for (CaseResult one : cases) {
         for (ScoredRun run : one.runs()) {
-          for (Score score : Score.ALL) {
+          for (Score score : one.scores()) {
             table.row(
                 one.plan().scenario().name(),
                 one.plan().detection().model().name(),
@@ -108,7 +108,7 @@ final class ResultFiles {
             "difference_low",
             "difference_high")) {
       for (CaseResult one : cases) {
-        for (Score score : Score.ALL) {
+        for (Score score : one.scores()) {
           summary(table, one, score, reference(one.plan(), cases));
         }
       }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.experiments.run.Metric;
+import org.hificamsim.experiments.run.Proof;
 
 /**
  * A figure of a scored run: what a run measures on its own, and what needs the optimum beside it.
@@ -18,6 +19,12 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
   /** Every figure, in the order of files. */
   public static final List<Score> ALL = all();
 
+  /** Figures of the policies that claim to be the best, beside all others. */
+  static final List<Score> OF_PROOFS =
+      List.of(
+          new Score("unproven_steps", run -> proof(run).unprovenSteps()),
+          new Score("performance_bound", run -> run.result().performance() + proof(run).gap()));
+
   /** The figure of one run. */
   public double of(ScoredRun run) {
     return figure.applyAsDouble(run);
@@ -26,6 +33,10 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
   /** A metric as a score. */
   public static Score of(Metric metric) {
     return new Score(metric.label(), run -> metric.of(run.result()));
+  }
+
+  private static Proof proof(ScoredRun run) {
+    return run.result().proof().orElseThrow();
   }
 
   private static List<Score> all() {

@@ -21,6 +21,16 @@ public record Proof(long unprovenSteps, long gap) {
         : Optional.empty();
   }
 
+  /**
+   * Says what is not proven.
+   *
+   * @param steps how many there were
+   */
+  public String missing(long steps) {
+    return "%d of %d steps; their k_min might be up to %d higher in sum"
+        .formatted(unprovenSteps, steps, gap);
+  }
+
   /** What is proven of these steps and of others. */
   public Proof plus(Proof other) {
     return new Proof(unprovenSteps + other.unprovenSteps, gap + other.gap);

@@ -1,6 +1,7 @@
 package org.hificamsim.experiments.run;
 
 import java.io.Serializable;
+import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -70,6 +71,13 @@ public record RunResult(
   /** What the policy proved; empty under one that does not claim to be the best. */
   public Optional<Proof> proof() {
     return unprovenSteps < 0 ? Optional.empty() : Optional.of(new Proof(unprovenSteps, gap));
+  }
+
+  /** What is proven of several repeats together; of nothing where the policy claims nothing. */
+  public static Proof proofOf(List<RunResult> results) {
+    return results.stream()
+        .flatMap(result -> result.proof().stream())
+        .reduce(Proof.OF_NOTHING, Proof::plus);
   }
 
   /** The result of a repeat whose coverage has been added up, under a policy. */
