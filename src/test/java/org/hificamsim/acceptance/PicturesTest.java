@@ -85,25 +85,28 @@ class PicturesTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "--step 60 | --step is 60, expected a step from 0 to 59",
-        "--step -1 | --step is -1, expected a step from 0 to 59",
-        "--step x | 'x'",
-        "--run 2 | --run is 2, expected one of the 2 repeats recorded",
-        "--from 30 --to 20 | --to is 20, expected a step from 30 on",
-        "--every 0 | --every is 0, expected a multiple of 1, above 0",
-        "--width 5 | --width is 5, expected a whole number from 200 to 8000",
-        "--per-second 0 | --per-second is 0, expected a whole number from 1 to 50",
+        "--png FILE --step 60 | --step is 60, expected a step from 0 to 59",
+        "--png FILE --step -1 | --step is -1, expected a step from 0 to 59",
+        "--png FILE --step x | 'x'",
+        "--png FILE --run 2 | --run is 2, expected one of the 2 repeats recorded",
+        "--gif FILE --from 30 --to 20 | --to is 20, expected a step from 30 on",
+        "--gif FILE --every 0 | --every is 0, expected a multiple of 1, above 0",
+        "--png FILE --width 5 | --width is 5, expected a whole number from 200 to 8000",
+        "--gif FILE --per-second 0 | --per-second is 0, expected a whole number from 1 to 50",
       })
   void wrongNumbersAreToldInOneLine(String options, String expected) {
-    Path png = folder.resolve("a.png");
+    Path file = folder.resolve("picture");
     Object[] words =
-        Stream.concat(Stream.of("report", run, "--png", png), Stream.of(options.strip().split(" ")))
+        Stream.concat(
+                Stream.of("report", run),
+                Stream.of(options.strip().split(" "))
+                    .map(word -> word.equals("FILE") ? file : word))
             .toArray();
     Cli report = Cli.run(words);
     assertEquals(2, report.exit());
     assertEquals(1, report.err().lines().count(), report.err());
     assertTrue(report.err().contains(expected), report.err());
-    assertFalse(Files.exists(png));
+    assertFalse(Files.exists(file));
   }
 
   @Test

@@ -8,6 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -123,14 +125,24 @@ class ReportCommandTest {
   }
 
   @ParameterizedTest
-  @ValueSource(
-      strings = {"--run", "--step", "--from", "--to", "--every", "--per-second", "--width"})
-  void refusesWordsAboutPicturesThatNobodyAsksFor(String option) {
-    Cli report = Cli.run("report", record(), option, 5);
+  @CsvSource({
+    "--run, '--png, --svg or --gif', ",
+    "--step, --png or --svg, --gif",
+    "--from, --gif, --png",
+    "--to, --gif, --svg",
+    "--every, --gif, --png",
+    "--per-second, --gif, ",
+    "--width, --png or --gif, --svg"
+  })
+  void refusesWordsAboutPicturesThatNobodyAsksFor(String option, String needed, String given) {
+    List<Object> words = new ArrayList<>(List.of("report", record(), option, 5));
+    if (given != null) {
+      words.addAll(List.of(given, folder.resolve("picture")));
+    }
+    Cli report = Cli.run(words.toArray());
     assertEquals(2, report.exit());
-    assertEquals(
-        "error: " + option + " is about pictures, expected --png, --svg or --gif with it\n",
-        report.err());
+    assertEquals("error: " + option + " needs " + needed + " beside it\n", report.err());
+    assertFalse(Files.exists(folder.resolve("picture")));
   }
 
   private Path record() {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.file.Path;
-import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.experiments.output.OutputFile;
 import org.hificamsim.experiments.picture.Animation;
@@ -85,16 +84,22 @@ final class PictureOptions {
   }
 
   /**
-   * Checks that nothing is said about pictures where none is asked for.
+   * Checks that nothing is said about pictures that are not asked for.
    *
    * @param words the command line
    */
-  void checkNoneMeant(ParseResult words) {
-    for (String option :
-        List.of("--run", "--step", "--from", "--to", "--every", "--per-second", "--width")) {
-      if (words.hasMatchedOption(option)) {
-        throw new InputException(
-            option + " is about pictures, expected --png, --svg or --gif with it");
+  void check(ParseResult words) {
+    boolean still = png != null || svg != null;
+    require(words, still, "--png or --svg", "--step");
+    require(words, gif != null, "--gif", "--from", "--to", "--every", "--per-second");
+    require(words, still || gif != null, "--png, --svg or --gif", "--run");
+    require(words, png != null || gif != null, "--png or --gif", "--width");
+  }
+
+  private static void require(ParseResult words, boolean asked, String by, String... about) {
+    for (String option : about) {
+      if (!asked && words.hasMatchedOption(option)) {
+        throw new InputException(option + " needs " + by + " beside it");
       }
     }
   }

@@ -35,13 +35,12 @@ final class ReportCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
+    pictures.check(spec.commandLine().getParseResult());
     if (pictures.asked()) {
       pictures.write(folder, spec.commandLine().getOut());
       if (out == null) {
         return 0;
       }
-    } else {
-      pictures.checkNoneMeant(spec.commandLine().getParseResult());
     }
     Path page = out != null ? out : folder.resolve(Report.FILE);
     Report.write(folder, page);
