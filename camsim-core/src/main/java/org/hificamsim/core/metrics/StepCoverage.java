@@ -11,7 +11,7 @@ public final class StepCoverage {
   private int targets;
   private int least;
   private int uncovered;
-  private int coveredOnce;
+  private int coveredOnceAtMost;
   private long sum;
 
   /** Measures the network's last observation. */
@@ -29,24 +29,26 @@ public final class StepCoverage {
     targets = 0;
     least = 0;
     uncovered = 0;
-    coveredOnce = 0;
+    coveredOnceAtMost = 0;
     sum = 0;
   }
 
   /**
    * Adds a target that is present.
    *
-   * @param k how many cameras cover it
+   * @param k how many cameras cover it, 0 or more
    */
   public void add(int k) {
     least = targets == 0 ? k : Math.min(least, k);
     targets++;
     sum += k;
-    if (k == 0) {
-      uncovered++;
-    } else if (k == 1) {
-      coveredOnce++;
-    }
+    uncovered += isBelow(1, k);
+    coveredOnceAtMost += isBelow(2, k);
+  }
+
+  /** 1 or 0, by the sign of a difference: a branch would be guessed wrong too often. */
+  private static int isBelow(int limit, int k) {
+    return (k - limit) >>> 31;
   }
 
   /** The number of targets present. */
@@ -66,12 +68,12 @@ public final class StepCoverage {
 
   /** The number of targets that exactly one camera covers. */
   public int covered1() {
-    return coveredOnce;
+    return coveredOnceAtMost - uncovered;
   }
 
   /** The number of targets that two or more cameras cover. */
   public int coveredK() {
-    return targets - uncovered - coveredOnce;
+    return targets - coveredOnceAtMost;
   }
 
   /** The sum of k_j over the targets: the number of detections in the network. */
