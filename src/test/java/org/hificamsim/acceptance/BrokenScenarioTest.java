@@ -5,10 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.lang.management.ManagementFactory;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +15,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.hificamsim.core.AllocatedBytes;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
@@ -74,7 +73,7 @@ class BrokenScenarioTest {
         assertTimeoutPreemptively(
             Duration.ofSeconds(60),
             () ->
-                allocated(
+                AllocatedBytes.by(
                     () ->
                         assertRefused(
                             file,
@@ -88,7 +87,8 @@ class BrokenScenarioTest {
     String message = ":1:97: <a> is nested too deep, expected at most 32 levels";
     long bytes =
         assertTimeoutPreemptively(
-            Duration.ofSeconds(60), () -> allocated(() -> assertRefused(file, file + message)));
+            Duration.ofSeconds(60),
+            () -> AllocatedBytes.by(() -> assertRefused(file, file + message)));
     assertTrue(bytes < 800 * MEGABYTE, bytes + " bytes");
   }
 
@@ -140,13 +140,5 @@ class BrokenScenarioTest {
       }
     }
     return file;
-  }
-
-  private static long allocated(Runnable action) {
-    ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-    long thread = Thread.currentThread().getId();
-    long before = threads.getThreadAllocatedBytes(thread);
-    action.run();
-    return threads.getThreadAllocatedBytes(thread) - before;
   }
 }

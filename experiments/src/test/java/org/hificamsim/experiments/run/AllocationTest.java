@@ -1,12 +1,12 @@
 package org.hificamsim.experiments.run;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.sun.management.ThreadMXBean;
-import java.lang.management.ManagementFactory;
 import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.AllocatedBytes;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.Cooperation;
@@ -26,10 +26,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** No step of any policy allocates after a warm-up, whatever detects, with or without a grid. */
 class AllocationTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
-  private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
-
-  /** What asking for the count, and the JVM's compiling of it, may take in all. */
-  private static final long MOST_BYTES = 1024;
 
   static Stream<Arguments> steps() {
     return CATALOGUE.policies().names().stream()
@@ -65,10 +61,8 @@ class AllocationTest {
           new Simulation(
               world, Detection.of(model), policy, Cooperation.NONE, 0, List.of(coverage), workers);
       simulation.run(steps);
-      long before = THREADS.getCurrentThreadAllocatedBytes();
-      simulation.run(steps);
-      long bytes = THREADS.getCurrentThreadAllocatedBytes() - before;
-      assertTrue(bytes <= MOST_BYTES, bytes + " bytes in " + steps + " steps");
+      long bytes = AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> simulation.run(steps)));
+      assertEquals(0, bytes, "bytes in " + steps + " steps");
       assertTrue(coverage.detections() > 0);
     }
   }
