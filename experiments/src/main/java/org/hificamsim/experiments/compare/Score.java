@@ -23,7 +23,7 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
   static final List<Score> OF_PROOFS =
       List.of(
           new Score("unproven_steps", run -> proof(run).unprovenSteps()),
-          new Score("performance_bound", run -> run.result().performance() + proof(run).gap()));
+          new Score("performance_bound", run -> proof(run).bound(run.result().performance())));
 
   /** The figure of one run. */
   public double of(ScoredRun run) {

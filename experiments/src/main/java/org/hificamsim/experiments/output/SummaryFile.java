@@ -77,7 +77,7 @@ public final class SummaryFile {
 
   private void proof(long performance, Proof proof) throws IOException {
     json.writeNumberField("unproven_steps", proof.unprovenSteps());
-    json.writeNumberField("performance_bound", performance + proof.gap());
+    json.writeNumberField("performance_bound", proof.bound(performance));
   }
 
   /** Whole numbers without a fraction. */

@@ -31,6 +31,15 @@ public record Proof(long unprovenSteps, long gap) {
         .formatted(unprovenSteps, steps, gap);
   }
 
+  /**
+   * The most that the performance could have been.
+   *
+   * @param performance that was reached
+   */
+  public long bound(long performance) {
+    return performance + gap;
+  }
+
   /** What is proven of these steps and of others. */
   public Proof plus(Proof other) {
     return new Proof(unprovenSteps + other.unprovenSteps, gap + other.gap);
