@@ -1,7 +1,5 @@
 package org.hificamsim.core.metrics;
 
-import org.hificamsim.core.policy.NetworkView;
-
 /**
  * How the targets present are covered in one step (section 7.1, Eq 7.1); filled anew each step.
  *
@@ -14,36 +12,28 @@ public final class StepCoverage {
   private int coveredOnceAtMost;
   private long sum;
 
-  /** Measures the network's last observation. */
-  public void measure(NetworkView network) {
-    clear();
-    for (int target = 0; target < network.targets(); target++) {
-      if (network.present(target)) {
-        add(network.coverage(target));
+  /** Measures the last observation. */
+  public void measure(CoveredTargets observed) {
+    int present = 0;
+    int fewest = Integer.MAX_VALUE;
+    int none = 0;
+    int onceAtMost = 0;
+    long all = 0;
+    for (int target = 0; target < observed.targets(); target++) {
+      if (observed.present(target)) {
+        int k = observed.coverage(target);
+        present++;
+        fewest = Math.min(fewest, k);
+        none += isBelow(1, k);
+        onceAtMost += isBelow(2, k);
+        all += k;
       }
     }
-  }
-
-  /** Forgets every target. */
-  public void clear() {
-    targets = 0;
-    least = 0;
-    uncovered = 0;
-    coveredOnceAtMost = 0;
-    sum = 0;
-  }
-
-  /**
-   * Adds a target that is present.
-   *
-   * @param k how many cameras cover it, 0 or more
-   */
-  public void add(int k) {
-    least = targets == 0 ? k : Math.min(least, k);
-    targets++;
-    sum += k;
-    uncovered += isBelow(1, k);
-    coveredOnceAtMost += isBelow(2, k);
+    targets = present;
+    least = present == 0 ? 0 : fewest;
+    uncovered = none;
+    coveredOnceAtMost = onceAtMost;
+    sum = all;
   }
 
   /** 1 or 0, by the sign of a difference: a branch would be guessed wrong too often. */

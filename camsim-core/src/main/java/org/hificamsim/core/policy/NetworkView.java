@@ -2,6 +2,7 @@ package org.hificamsim.core.policy;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.metrics.CoveredTargets;
 
 /**
  * The camera network at one step, read only: the same for every camera, so that all decide from one
@@ -15,7 +16,7 @@ import org.hificamsim.core.detection.ZoomLevel;
  * <p>{@link #detects}, {@link #dominates} and the target positions are knowledge that no camera has
  * on its own: upper bounds such as the exact optimum use them, learning policies must not.
  */
-public interface NetworkView {
+public interface NetworkView extends CoveredTargets {
   /** The step that is under way, from 0. */
   long step();
 
@@ -52,23 +53,14 @@ public interface NetworkView {
   /** How many targets the camera detected at the last observation; 0 while offline. */
   int detected(int camera);
 
-  /** How many targets there will ever be. */
-  int targets();
-
   /** The name in result files: the features value, as CamSim prints it. */
   String targetName(int target);
-
-  /** Whether the target has appeared and not been removed. */
-  boolean present(int target);
 
   /** Metres. */
   double targetX(int target);
 
   /** Metres. */
   double targetY(int target);
-
-  /** How many cameras detected the target at the last observation: k_j of section 7.1. */
-  int coverage(int target);
 
   /**
    * The detection model's confidence for the target where both are now, at the camera's current

@@ -2,14 +2,12 @@ package org.hificamsim.core.metrics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.lang.reflect.Proxy;
 import java.util.Arrays;
 import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
-import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
 
 class StepCoverageTest {
@@ -45,7 +43,7 @@ class StepCoverageTest {
   @Test
   void measuringAgainForgetsTheStepBefore() {
     StepCoverage coverage = measure(0, 1, 2, 3);
-    coverage.measure(network(4, 4));
+    coverage.measure(targets(4, 4));
     assertEquals(2, coverage.targets());
     assertEquals(4, coverage.kMin());
     assertEquals(0, coverage.covered0());
@@ -60,21 +58,26 @@ class StepCoverageTest {
 
   private static StepCoverage measure(int... coverage) {
     StepCoverage measured = new StepCoverage();
-    measured.measure(network(coverage));
+    measured.measure(targets(coverage));
     return measured;
   }
 
-  private static NetworkView network(int... coverage) {
-    return (NetworkView)
-        Proxy.newProxyInstance(
-            NetworkView.class.getClassLoader(),
-            new Class<?>[] {NetworkView.class},
-            (proxy, method, args) ->
-                switch (method.getName()) {
-                  case "targets" -> coverage.length;
-                  case "present" -> coverage[(Integer) args[0]] >= 0;
-                  case "coverage" -> coverage[(Integer) args[0]];
-                  default -> throw new UnsupportedOperationException(method.getName());
-                });
+  private static CoveredTargets targets(int... coverage) {
+    return new CoveredTargets() {
+      @Override
+      public int targets() {
+        return coverage.length;
+      }
+
+      @Override
+      public boolean present(int target) {
+        return coverage[target] >= 0;
+      }
+
+      @Override
+      public int coverage(int target) {
+        return coverage[target];
+      }
+    };
   }
 }

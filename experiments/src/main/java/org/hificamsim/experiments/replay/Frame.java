@@ -1,5 +1,6 @@
 package org.hificamsim.experiments.replay;
 
+import org.hificamsim.core.metrics.CoveredTargets;
 import org.hificamsim.core.metrics.StepCoverage;
 
 /**
@@ -27,7 +28,8 @@ public record Frame(
     double[] y,
     int[] coverage,
     double[][] estimates,
-    double[][] counts) {
+    double[][] counts)
+    implements CoveredTargets {
   /**
    * A frame to be filled.
    *
@@ -60,11 +62,22 @@ public record Frame(
   /** How the targets present are covered: k_min and the rest of a row of {@code steps.csv}. */
   public StepCoverage measure() {
     StepCoverage measured = new StepCoverage();
-    for (int target = 0; target < coverage.length; target++) {
-      if (present[target]) {
-        measured.add(coverage[target]);
-      }
-    }
+    measured.measure(this);
     return measured;
+  }
+
+  @Override
+  public int targets() {
+    return coverage.length;
+  }
+
+  @Override
+  public boolean present(int target) {
+    return present[target];
+  }
+
+  @Override
+  public int coverage(int target) {
+    return coverage[target];
   }
 }

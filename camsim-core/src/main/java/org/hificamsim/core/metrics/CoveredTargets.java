@@ -1,0 +1,13 @@
+package org.hificamsim.core.metrics;
+
+/** Targets, each with the number of cameras that cover it; numbered from 0. */
+public interface CoveredTargets {
+  /** How many targets there will ever be. */
+  int targets();
+
+  /** Whether the target has appeared and not been removed. */
+  boolean present(int target);
+
+  /** How many cameras detected the target at the last observation: k_j of section 7.1. */
+  int coverage(int target);
+}
