@@ -105,7 +105,7 @@ final class DistanceSight implements Sight {
     from[at] = set.intervals() == 0 ? Double.POSITIVE_INFINITY : set.from(0);
     to[at] = set.intervals() == 0 ? -1 : set.to(set.intervals() - 1);
     boolean whole = sizes.length == 1 && single[at] && from[at] == 0;
-    disc[at] = whole ? to[at] : Double.NaN;
+    disc[at] = whole ? Math.nextUp(to[at]) : Double.NaN;
   }
 
   private int row(int camera, int level) {
@@ -138,31 +138,31 @@ final class DistanceSight implements Sight {
 
   @Override
   public int look(int camera, int level, PointGrid targets, int begin, int end, int[] counts) {
-    double most = disc[row(camera, level)];
-    return most >= 0 && allRound[camera]
-        ? lookAllRound(camera, most, targets, begin, end, counts)
+    double below = disc[row(camera, level)];
+    return below > 0 && allRound[camera]
+        ? lookAllRound(camera, below, targets, begin, end, counts)
         : Sight.super.look(camera, level, targets, begin, end, counts);
   }
 
   /**
    * Looks at a whole disc without branches, which would be guessed wrong half of the time: a target
-   * is missed where a difference is negative, and then its sign is -1 and otherwise 0.
+   * is seen where a difference is negative, and the sign bit of the difference says that.
    *
-   * @param most square metres
+   * @param below the least squared distance that is out of sight, square metres
    */
   private int lookAllRound(
-      int camera, double most, PointGrid targets, int begin, int end, int[] counts) {
+      int camera, double below, PointGrid targets, int begin, int end, int[] counts) {
     double x = cameras.x(camera);
     double y = cameras.y(camera);
-    long missed = 0;
+    int seen = 0;
     for (int i = begin; i < end; i++) {
       double dx = targets.x(i) - x;
       double dy = targets.y(i) - y;
-      long sign = Double.doubleToRawLongBits(most - (dx * dx + dy * dy)) >> 63;
-      counts[i] += 1 + (int) sign;
-      missed -= sign;
+      int hit = (int) (Double.doubleToRawLongBits(dx * dx + dy * dy - below) >>> 63);
+      counts[i] += hit;
+      seen += hit;
     }
-    return end - begin - (int) missed;
+    return seen;
   }
 
   @Override

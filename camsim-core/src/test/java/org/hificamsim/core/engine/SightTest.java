@@ -1,10 +1,12 @@
 package org.hificamsim.core.engine;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -19,6 +21,7 @@ import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.detection.camsim.CamSimStandardDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
@@ -71,6 +74,34 @@ class SightTest {
     assertSame(world, once, full);
   }
 
+  @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
+  void lookingAtManyTargetsSeesThoseThatAreDetectedOneByOne(
+      @ForAll @IntRange(max = 4) int which, @ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
+    Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
+    assertLooksAsItDetects(world, Sight.of(world, detection));
+    assertLooksAsItDetects(
+        world,
+        Sight.of(world, new Detection(new InFull(detection.model()), detection.threshold())));
+  }
+
+  @Test
+  void aTargetRightOnTheBorderIsSeenAndTheNextOneFurtherOutIsNot() {
+    TestScenario scenario = new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 360, 5));
+    // The squares of the last two are 25 and one or two units in the last place; the root of the
+    // first of them is rounded to 5.
+    double[][] places = {{0, 0}, {3, 4}, {0x1p-24, 5}, {0x1.8p-24, 5}};
+    for (double[] place : places) {
+      scenario.target(place[0], place[1]);
+    }
+    World world = scenario.zooms(5).world();
+    Sight sight = Sight.of(world, Detection.of(new GeometricDetection()));
+    int[] counts = new int[places.length];
+    assertEquals(3, sight.look(0, 0, places(world), 0, places.length, counts));
+    assertArrayEquals(new int[] {1, 1, 1, 0}, counts);
+  }
+
   @Test
   void bothSightsDetectTheSameAfterCamerasChanged() {
     World world =
@@ -115,6 +146,34 @@ class SightTest {
         }
       }
     }
+  }
+
+  private static void assertLooksAsItDetects(World world, Sight sight) {
+    PointGrid places = places(world);
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      int levels = world.cameras().levels(camera);
+      long[] masks = new long[levels];
+      sight.mark(camera, levels, places, 0, places.count(), masks, 1);
+      for (int level = 0; level < levels; level++) {
+        int[] counts = new int[places.count()];
+        int seen = sight.look(camera, level, places, 0, places.count(), counts);
+        for (int target = 0; target < counts.length; target++) {
+          int expected = sight.detects(camera, level, target) ? 1 : 0;
+          assertEquals(expected, counts[target]);
+          assertEquals(expected, masks[level] >>> target & 1);
+        }
+        assertEquals(Arrays.stream(counts).sum(), seen);
+      }
+    }
+  }
+
+  private static PointGrid places(World world) {
+    PointGrid places = PointGrid.single(world.targets().count());
+    for (int target = 0; target < world.targets().count(); target++) {
+      places.add(target, world.targets().x(target), world.targets().y(target));
+    }
+    places.sort();
+    return places;
   }
 
   @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
@@ -165,8 +224,12 @@ class SightTest {
     };
   }
 
-  /** Sectors and circles, mixed sizes, some targets right on cameras. */
   private static World randomWorld(SplittableRandom random) {
+    return randomWorld(random, 0.1, 0.66, 1.3);
+  }
+
+  /** Sectors and circles, targets of these sizes, some right on cameras. */
+  private static World randomWorld(SplittableRandom random, double... sizes) {
     TestScenario scenario = new TestScenario().zooms(1 + random.nextDouble(), 4, 7.5);
     for (int camera = 0; camera < CAMERAS; camera++) {
       double angle = random.nextInt(3) == 0 ? 360 : random.nextDouble(1, 360);
@@ -179,13 +242,13 @@ class SightTest {
               angle,
               5));
     }
-    double[] sizes = {0.1, 0.66, 1.3};
     for (int target = 0; target < TARGETS; target++) {
       boolean onGrid = random.nextInt(4) == 0;
       double x = onGrid ? random.nextInt(-8, 9) : random.nextDouble(-10, 10);
       double y = onGrid ? random.nextInt(-8, 9) : random.nextDouble(-10, 10);
       scenario.target(
-          TestScenario.sized(TestScenario.target(target, x, y, 0, 0), sizes[random.nextInt(3)]));
+          TestScenario.sized(
+              TestScenario.target(target, x, y, 0, 0), sizes[random.nextInt(sizes.length)]));
     }
     return scenario.world();
   }
