@@ -107,6 +107,11 @@ public final class ActionValues {
     return reading.state(level, detected, levels[camera]) * (levels[camera] + EXTRA);
   }
 
+  /** Whether two cameras have equally many levels, and so the same row for the same state. */
+  public boolean alike(int camera, int other) {
+    return levels[camera] == levels[other];
+  }
+
   /** Whether the camera has levels enough to ever be at this one. */
   public boolean knows(int camera, int level) {
     return reading != StateReading.LEVEL_COUNT || level < levels[camera];

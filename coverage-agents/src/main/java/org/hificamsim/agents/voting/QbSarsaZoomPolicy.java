@@ -103,7 +103,9 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     int asked = nearest.count(camera);
     for (int i = 0; i < asked; i++) {
       int neighbour = nearest.neighbour(camera, i);
-      if (values().knows(neighbour, level)) {
+      if (values().alike(camera, neighbour)) {
+        vote.vote(values().best(neighbour, row, levels));
+      } else if (values().knows(neighbour, level)) {
         vote.vote(values().answer(neighbour, level, detected, levels));
       }
     }

@@ -10,6 +10,8 @@ import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class QbSarsaZoomPolicyTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
@@ -56,24 +58,26 @@ class QbSarsaZoomPolicyTest {
     assertEquals(0, network.level(0), "asked for a count of 1 although it detects none itself");
   }
 
-  @Test
-  void aNeighbourWithFewerLevelsAbstainsWhereItHasNoSuchState() {
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1, 2})
+  void aNeighbourWithFewerLevelsAbstainsWhereItHasNoSuchState(int own) {
     ToyNetwork network = new ToyNetwork(1, 3, 2);
     QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
-    prefer(policy, 0, 2, 0);
+    prefer(policy, 0, 2, own);
     prefer(policy, 1, 1, 1);
     network.decide(policy);
-    assertEquals(0, network.level(0));
+    assertEquals(own, network.level(0));
   }
 
-  @Test
-  void aNeighbourWithMoreLevelsPicksAmongTheAskers() {
+  @ParameterizedTest
+  @ValueSource(ints = {0, 1})
+  void aNeighbourWithMoreLevelsPicksAmongTheAskers(int best) {
     ToyNetwork network = new ToyNetwork(1, 2, 4);
     QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
     prefer(policy, 1, 1, 3);
-    policy.values().set(1, policy.values().row(1, 1, 0), 0, 0.5);
+    policy.values().set(1, policy.values().row(1, 1, 0), best, 0.5);
     network.decide(policy);
-    assertEquals(0, network.level(0));
+    assertEquals(best, network.level(0));
   }
 
   @Test
