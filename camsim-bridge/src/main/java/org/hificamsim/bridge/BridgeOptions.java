@@ -4,14 +4,16 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.hificamsim.bridge.run.Setup;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
 
 /** Reads the text after {@code -javaagent:hificamsim-bridge.jar=}. */
 final class BridgeOptions {
@@ -73,10 +75,8 @@ final class BridgeOptions {
   }
 
   private Detection detection(String name, Optional<String> threshold) {
-    DetectionModel model = catalogue.detection(name);
-    return new Detection(
-        model,
-        threshold.map(value -> number("threshold", value, 0, 1)).orElse(model.defaultThreshold()));
+    return Overrides.ofThreshold(threshold.map(value -> number("threshold", value, 0, 1)))
+        .detection(DetectionSpec.parse(name, catalogue::detection), OptionalDouble.empty());
   }
 
   /** Commas separate the agent's own options: a policy's are separated by semicolons. */

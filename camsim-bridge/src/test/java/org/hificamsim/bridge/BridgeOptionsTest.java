@@ -36,6 +36,13 @@ class BridgeOptionsTest {
   }
 
   @Test
+  void aDetectionsOwnThresholdGoesBeforeTheOption() {
+    Setup setup = parse("detection=hifi:orb-lin@0.06,threshold=0.0441");
+    assertEquals(0.06, setup.detection().orElseThrow().threshold());
+    assertEquals("hifi:orb-lin@0.06", setup.detection().orElseThrow().name());
+  }
+
+  @Test
   void defaultsAreTheModelsThresholdAndTheLargestTargetOfTheLab() {
     Setup setup = parse("detection=hifi:orb-lin");
     double own = Engine.detection("hifi:orb-lin").threshold();

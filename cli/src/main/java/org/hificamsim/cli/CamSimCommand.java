@@ -11,7 +11,6 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
@@ -23,6 +22,8 @@ import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.files.CamSimScenario;
 import org.hificamsim.network.files.RunSums;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -83,17 +84,13 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Option(
       names = "--detection",
-      paramLabel = "NAME|FILE.json",
+      paramLabel = "NAME|FILE.json[@T]",
       defaultValue = "camsim-visibility",
       description =
           "Where confidences come from; default: ${DEFAULT-VALUE}. See 'list detections'.")
   private String detection;
 
-  @Option(
-      names = "--threshold",
-      paramLabel = "T",
-      description = "Detection threshold, 0 to 1; default: the scenario's, else the model's.")
-  private Double threshold;
+  @Mixin private ThresholdOption threshold;
 
   @Option(
       names = "--policy",
@@ -157,16 +154,13 @@ final class CamSimCommand implements Callable<Integer> {
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue, NetworkSettings settings, PrintWriter err) {
     Numbers.inRange("-t", steps, 0, MOST_STEPS);
-    if (threshold != null) {
-      Numbers.proportion("--threshold", threshold);
-    }
-    DetectionModel model = catalogue.detection(detection);
+    Overrides asked = Overrides.ofThreshold(threshold.value());
+    DetectionSpec spec = DetectionSpec.parse(detection, catalogue::detection);
     Scenario scenario =
         CamSimScenario.read(file, movement, policy != null, settings, catalogue, err);
-    double tau =
-        threshold != null ? threshold : scenario.threshold().orElse(model.defaultThreshold());
     String zooms = policy == null ? "zoom-out" : policy;
-    return new RunPlan(scenario, new Detection(model, tau), zooms, steps, seed, 1);
+    return new RunPlan(
+        scenario, asked.detection(spec, scenario.threshold()), zooms, steps, seed, 1);
   }
 
   private void print(Scenario scenario, RunSums sums) {

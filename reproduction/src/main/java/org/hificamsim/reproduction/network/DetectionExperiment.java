@@ -1,4 +1,4 @@
-package org.hificamsim.network.files;
+package org.hificamsim.reproduction.network;
 
 import java.awt.Color;
 import java.io.IOException;
@@ -22,6 +22,8 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.GraphUse;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.files.CamSimScenario;
+import org.hificamsim.network.files.RunSums;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.LegendEntry;

@@ -50,7 +50,7 @@ final class ResultFiles {
           RunResult result = run.result();
           table.row(
               one.plan().scenario().name(),
-              one.plan().detection().model().name(),
+              one.plan().detection().name(),
               one.plan().policy(),
               result.seed(),
               result.performance(),
@@ -79,7 +79,7 @@ final class ResultFiles {
           for (Score score : one.scores()) {
             table.row(
                 one.plan().scenario().name(),
-                one.plan().detection().model().name(),
+                one.plan().detection().name(),
                 one.plan().policy(),
                 run.result().seed(),
                 score.label(),
@@ -125,14 +125,14 @@ final class ResultFiles {
             : new Estimate(Double.NaN, Double.NaN, Double.NaN);
     table.row(
         one.plan().scenario().name(),
-        one.plan().detection().model().name(),
+        one.plan().detection().name(),
         one.plan().policy(),
         score.label(),
         values.length,
         mean.mean(),
         mean.low(),
         mean.high(),
-        paired ? reference.plan().detection().model().name() : "",
+        paired ? reference.plan().detection().name() : "",
         difference.mean(),
         difference.low(),
         difference.high());
@@ -163,7 +163,7 @@ final class ResultFiles {
         for (int step = 0; step < one.meanKMin().length; step++) {
           table.row(
               one.plan().scenario().name(),
-              one.plan().detection().model().name(),
+              one.plan().detection().name(),
               one.plan().policy(),
               step,
               one.meanKMin()[step]);
