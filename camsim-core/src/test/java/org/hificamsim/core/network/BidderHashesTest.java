@@ -2,10 +2,9 @@ package org.hificamsim.core.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.hificamsim.core.Reference;
+import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.network.agent.Agent;
@@ -13,23 +12,14 @@ import org.hificamsim.core.network.graph.NameLinks;
 import org.hificamsim.core.network.message.MessageQueue;
 import org.hificamsim.core.network.setup.ScheduleKind;
 import org.hificamsim.core.network.sight.Sightings;
-import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
-import org.hificamsim.core.world.movement.Movements;
 import org.junit.jupiter.api.Test;
 
 /** The hash codes that order bids. */
 class BidderHashesTest {
   @Test
   void theHashCodesOfPublishedCamerasAreTheKnownOnes() {
-    World world =
-        new World(
-            ScenarioReader.read(
-                Reference.file("camsim/scenarios/SASO/scenario10.xml"),
-                anyMovement -> true,
-                new ArrayList<>()::add),
-            Movements.registry(),
-            0);
+    World world = grid().world();
     int count = world.cameras().count();
     Sightings sightings = new Sightings(world, Detection.of(new CamSimVisibilityDetection()));
     Agent[] agents = new Agent[count];
@@ -49,5 +39,14 @@ class BidderHashesTest {
     }
     assertEquals(-417382511, hashes.of(0));
     assertEquals(-307410659, hashes.of(1));
+  }
+
+  /** Nine cameras of which two are those of the known hash codes (behaviour 4.5). */
+  private static TestScenario grid() {
+    TestScenario grid = new TestScenario().field(-20, 20, -20, 20);
+    for (int i = 0; i < 9; i++) {
+      grid.camera(TestScenario.camera("Cam_0" + (i + 1), -15 + 10 * i, 18, -180, 70, 16));
+    }
+    return grid;
   }
 }
