@@ -4,7 +4,7 @@
 : "${root:?}"
 
 gradle=/usr/share/gradle/bin/gradle # Debian's; the one on PATH may be another version
-lib=$root/experiments/build/install/hificamsim/lib
+lib=$root/cli/build/install/hificamsim/lib
 archive=${lib%/*}.jsa
 
 say() { echo "hificamsim: $*" >&2; }
@@ -97,7 +97,7 @@ archive_classes() {
     scratch=$(mktemp -d) || return 0
     rm -f "$archive"
     if java=$(run_home) && "$java/bin/java" -XX:+UseSerialGC -Xlog:disable "-XX:ArchiveClassesAtExit=$archive.new" \
-        -cp "$lib/*" org.hificamsim.experiments.cli.Main run "$root/scenarios/lattice-random.xml" --steps 100 --out "$scratch"; then
+        -cp "$lib/*" org.hificamsim.cli.Main run "$root/scenarios/lattice-random.xml" --steps 100 --out "$scratch"; then
         mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that
     fi >/dev/null 2>&1
     rm -rf "$scratch" "$archive.new"
@@ -106,7 +106,7 @@ archive_classes() {
 # Builds $1 by the Gradle task $2 if that is needed; of several calls at once one builds and the others wait for it.
 build_if_stale() {
     product=${1:-$lib}
-    goal=${2:-:experiments:installDist}
+    goal=${2:-:cli:installDist}
     stamp=${product%/*}.stamp
     stale "$product" "$stamp" || return 0
     if ! [ -w "$root" ]; then

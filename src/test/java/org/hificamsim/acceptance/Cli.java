@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
-import org.hificamsim.experiments.cli.Main;
+import org.hificamsim.cli.Main;
 
 /**
  * What one command of the command line did.

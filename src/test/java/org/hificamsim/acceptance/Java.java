@@ -16,7 +16,7 @@ final class Java {
     command.add("-Dhificamsim.root=" + Cli.ROOT);
     command.add("-cp");
     command.add(classPath);
-    command.add("org.hificamsim.experiments.cli.Main");
+    command.add("org.hificamsim.cli.Main");
     for (Object word : words) {
       command.add(word.toString());
     }

@@ -11,7 +11,7 @@ import java.util.Arrays;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
-import org.hificamsim.experiments.cli.Main;
+import org.hificamsim.cli.Main;
 
 /** {@code view --no-browser} on a thread of its own, until its page is closed. */
 final class ViewProcess implements AutoCloseable {

@@ -12,8 +12,8 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.world.World;
-import org.hificamsim.experiments.output.OutputFolder;
-import org.hificamsim.experiments.output.RunRecorder;
+import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.runs.output.RunRecorder;
 
 /** This project's own engine on CamSim's scenarios: what the bridge has to agree with. */
 final class Engine {

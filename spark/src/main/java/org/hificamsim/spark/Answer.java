@@ -1,8 +1,8 @@
 package org.hificamsim.spark;
 
 import java.io.Serializable;
-import org.hificamsim.experiments.compare.Outcome;
-import org.hificamsim.experiments.compare.RunTask;
+import org.hificamsim.runs.compare.Outcome;
+import org.hificamsim.runs.compare.RunTask;
 
 /**
  * What came of a task: an outcome, or the fault that a run had. A fault is an answer, since Spark

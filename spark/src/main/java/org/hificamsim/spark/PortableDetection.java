@@ -8,9 +8,9 @@ import java.nio.file.Path;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
-import org.hificamsim.experiments.run.RenamedDetection;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
+import org.hificamsim.runs.RenamedDetection;
 
 /**
  * A detection model and its threshold as text.

@@ -9,8 +9,8 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.experiments.compare.RunKey;
-import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.RunKey;
 
 /**
  * A plan as text, for machines that share no files with this one.

@@ -5,10 +5,10 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.experiments.compare.Outcome;
-import org.hificamsim.experiments.compare.RunTask;
-import org.hificamsim.experiments.run.RunExecutor;
-import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.Outcome;
+import org.hificamsim.runs.compare.RunTask;
 
 /** All plans of a comparison as text; each is read once in an executor. */
 final class PortableSweep implements Serializable {

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.apache.spark.TaskContext;
 import org.apache.spark.broadcast.Broadcast;
-import org.hificamsim.experiments.compare.RunTask;
+import org.hificamsim.runs.compare.RunTask;
 import scala.collection.Iterator;
 import scala.runtime.AbstractFunction2;
 

@@ -4,10 +4,10 @@ import java.io.IOException;
 import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
-import org.hificamsim.experiments.compare.EngineSettings;
-import org.hificamsim.experiments.compare.RunEngine;
-import org.hificamsim.experiments.compare.RunTask;
-import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.EngineSettings;
+import org.hificamsim.runs.compare.RunEngine;
+import org.hificamsim.runs.compare.RunTask;
 
 /**
  * Computes runs on Apache Spark: each a task that any executor can do, since plans travel as text.

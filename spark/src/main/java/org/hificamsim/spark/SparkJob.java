@@ -16,8 +16,8 @@ import org.apache.spark.api.java.JavaSparkContext;
 import org.apache.spark.broadcast.Broadcast;
 import org.apache.spark.rdd.RDD;
 import org.hificamsim.core.InputException;
-import org.hificamsim.experiments.compare.RunEngine;
-import org.hificamsim.experiments.compare.RunTask;
+import org.hificamsim.runs.compare.RunEngine;
+import org.hificamsim.runs.compare.RunTask;
 import scala.reflect.ClassTag$;
 
 /** A sweep as one Spark job. Every run is a task of its own, until there are too many for Spark. */

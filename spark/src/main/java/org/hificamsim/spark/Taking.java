@@ -2,7 +2,7 @@ package org.hificamsim.spark;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import org.hificamsim.experiments.compare.RunEngine;
+import org.hificamsim.runs.compare.RunEngine;
 import scala.runtime.AbstractFunction2;
 import scala.runtime.BoxedUnit;
 

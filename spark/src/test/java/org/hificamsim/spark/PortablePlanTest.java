@@ -12,7 +12,7 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;
 
 class PortablePlanTest {

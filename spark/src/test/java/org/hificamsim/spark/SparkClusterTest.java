@@ -90,7 +90,7 @@ class SparkClusterTest {
     command.addAll(List.of(home.resolve("bin/spark-submit").toString(), "--master", cluster.url()));
     command.addAll(List.of("--conf", "spark.executor.memory=512m", "--jars", jar.toString()));
     command.addAll(List.of("--conf", "spark.driver.host=127.0.0.1"));
-    command.addAll(List.of("--class", "org.hificamsim.experiments.cli.Main", application()));
+    command.addAll(List.of("--class", "org.hificamsim.cli.Main", application()));
     command.addAll(sweep("submitted", List.of("--engine", "spark")));
     ProcessBuilder submit = process("submitted", command);
     submit.environment().put("SPARK_HOME", home.toString());
@@ -110,7 +110,7 @@ class SparkClusterTest {
         List.of(
             "-cp",
             String.join(File.pathSeparator, home + "/jars/*", application(), policy.toString())));
-    command.add("org.hificamsim.experiments.cli.Main");
+    command.add("org.hificamsim.cli.Main");
     command.addAll(sweep(name, engine));
     return process(name, command);
   }

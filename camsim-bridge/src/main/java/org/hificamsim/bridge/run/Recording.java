@@ -8,12 +8,12 @@ import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.experiments.output.OutputFolder;
-import org.hificamsim.experiments.output.RunRecorder;
-import org.hificamsim.experiments.output.SummaryFile;
-import org.hificamsim.experiments.run.Proof;
-import org.hificamsim.experiments.run.RunPlan;
-import org.hificamsim.experiments.run.RunResult;
+import org.hificamsim.runs.Proof;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.runs.output.RunRecorder;
+import org.hificamsim.runs.output.SummaryFile;
 
 /**
  * The files of one run, as {@code hificamsim run --record} writes them: {@code steps.csv}, {@code

@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.experiments.run.RunPlan;
+import org.hificamsim.runs.RunPlan;
 
 /**
  * One run of CamSim, from the first step of a {@code SimCore} to its end.

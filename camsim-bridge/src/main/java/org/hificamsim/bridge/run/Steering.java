@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.SplittableRandom;
 import org.hificamsim.bridge.agent.Trouble;
 import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.experiments.run.Proof;
+import org.hificamsim.runs.Proof;
 
 /**
  * A zoom policy that sets the ranges of CamSim's cameras.

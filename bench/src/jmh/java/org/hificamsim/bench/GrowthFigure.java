@@ -1,0 +1,121 @@
+package org.hificamsim.bench;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.Color;
+import java.io.File;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.NavigableMap;
+import java.util.TreeMap;
+import org.hificamsim.presentation.plot.Curve;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.LegendEntry.Mark;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.plot.XyPanel;
+
+/**
+ * Draws how the cost of a step grows with the network, from what JMH wrote of {@link
+ * BigNetworkBenchmark}, and prints it as a table.
+ */
+public final class GrowthFigure {
+  private static final double MICROSECONDS = 1e-3;
+
+  private GrowthFigure() {}
+
+  /**
+   * Runs it.
+   *
+   * @param args JMH's JSON file; the picture to write
+   */
+  public static void main(String[] args) throws IOException {
+    Map<String, NavigableMap<Integer, Double>> costs = read(new File(args[0]));
+    costs.forEach(GrowthFigure::print);
+    try (OutputStream out = Files.newOutputStream(Path.of(args[1]))) {
+      FigureFile.png(out, figure(costs));
+    }
+  }
+
+  /** Milliseconds a step, by policy and number of cameras. */
+  private static Map<String, NavigableMap<Integer, Double>> read(File file) throws IOException {
+    Map<String, NavigableMap<Integer, Double>> costs = new LinkedHashMap<>();
+    for (JsonNode result : new ObjectMapper().readTree(file)) {
+      costs
+          .computeIfAbsent(result.at("/params/policy").asText(), policy -> new TreeMap<>())
+          .put(
+              result.at("/params/cameras").asInt(),
+              MICROSECONDS * result.at("/primaryMetric/score").asDouble());
+    }
+    return costs;
+  }
+
+  private static void print(String policy, NavigableMap<Integer, Double> costs) {
+    costs.forEach(
+        (cameras, cost) -> {
+          Integer fewer = costs.lowerKey(cameras);
+          double doublings = fewer == null ? 0 : Math.log((double) cameras / fewer) / Math.log(2);
+          String growth =
+              fewer == null ? "" : number("%.2f", Math.pow(cost / costs.get(fewer), 1 / doublings));
+          System.out.printf(
+              "%-15s %7d cameras %10s ms a step  %s%n",
+              policy,
+              cameras,
+              number("%.4f", cost),
+              growth.isEmpty() ? "" : "x " + growth + " for each doubling");
+        });
+  }
+
+  private static String number(String format, double value) {
+    return String.format(Locale.ROOT, format, value);
+  }
+
+  private static Figure figure(Map<String, NavigableMap<Integer, Double>> costs) {
+    XyPanel panel = new XyPanel("", "cameras", "milliseconds a step").logarithmic();
+    List<LegendEntry> legend = new ArrayList<>();
+    costs.forEach(
+        (policy, ofPolicy) -> {
+          Color color = Palette.line(legend.size());
+          Curve curve = curve(ofPolicy);
+          panel.straight(curve, color).dots(curve, color);
+          legend.add(new LegendEntry(policy, color, Mark.LINE));
+        });
+    NavigableMap<Integer, Double> first = costs.values().iterator().next();
+    panel.dashed(squared(first), Palette.GREY);
+    legend.add(new LegendEntry("with the square", Palette.GREY, Mark.DASHES));
+    return new Figure(
+        "The cost of a step over the size of the network",
+        "Random fields of one density, 0.6 targets for each camera, five levels, one thread",
+        legend,
+        List.of(panel.chart()),
+        1,
+        560,
+        360);
+  }
+
+  private static Curve curve(NavigableMap<Integer, Double> costs) {
+    return new Curve(
+        costs.keySet().stream().mapToDouble(cameras -> cameras).toArray(),
+        costs.values().stream().mapToDouble(cost -> cost).toArray());
+  }
+
+  /** What a cost would come to that grew with the square, up to the size where it leaves all. */
+  private static Curve squared(NavigableMap<Integer, Double> costs) {
+    double few = costs.firstKey();
+    double many = costs.lastKey();
+    double end = Math.min(many, few * Math.sqrt(many / few) * 4);
+    return new Curve(
+        new double[] {few, end},
+        new double[] {
+          costs.firstEntry().getValue(), costs.firstEntry().getValue() * Math.pow(end / few, 2)
+        });
+  }
+}

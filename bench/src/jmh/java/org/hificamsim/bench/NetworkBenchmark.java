@@ -1,0 +1,93 @@
+package org.hificamsim.bench;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.concurrent.TimeUnit;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.world.World;
+import org.hificamsim.network.CamSimDialect;
+import org.hificamsim.network.GraphUse;
+import org.hificamsim.network.Network;
+import org.hificamsim.network.NetworkSettings;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * Microseconds per step of CamSim's network, as {@code camsim} runs it; {@code -p file=...} takes
+ * any scenario.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(2)
+public class NetworkBenchmark {
+  @Param({"scenarios/tutorial-camsim.xml"})
+  private String file;
+
+  @Param({"Active", "Passive"})
+  private String schedule;
+
+  @Param({"0"})
+  private int comm;
+
+  private Simulation simulation;
+  private Network network;
+
+  /** Reads the scenario and starts the run. */
+  @Setup
+  public void start() {
+    Catalogue catalogue = Catalogue.load();
+    NetworkSettings camsim = NetworkSettings.CAMSIM;
+    NetworkSettings settings =
+        new NetworkSettings(
+            Optional.of(schedule),
+            OptionalInt.of(comm),
+            Optional.empty(),
+            Optional.empty(),
+            GraphUse.AS_IN_FILE,
+            camsim.errorLevel(),
+            camsim.resetLevel(),
+            camsim.banditParameters(),
+            camsim.historicalParameters(),
+            camsim.quirks());
+    Scenario scenario =
+        ScenarioReader.read(Path.of(file), catalogue.movements().names()::contains, warning -> {})
+            .withoutZooms();
+    World world = new World(CamSimDialect.read(scenario, settings), catalogue.movements(), 0);
+    network =
+        new Network(world, Detection.of(catalogue.detection("camsim-visibility")), settings, 0);
+    simulation =
+        new Simulation(
+            world,
+            Detection.of(new GeometricDetection()),
+            catalogue.policies().create("zoom-out"),
+            network,
+            0,
+            List.of());
+  }
+
+  /** One step. */
+  @Benchmark
+  public double step() {
+    simulation.step();
+    return network.figures().utility();
+  }
+}

@@ -1,0 +1,104 @@
+package org.hificamsim.bench;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.world.World;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * Microseconds per step of a whole run: move, decide, observe, learn, measure. With {@code -p
+ * targets=...} the scenario's own targets, of which the thesis does not say how many there are,
+ * give way to that many at random places; 0 keeps them.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(value = 2, jvmArgs = "-XX:+UseSerialGC") // as the launcher has it
+public class StepBenchmark {
+  @Param({"cluster-random"})
+  private String scenario;
+
+  @Param({"8"})
+  private int targets;
+
+  @Param({"hifi:orb-lin", "camsim-range"})
+  private String detection;
+
+  @Param({"zoom-out", "epsilon-greedy", "sarsa", "qb-sarsa", "one-hop", "optimal"})
+  private String policy;
+
+  private Simulation simulation;
+
+  /** Reads the scenario and starts the run. */
+  @Setup
+  public void start() {
+    Catalogue catalogue = Catalogue.load();
+    Scenario read =
+        ScenarioReader.read(
+            Path.of("scenarios", scenario + ".xml"),
+            catalogue.movements().names()::contains,
+            warning -> {});
+    DetectionModel model = catalogue.detection(detection);
+    simulation =
+        new Simulation(
+            new World(withTargets(read), catalogue.movements(), 0),
+            Detection.of(model),
+            catalogue.policies().create(policy),
+            0,
+            List.of());
+  }
+
+  private Scenario withTargets(Scenario read) {
+    if (targets == 0) {
+      return read;
+    }
+    SplittableRandom random = new SplittableRandom(1);
+    Field field = read.field();
+    List<TargetSpec> strewn = new ArrayList<>();
+    for (int target = 0; target < targets; target++) {
+      TargetSpec like = read.targets().get(0);
+      strewn.add(
+          new TargetSpec(
+              like.origin(),
+              target,
+              random.nextDouble(field.minX(), field.maxX()),
+              random.nextDouble(field.minY(), field.maxY()),
+              random.nextDouble(360),
+              like.speed(),
+              like.size(),
+              like.movement(),
+              like.extras()));
+    }
+    return read.with(read.name(), strewn, List.of());
+  }
+
+  /** One step. */
+  @Benchmark
+  public int step() {
+    simulation.step();
+    return simulation.coverage().kMin();
+  }
+}

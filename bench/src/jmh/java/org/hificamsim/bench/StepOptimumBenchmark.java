@@ -1,0 +1,106 @@
+package org.hificamsim.bench;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.hificamsim.agents.search.CoverageProblem;
+import org.hificamsim.agents.search.CoverageSolver;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * Microseconds per instance of the optimum, filled and solved with proof, one instance of a file
+ * after the other. The file is that of {@code bench/peers/step_instances.py}; the optima are
+ * written beside it, under its name with {@code .values}.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(2)
+public class StepOptimumBenchmark {
+  /** The targets in sight, by camera and level, as bit masks. */
+  private record Instance(int targets, long[][] cameras) {
+    static Instance of(JsonNode json) {
+      long[][] cameras = new long[json.get("cameras").size()][];
+      for (int camera = 0; camera < cameras.length; camera++) {
+        JsonNode levels = json.get("cameras").get(camera);
+        cameras[camera] = new long[levels.size()];
+        for (int level = 0; level < levels.size(); level++) {
+          for (JsonNode target : levels.get(level)) {
+            cameras[camera][level] |= 1L << target.intValue();
+          }
+        }
+      }
+      return new Instance(json.get("targets").intValue(), cameras);
+    }
+
+    int sets() {
+      int count = 0;
+      for (long[] camera : cameras) {
+        count += camera.length;
+      }
+      return count;
+    }
+
+    void fill(CoverageProblem problem) {
+      problem.clear(targets);
+      for (long[] camera : cameras) {
+        problem.addCamera();
+        for (int level = camera.length - 1; level >= 0; level--) {
+          problem.addSet(camera, level);
+        }
+      }
+    }
+  }
+
+  @Param({"build/bench/general.jsonl"})
+  private String instances;
+
+  private final List<Instance> read = new ArrayList<>();
+  private CoverageProblem problem;
+  private CoverageSolver solver;
+  private int next;
+
+  /** Reads the instances, at most 64 targets each, and writes their optima. */
+  @Setup
+  public void start() throws IOException {
+    ObjectMapper json = new ObjectMapper();
+    for (String line : Files.readAllLines(Path.of(instances))) {
+      read.add(Instance.of(json.readTree(line)));
+    }
+    int cameras = read.stream().mapToInt(instance -> instance.cameras().length).max().orElseThrow();
+    int sets = read.stream().mapToInt(Instance::sets).max().orElseThrow();
+    problem = new CoverageProblem(cameras, sets, Long.SIZE);
+    solver = new CoverageSolver(problem, CoverageSolver.UNLIMITED);
+    List<String> values = new ArrayList<>();
+    for (int i = 0; i < read.size(); i++) {
+      values.add(Integer.toString(solve()));
+    }
+    Files.write(Path.of(instances + ".values"), values);
+  }
+
+  /** One instance. */
+  @Benchmark
+  public int solve() {
+    read.get(next).fill(problem);
+    next = (next + 1) % read.size();
+    solver.solve();
+    return solver.value();
+  }
+}

@@ -1,0 +1,2 @@
+/** Benchmarks of the step (JMH). */
+package org.hificamsim.bench;

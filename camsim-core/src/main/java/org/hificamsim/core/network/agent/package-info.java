@@ -1,2 +1,0 @@
-/** A camera as a member of the network: its state, and what messages do to it. */
-package org.hificamsim.core.network.agent;

@@ -1,2 +1,0 @@
-/** Bandits: learning which schedule and policy, or which range, serves a camera best. */
-package org.hificamsim.core.network.bandit;

@@ -1,2 +1,0 @@
-/** Communication policies: which cameras hear of a target for sale. */
-package org.hificamsim.core.network.communication;

@@ -1,2 +1,0 @@
-/** Exact areas of fields of view. */
-package org.hificamsim.core.network.geometry;

@@ -1,2 +1,0 @@
-/** Messages between cameras, as a queue. */
-package org.hificamsim.core.network.message;

@@ -1,2 +1,0 @@
-/** Cameras as a network: vision graph, messages, auctions and handovers, after CamSim. */
-package org.hificamsim.core.network;

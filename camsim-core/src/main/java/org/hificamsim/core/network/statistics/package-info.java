@@ -1,2 +1,0 @@
-/** The figures of CamSim about a network, per camera and per step. */
-package org.hificamsim.core.network.statistics;

@@ -1,0 +1,75 @@
+package org.hificamsim.network.agent;
+
+import java.util.Arrays;
+
+/**
+ * The messages on their way, in flat arrays, delivered in the order in which they were sent.
+ *
+ * <p>The network empties the queue after each camera's turn. No camera reads in its own turn what
+ * it writes to another one, so that this gives the same numbers as CamSim's delivery within the
+ * call that sends (section 8.2). Late or lost messages are a matter of {@link #deliver}.
+ */
+public final class MessageQueue {
+  private MessageKind[] kinds = new MessageKind[64];
+  private int[] froms = new int[64];
+  private int[] tos = new int[64];
+  private int[] targets = new int[64];
+  private double[] values = new double[64];
+  private int waiting;
+  private long startSearches;
+  private long startTrackings;
+
+  /** Appends a message. */
+  public void send(MessageKind kind, int from, int to, int target, double value) {
+    if (waiting == kinds.length) {
+      grow();
+    }
+    kinds[waiting] = kind;
+    froms[waiting] = from;
+    tos[waiting] = to;
+    targets[waiting] = target;
+    values[waiting++] = value;
+  }
+
+  /** Delivers every message that waits, also those that arise on the way. */
+  public void deliver(Receiver receiver) {
+    for (int i = 0; i < waiting; i++) {
+      count(kinds[i]);
+      receiver.receive(kinds[i], froms[i], tos[i], targets[i], values[i]);
+    }
+    waiting = 0;
+  }
+
+  /** How many StartSearch messages were delivered since the last {@link #resetCounts}. */
+  public long startSearches() {
+    return startSearches;
+  }
+
+  /** How many StartTracking messages, that is handovers, were delivered since then. */
+  public long startTrackings() {
+    return startTrackings;
+  }
+
+  /** Starts counting anew. */
+  public void resetCounts() {
+    startSearches = 0;
+    startTrackings = 0;
+  }
+
+  private void count(MessageKind kind) {
+    if (kind == MessageKind.START_SEARCH) {
+      startSearches++;
+    } else if (kind == MessageKind.START_TRACKING) {
+      startTrackings++;
+    }
+  }
+
+  private void grow() {
+    int length = 2 * waiting;
+    kinds = Arrays.copyOf(kinds, length);
+    froms = Arrays.copyOf(froms, length);
+    tos = Arrays.copyOf(tos, length);
+    targets = Arrays.copyOf(targets, length);
+    values = Arrays.copyOf(values, length);
+  }
+}

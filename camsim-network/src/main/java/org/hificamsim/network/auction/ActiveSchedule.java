@@ -1,0 +1,16 @@
+package org.hificamsim.network.auction;
+
+import org.hificamsim.network.agent.Agent;
+
+/** Advertises every owned target in every step (section 8.3). */
+public final class ActiveSchedule implements AuctionSchedule {
+  @Override
+  public boolean advertises(Agent agent, int target) {
+    return true;
+  }
+
+  @Override
+  public double value(Agent agent, int target) {
+    return agent.confidence(target);
+  }
+}

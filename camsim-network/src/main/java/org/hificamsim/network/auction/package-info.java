@@ -1,0 +1,2 @@
+/** The auctions by which targets change hands. */
+package org.hificamsim.network.auction;

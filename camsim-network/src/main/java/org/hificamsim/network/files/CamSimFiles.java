@@ -1,0 +1,111 @@
+package org.hificamsim.network.files;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.world.World;
+import org.hificamsim.network.Network;
+import org.hificamsim.network.statistics.ExactOverlap;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.OutputFile;
+
+/** All files of one run: CamSim's two, and those of ours that are asked for. */
+public final class CamSimFiles implements Closeable {
+  /**
+   * Where the files go.
+   *
+   * @param output CamSim's table of steps
+   * @param summary CamSim's summary; beside the output unless given
+   * @param extra the table of what CamSim's columns are taken for
+   * @param coverage the folder of the run's k-coverage
+   */
+  public record Places(
+      Path output, Optional<Path> summary, Optional<Path> extra, Optional<Path> coverage) {}
+
+  private final List<Closeable> opened = new ArrayList<>();
+  private final List<StepListener> listeners = new ArrayList<>();
+  private final List<OutputFile> files = new ArrayList<>();
+  private final List<Closeable> tables = new ArrayList<>();
+  private final Optional<CoverageFiles> coverage;
+  private final SummaryRows summary;
+  private final RunSums sums = new RunSums();
+  private final RunPlan plan;
+
+  /**
+   * Opens the files.
+   *
+   * @throws org.hificamsim.core.InputException when one of them cannot be made
+   */
+  public CamSimFiles(Places places, RunPlan plan, World world, Network network) throws IOException {
+    this.plan = plan;
+    summary = new SummaryRows(places.summary().orElse(SummaryRows.beside(places.output())));
+    listeners.add((view, measured) -> sums.add(network.figures()));
+    try {
+      StepsCsv steps = opened(new StepsCsv(file("-o", places.output()).open()));
+      listeners.add((view, measured) -> steps.write(network.figures()));
+      if (places.extra().isPresent()) {
+        ExtraCsv extra = opened(new ExtraCsv(file("--extra-out", places.extra().get()).open()));
+        ExactOverlap overlap = new ExactOverlap(world);
+        listeners.add((view, measured) -> extra.write(network.figures(), overlap.sum()));
+      }
+      coverage =
+          places.coverage().isPresent()
+              ? Optional.of(new CoverageFiles(places.coverage().get(), plan))
+              : Optional.empty();
+      coverage.ifPresent(opened::add);
+      coverage.ifPresent(covered -> listeners.addAll(covered.listeners()));
+    } catch (IOException | RuntimeException e) {
+      close();
+      throw e;
+    }
+  }
+
+  /** What has to watch the run. */
+  public List<StepListener> listeners() {
+    return listeners;
+  }
+
+  /** What the run added up to. */
+  public RunSums sums() {
+    return sums;
+  }
+
+  /** Moves the files into place and appends to the summary, after the run. */
+  public void commit(List<String> command, Instant started) throws IOException {
+    for (Closeable table : tables) {
+      table.close();
+    }
+    if (coverage.isPresent()) {
+      coverage.get().commit(command, started, sums.communication());
+    }
+    for (OutputFile file : files) {
+      file.commit();
+    }
+    summary.append(plan.seed(), sums);
+  }
+
+  @Override
+  public void close() throws IOException {
+    for (Closeable one : opened) {
+      one.close();
+    }
+  }
+
+  private OutputFile file(String option, Path path) throws IOException {
+    OutputFile file = new OutputFile(option, path);
+    files.add(file);
+    opened.add(file);
+    return file;
+  }
+
+  private <T extends Closeable> T opened(T table) {
+    opened.add(0, table);
+    tables.add(table);
+    return table;
+  }
+}

@@ -1,0 +1,52 @@
+package org.hificamsim.network.files;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.channels.FileLock;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import org.hificamsim.core.InputException;
+
+/**
+ * CamSim's summary file: one row is appended per run, under a lock and in one write, so that runs
+ * side by side may share it.
+ */
+public final class SummaryRows {
+  private final Path path;
+
+  /**
+   * @throws InputException when the path cannot be a file
+   */
+  public SummaryRows(Path path) {
+    this.path = path;
+    Path folder = path.toAbsolutePath().getParent();
+    if (Files.isDirectory(path) || !Files.isDirectory(folder)) {
+      throw new InputException(
+          "summary file '" + path + "' cannot be written, expected a file in an existing folder");
+    }
+  }
+
+  /** Where a run with this output writes its summary unless told otherwise (Q20 mended). */
+  public static Path beside(Path output) {
+    return output.resolveSibling("summary.csv");
+  }
+
+  /** Appends a run. */
+  public void append(long seed, RunSums sums) throws IOException {
+    try (FileChannel file =
+        FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
+      FileLock lock = file.lock();
+      try {
+        String end = System.lineSeparator();
+        String header = file.size() == 0 ? RunSums.HEADER + end : "";
+        byte[] text = (header + sums.row(seed) + end).getBytes(StandardCharsets.UTF_8);
+        file.write(ByteBuffer.wrap(text), file.size());
+      } finally {
+        lock.release();
+      }
+    }
+  }
+}

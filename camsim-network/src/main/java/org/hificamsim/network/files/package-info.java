@@ -1,0 +1,2 @@
+/** CamSim's own files: parameters, the table of steps, the summary. */
+package org.hificamsim.network.files;

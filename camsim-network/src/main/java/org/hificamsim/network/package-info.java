@@ -1,0 +1,2 @@
+/** Cameras as a network: vision graph, messages, auctions and handovers, after CamSim. */
+package org.hificamsim.network;

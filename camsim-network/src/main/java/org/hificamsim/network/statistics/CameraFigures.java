@@ -1,0 +1,90 @@
+package org.hificamsim.network.statistics;
+
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.Targets;
+import org.hificamsim.core.world.World;
+import org.hificamsim.network.agent.Agent;
+import org.hificamsim.network.agent.HashOrder;
+
+/**
+ * What a camera's targets are worth: its utility (section 10.3) and its relative confidence (10.4).
+ *
+ * <p>{@link #measure} fills the figures of one camera, to be read before the next is measured.
+ */
+public final class CameraFigures {
+  private static final double MOST_RANGE = 20;
+
+  private final Cameras cameras;
+  private final Targets targets;
+  private final Field field;
+  private final HashOrder copy = new HashOrder();
+  private double sum;
+  private int visible;
+
+  public CameraFigures(World world) {
+    cameras = world.cameras();
+    targets = world.targets();
+    field = world.scenario().field();
+  }
+
+  /** The visibility of the targets owned, weighed by the camera's range. */
+  public double utility(Agent agent) {
+    double worth = Math.max(worth(agent.camera()), 0);
+    double utility = 0.0;
+    for (int i = 0; i < agent.owned().size(); i++) {
+      utility += agent.confidence(agent.owned().get(i)) * worth * 1;
+    }
+    return utility;
+  }
+
+  /** Measures what the camera owns and sees. */
+  public void measure(Agent agent) {
+    sum = 0.0;
+    visible = 0;
+    HashOrder order = copied(agent.owned().order());
+    for (int i = 0; i < order.size(); i++) {
+      int target = order.get(i);
+      if (agent.sees(target)) {
+        sum += certainty(agent.camera(), target);
+        visible++;
+      }
+    }
+  }
+
+  /** The sum of the certainties of targets owned and seen. */
+  public double sumOfCertainties() {
+    return sum;
+  }
+
+  /** How many targets are owned and seen. */
+  public int tracked() {
+    return visible;
+  }
+
+  /** The mean certainty of the targets owned and seen; 0 without any. */
+  public double relativeConfidence() {
+    return sum == 0 ? 0 : sum / visible;
+  }
+
+  private HashOrder copied(HashOrder owned) {
+    if (owned.copiesInOrder()) {
+      return owned;
+    }
+    copy.copy(owned);
+    return copy;
+  }
+
+  private double worth(int camera) {
+    double range = cameras.zoom(camera, cameras.level(camera)).radius();
+    return 0.95 * (1 - range / MOST_RANGE) - 0.15;
+  }
+
+  private double certainty(int camera, int target) {
+    double dx = (targets.x(target) - field.minX()) - (cameras.x(camera) - field.minX());
+    double dy = (field.minY() + targets.y(target)) * -1 - (field.minY() + cameras.y(camera)) * -1;
+    double distance = Math.sqrt(dx * dx + dy * dy);
+    double certainty = (1 - distance / MOST_RANGE) * worth(camera);
+    return certainty < 0 ? 0 : certainty;
+  }
+}

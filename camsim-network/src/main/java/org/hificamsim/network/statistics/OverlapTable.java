@@ -1,0 +1,71 @@
+package org.hificamsim.network.statistics;
+
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.World;
+
+/** An overlap of every pair of cameras, computed again only where a camera has changed. */
+final class OverlapTable {
+  /** The overlap of two cameras as they are now, the first being earlier in the list. */
+  interface Pair {
+    double overlap(int first, int second);
+  }
+
+  /** What overlaps depend on. */
+  private record View(double x, double y, double heading, ZoomLevel zoom) {}
+
+  private final Cameras cameras;
+  private final Pair pair;
+  private final double[][] overlaps;
+  private final View[] views;
+  private int revision = -1;
+
+  OverlapTable(World world, Pair pair) {
+    this.cameras = world.cameras();
+    this.pair = pair;
+    int count = cameras.count();
+    overlaps = new double[count][count];
+    views = new View[count];
+  }
+
+  /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */
+  double addPairs(int camera, double sum) {
+    refresh();
+    double total = sum;
+    double[] row = overlaps[camera];
+    for (int later = camera + 1; later < row.length; later++) {
+      if (cameras.online(later)) {
+        total += row[later];
+      }
+    }
+    return total;
+  }
+
+  private void refresh() {
+    if (revision == cameras.revision()) {
+      return;
+    }
+    revision = cameras.revision();
+    boolean[] changed = new boolean[views.length];
+    for (int camera = 0; camera < views.length; camera++) {
+      View now = view(camera);
+      changed[camera] = !now.equals(views[camera]);
+      views[camera] = now;
+    }
+    for (int first = 0; first < views.length; first++) {
+      for (int second = first + 1; second < views.length; second++) {
+        if (changed[first] || changed[second]) {
+          overlaps[first][second] = pair.overlap(first, second);
+        }
+      }
+    }
+  }
+
+  private View view(int camera) {
+    return new View(
+        cameras.x(camera),
+        cameras.y(camera),
+        cameras.heading(camera),
+        cameras.zoom(camera, cameras.level(camera)));
+  }
+}

@@ -1,0 +1,74 @@
+package org.hificamsim.network.statistics;
+
+import java.util.List;
+
+/**
+ * The area that two fields of view have in common, exact but for rounding: Green's theorem along
+ * the parts of each boundary that lie inside the other sector.
+ *
+ * <p>Whether a part lies inside is asked a hair's breadth beside its middle, so that boundaries
+ * that coincide count once where the insides are on the same side, and not at all otherwise.
+ */
+public final class SectorOverlap {
+  private static final double HAIR = 1e-9;
+
+  private SectorOverlap() {}
+
+  /** Square metres. */
+  public static double of(Sector first, Sector second) {
+    double reach = first.radius() + second.radius();
+    if (Math.hypot(first.x() - second.x(), first.y() - second.y()) >= reach) {
+      return 0;
+    }
+    if (first.radius() == 0 || second.radius() == 0) {
+      return 0;
+    }
+    List<Edge> ofFirst = edges(first);
+    List<Edge> ofSecond = edges(second);
+    double hair = HAIR * reach;
+    double area = 0;
+    for (Edge edge : ofFirst) {
+      area += inside(edge, ofSecond, second, hair, false);
+    }
+    for (Edge edge : ofSecond) {
+      area += inside(edge, ofFirst, first, hair, true);
+    }
+    return Math.max(area, 0);
+  }
+
+  /**
+   * @param bothSides whether a part must have the sector on either side of it
+   */
+  private static double inside(
+      Edge edge, List<Edge> others, Sector sector, double hair, boolean bothSides) {
+    Cuts cuts = new Cuts();
+    others.forEach(other -> edge.cross(other, cuts));
+    double[] at = cuts.sorted();
+    double area = 0;
+    for (int i = 1; i < at.length; i++) {
+      double middle = (at[i - 1] + at[i]) / 2;
+      if (beside(edge, middle, sector, hair)
+          && (!bothSides || beside(edge, middle, sector, -hair))) {
+        area += edge.areaBetween(at[i - 1], at[i]);
+      }
+    }
+    return area;
+  }
+
+  private static boolean beside(Edge edge, double t, Sector sector, double left) {
+    return sector.contains(edge.x(t) + left * edge.leftX(t), edge.y(t) + left * edge.leftY(t));
+  }
+
+  private static List<Edge> edges(Sector sector) {
+    double start = sector.arcStart();
+    double extent = Math.min(sector.angle(), 2 * Math.PI);
+    Arc arc = new Arc(sector.x(), sector.y(), sector.radius(), start, extent);
+    if (sector.isCircle()) {
+      return List.of(arc);
+    }
+    return List.of(
+        Side.between(sector.x(), sector.y(), arc.x(0), arc.y(0)),
+        arc,
+        Side.between(arc.x(1), arc.y(1), sector.x(), sector.y()));
+  }
+}

@@ -1,0 +1,101 @@
+package org.hificamsim.network.statistics;
+
+import org.hificamsim.core.world.Targets;
+import org.hificamsim.core.world.World;
+import org.hificamsim.network.agent.Agent;
+import org.hificamsim.network.agent.MessageQueue;
+import org.hificamsim.network.agent.Sightings;
+
+/** Adds a step's figures up, camera by camera (section 7, steps 8 to 11). */
+public final class StepTally {
+  private final Targets targets;
+  private final OverlapTable overlaps;
+  private final CameraFigures figures;
+  private final Sightings sightings;
+  private final MessageQueue queue;
+  private double utility;
+  private double banditUtility;
+  private long attempts;
+  private int strategyChanges;
+  private double overlap;
+  private double confidence;
+  private int tracked;
+  private int seeing;
+
+  public StepTally(World world, CameraFigures figures, Sightings sightings, MessageQueue queue) {
+    this.targets = world.targets();
+    this.overlaps = new OverlapTable(world, new CamSimOverlap(world));
+    this.figures = figures;
+    this.sightings = sightings;
+    this.queue = queue;
+  }
+
+  /** Starts a step. */
+  public void begin() {
+    queue.resetCounts();
+    utility = 0.0;
+    banditUtility = 0.0;
+    attempts = 0;
+    strategyChanges = 0;
+    overlap = 0.0;
+    confidence = 0.0;
+    tracked = 0;
+    seeing = 0;
+  }
+
+  /** Counts a camera that changed its schedule or policy. */
+  public void strategyChanged() {
+    strategyChanges++;
+  }
+
+  /** Counts what a camera attempted to send. */
+  public void attempted(int sent) {
+    attempts += sent;
+  }
+
+  /** Counts the utility, prices included, of a camera with a bandit. */
+  public void banditEarned(double amount) {
+    banditUtility += amount;
+  }
+
+  /** Counts an online camera after its update; it has just been measured. */
+  public void updated(Agent agent) {
+    overlap = overlaps.addPairs(agent.camera(), overlap);
+    confidence += figures.relativeConfidence();
+    tracked += figures.tracked();
+    if (sightings.visible(agent.camera()).size() > 0) {
+      seeing++;
+    }
+  }
+
+  /** Counts an online camera's utility, once all have been updated. */
+  public void valued(Agent agent) {
+    utility += figures.utility(agent);
+  }
+
+  /** The row of the step. */
+  public StepFigures end(long step) {
+    return new StepFigures(
+        step,
+        utility,
+        queue.startSearches(),
+        strategyChanges,
+        banditUtility,
+        attempts,
+        overlap,
+        confidence,
+        tracked == 0 ? 0 : (double) tracked / present(),
+        queue.startTrackings(),
+        seeing);
+  }
+
+  private int present() {
+    int present = 0;
+    for (int target = 0; target < targets.count(); target++) {
+      if (targets.present(target)) {
+        present++;
+      }
+    }
+    return present;
+  }
+}

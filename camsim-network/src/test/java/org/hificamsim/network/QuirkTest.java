@@ -1,0 +1,255 @@
+package org.hificamsim.network;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.junit.jupiter.api.Test;
+
+/** CamSim's quirks, one by one: those kept for its numbers, and those that can be left out. */
+class QuirkTest {
+  private static final String ACTIVE = "ai_algorithm='active' comm='0'";
+  private static final String PASSIVE = "ai_algorithm='passive' comm='0'";
+  private static final String FIX = "ai_algorithm='active' comm='3'";
+
+  @Test
+  void q3SpeedIsTheHeadingWhereAClassNameLeadsToWaypoints() {
+    SmallNetwork network = withWaypoints().run(1);
+    assertEquals(Math.toRadians(90), network.world().targets().x(0), 1e-12);
+  }
+
+  @Test
+  void q3LeftOutSpeedIsSpeed() {
+    SmallNetwork network = withWaypoints().without(Quirk.Q3).run(1);
+    assertEquals(0.25, network.world().targets().x(0), 1e-12);
+  }
+
+  private static SmallNetwork withWaypoints() {
+    return new SmallNetwork()
+        .camera("A", 0, 0, 10, ACTIVE)
+        .targetElement(
+            "<object features='1' x='0' y='0' heading='90' speed='0.25'"
+                + " move='epics.movement.Waypoints'>"
+                + "<waypoint x='0' y='0'/><waypoint x='40' y='0'/></object>");
+  }
+
+  @Test
+  void q5FrozenLinksHangOnThePolicyNotOnTheGraph() {
+    assertEquals(1, linked().run(400).row(399).communication());
+  }
+
+  @Test
+  void q5ReverseLinksHangOnThePolicyOfTheCameraBefore() {
+    String nodes = "<graphnode name='A'><neighbour name='B'/></graphnode>";
+    SmallNetwork afterFix =
+        new SmallNetwork()
+            .camera("A", -30, 0, 5, FIX)
+            .camera("B", 0, 0, 10, FIX)
+            .still("1", 1, 1)
+            .graph(false, nodes)
+            .run(2);
+    assertEquals(1, afterFix.last().communication(), "B asks A, which lists it");
+    SmallNetwork mended =
+        new SmallNetwork()
+            .camera("A", -30, 0, 5, FIX)
+            .camera("B", 0, 0, 10, FIX)
+            .still("1", 1, 1)
+            .graph(false, nodes)
+            .without(Quirk.Q5)
+            .run(2);
+    assertEquals(0, mended.last().communication(), "the graph is not static");
+  }
+
+  private static SmallNetwork linked() {
+    return new SmallNetwork()
+        .camera("A", 0, 0, 10, FIX)
+        .camera("B", 30, 0, 5, FIX)
+        .still("1", 1, 1)
+        .graph(false, "<graphnode name='A'><neighbour name='B'/></graphnode>");
+  }
+
+  @Test
+  void q6AFailedCameraNeverComesBack() {
+    SmallNetwork network = failing().run(30);
+    assertFalse(network.world().cameras().online(0));
+    assertEquals("A", network.owners("1.0"), "it keeps what it owns, out of reach");
+  }
+
+  @Test
+  void q6LeftOutItComesBackAfterItsTime() {
+    SmallNetwork network = failing().without(Quirk.Q6).run(8);
+    assertFalse(network.world().cameras().online(0));
+    assertTrue(network.run(1).world().cameras().online(0));
+  }
+
+  private static SmallNetwork failing() {
+    return new SmallNetwork()
+        .camera("A", 0, 0, 10, ACTIVE)
+        .camera("B", 3, 0, 10, ACTIVE)
+        .still("1", 0.5, 0)
+        .event("timestep='3' participant='camera' event='error' name='A' duration='5'");
+  }
+
+  @Test
+  void q7AnOfflineNeighbourIsAskedInVainButCounted() {
+    SmallNetwork network =
+        new SmallNetwork()
+            .camera("A", 0, 0, 10, ACTIVE)
+            .camera("B", 30, 0, 5, ACTIVE)
+            .camera("C", -30, 0, 5, ACTIVE)
+            .still("1", 1, 1)
+            .event("timestep='2' participant='camera' event='error' name='B' duration='-1'")
+            .run(3);
+    assertEquals(2, network.row(1).attempts());
+    assertEquals(2, network.row(1).communication());
+    assertEquals(2, network.row(2).attempts());
+    assertEquals(1, network.row(2).communication());
+  }
+
+  @Test
+  void q7ASecondErrorOfOneCameraIsNoCrash() {
+    SmallNetwork network =
+        failing()
+            .event("timestep='4' participant='camera' event='error' name='A' duration='-1'")
+            .run(6);
+    assertFalse(network.world().cameras().online(0));
+  }
+
+  @Test
+  void q8ATargetThatIsGoneStaysOwnedAndIsAdvertisedForEver() {
+    SmallNetwork network =
+        new SmallNetwork()
+            .camera("A", 0, 0, 10, PASSIVE)
+            .camera("B", 30, 0, 5, PASSIVE)
+            .still("1", 0.5, 0)
+            .event("timestep='2' participant='object' event='error' name='1.0'")
+            .run(20);
+    assertEquals(0, network.row(1).communication());
+    assertEquals(1, network.row(19).communication());
+    assertEquals("A", network.owners("1.0"));
+  }
+
+  @Test
+  void q9ATargetExactlyOnTheCameraIsInvisible() {
+    SmallNetwork network = new SmallNetwork().camera("A", 0, 0, 10, ACTIVE).still("1", 0, 0).run(1);
+    assertEquals("", network.owners("1.0"));
+  }
+
+  @Test
+  void q10ARangeOfTwentyBecomesSixteen() {
+    SmallNetwork network =
+        new SmallNetwork()
+            .camera("A", 0, 0, 20, ACTIVE)
+            .camera("B", 0, 0, 19.9, ACTIVE)
+            .still("1", 17, 0)
+            .run(1);
+    assertEquals(16.0, network.world().cameras().zoom(0, 0).radius());
+    assertEquals("B", network.owners("1.0"));
+  }
+
+  @Test
+  void q13ARangeNearTwentyIsWorthNothing() {
+    SmallNetwork worthless =
+        new SmallNetwork().camera("A", 0, 0, 19, ACTIVE).still("1", 1, 0).run(1);
+    assertEquals(0, worthless.last().utility());
+    SmallNetwork worthSome =
+        new SmallNetwork().camera("A", 0, 0, 10, ACTIVE).still("1", 1, 0).run(1);
+    assertTrue(worthSome.last().utility() > 0);
+  }
+
+  @Test
+  void q15AnErrorLevelOfNFailsInNPlusOnePercentOfTheSteps() {
+    SmallNetwork never = manyCameras().errorLevel(-1).run(300);
+    SmallNetwork often = manyCameras().errorLevel(9).run(300);
+    assertEquals(10, online(never));
+    assertTrue(online(often) < 10, online(often) + " online");
+  }
+
+  private static SmallNetwork manyCameras() {
+    SmallNetwork network = new SmallNetwork().still("1", 1, 1);
+    for (int i = 0; i < 10; i++) {
+      network.camera("C" + i, i, 0, 10, ACTIVE);
+    }
+    return network;
+  }
+
+  private static int online(SmallNetwork network) {
+    int online = 0;
+    for (int camera = 0; camera < network.world().cameras().count(); camera++) {
+      online += network.world().cameras().online(camera) ? 1 : 0;
+    }
+    return online;
+  }
+
+  @Test
+  void q17AnEventsMoveIsIgnoredUnlessTheQuirkIsLeftOut() {
+    assertEquals(0.0, wandering().run(1).world().targets().y(0));
+    assertTrue(wandering().without(Quirk.Q17).run(1).world().targets().y(0) != 0);
+  }
+
+  private static SmallNetwork wandering() {
+    return new SmallNetwork()
+        .camera("A", 0, 0, 10, ACTIVE)
+        .event(
+            "timestep='0' participant='object' event='add' name='1' x='0' y='0' heading='90'"
+                + " speed='0' move='epics.movement.Brownian'");
+  }
+
+  @Test
+  void q19ATieGoesToTheFirstByHashCodeOrElseByList() {
+    assertEquals("I", tie("I", "H").without(Quirk.Q19).run(2).owners("1.0"));
+    assertEquals("H", tie("I", "H").run(2).owners("1.0"), "bucket 3 comes before bucket 6");
+  }
+
+  private static SmallNetwork tie(String first, String second) {
+    return new SmallNetwork()
+        .camera("A", 20, 0, 15, ACTIVE)
+        .camera(first, 8, 1, 10, ACTIVE)
+        .camera(second, 8, -1, 10, ACTIVE)
+        .still("1", 17, 0)
+        .event(
+            "timestep='1' participant='camera' event='change' name='A' x='-40' y='-40'"
+                + " heading='-1' viewing_angle='-1' range='-1'");
+  }
+
+  @Test
+  void q18AResetCameraAsksNobodyEverAfter() {
+    assertEquals(0, lateAttempts(-1), "every camera has failed and was reset");
+    assertTrue(lateAttempts(100) > 0, "no camera was reset");
+  }
+
+  /** Attempts in the last 50 of 150 steps, in each of which a camera fails and comes back soon. */
+  private static long lateAttempts(int resetLevel) {
+    SmallNetwork network =
+        new SmallNetwork()
+            .camera("A", 0, 0, 10, ACTIVE)
+            .camera("B", 3, 0, 10, ACTIVE)
+            .still("1", 1, 1)
+            .without(Quirk.Q6)
+            .errorLevel(100)
+            .resetLevel(resetLevel)
+            .run(150);
+    long attempts = 0;
+    for (int step = 100; step < 150; step++) {
+      attempts += network.row(step).attempts();
+    }
+    return attempts;
+  }
+
+  @Test
+  void q21AnAddedCameraKnowsNothingOfTheTargetsThatAreThere() {
+    SmallNetwork network =
+        new SmallNetwork()
+            .camera("A", 30, 0, 5, PASSIVE)
+            .still("1", 0.5, 0)
+            .event(
+                "timestep='2' participant='camera' event='add' name='B' x='0' y='0' heading='0'"
+                    + " viewing_angle='360' range='10' comm='0'")
+            .event(
+                "timestep='4' participant='object' event='add' name='2' x='0' y='0.5'"
+                    + " heading='0' speed='0'")
+            .run(6);
+    assertEquals("", network.owners("1.0"));
+    assertEquals("B", network.owners("2.0"));
+  }
+}

@@ -1,0 +1,54 @@
+package org.hificamsim.network;
+
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.Set;
+import org.hificamsim.core.CamSimCommand;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.WidestPolicy;
+import org.hificamsim.core.world.World;
+import org.hificamsim.core.world.movement.Movements;
+
+/** A run of CamSim's that was recorded, to be run again here. */
+record RecordedRun(CamSimCommand command) {
+  /** Watches a run. */
+  interface Watcher {
+    void stepped(World world, Network network);
+  }
+
+  NetworkSettings settings(Set<Quirk> quirks) {
+    NetworkSettings camsim = NetworkSettings.CAMSIM;
+    return new NetworkSettings(
+        command.option("-a"),
+        command.number("-c").map(OptionalInt::of).orElse(OptionalInt.empty()),
+        command.option("-u"),
+        command.option("-b"),
+        command.number("-v").flatMap(GraphUse::find).orElse(GraphUse.AS_IN_FILE),
+        command.number("-e").orElse(camsim.errorLevel()),
+        command.number("-r").orElse(camsim.resetLevel()),
+        camsim.banditParameters(),
+        camsim.historicalParameters(),
+        quirks);
+  }
+
+  /** Runs it with all of CamSim's quirks. */
+  void run(Watcher watcher) {
+    run(NetworkSettings.CAMSIM.quirks(), watcher);
+  }
+
+  /** Runs it with some of CamSim's quirks. */
+  void run(Set<Quirk> quirks, Watcher watcher) {
+    NetworkSettings settings = settings(quirks);
+    long seed = command.seed();
+    World world =
+        new World(CamSimDialect.read(command.read(), settings), Movements.registry(), seed);
+    Detection detection = Detection.of(new CamSimVisibilityDetection());
+    Network network = new Network(world, detection, settings, seed);
+    StepListener listener = (view, coverage) -> watcher.stepped(world, network);
+    new Simulation(world, detection, new WidestPolicy(), network, seed, List.of(listener))
+        .run(command.steps());
+  }
+}

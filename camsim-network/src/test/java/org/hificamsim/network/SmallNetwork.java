@@ -1,0 +1,173 @@
+package org.hificamsim.network;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.Set;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.WidestPolicy;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.world.World;
+import org.hificamsim.core.world.movement.Movements;
+import org.hificamsim.network.auction.HistoricalParameters;
+import org.hificamsim.network.bandit.BanditParameters;
+import org.hificamsim.network.statistics.StepFigures;
+
+/** A network of a few cameras in a field of 100 m by 100 m, written out in a test. */
+final class SmallNetwork {
+  private final StringBuilder cameras = new StringBuilder();
+  private final StringBuilder targets = new StringBuilder();
+  private final StringBuilder events = new StringBuilder();
+  private String graph = "";
+  private Set<Quirk> quirks = EnumSet.allOf(Quirk.class);
+  private GraphUse use = GraphUse.AS_IN_FILE;
+  private Optional<String> bandit = Optional.empty();
+  private int errorLevel = -1;
+  private int resetLevel = 50;
+  private World world;
+  private Network network;
+  private Simulation simulation;
+  private final List<StepFigures> rows = new ArrayList<>();
+
+  /** Adds a camera that sees all round. */
+  SmallNetwork camera(String name, double x, double y, double range, String attributes) {
+    cameras.append(
+        "<camera name='%s' x='%s' y='%s' heading='0' viewing_angle='360' range='%s' %s/>"
+            .formatted(name, x, y, range, attributes));
+    return this;
+  }
+
+  /** Adds a target that stays where it is. */
+  SmallNetwork still(String features, double x, double y) {
+    return target("features='%s' x='%s' y='%s' heading='0' speed='0'".formatted(features, x, y));
+  }
+
+  SmallNetwork target(String attributes) {
+    targets.append("<object ").append(attributes).append("/>");
+    return this;
+  }
+
+  SmallNetwork targetElement(String element) {
+    targets.append(element);
+    return this;
+  }
+
+  SmallNetwork event(String attributes) {
+    events.append("<event ").append(attributes).append("/>");
+    return this;
+  }
+
+  SmallNetwork eventElement(String element) {
+    events.append(element);
+    return this;
+  }
+
+  SmallNetwork graph(boolean isStatic, String nodes) {
+    graph = "<visiongraph static='%s'>%s</visiongraph>".formatted(isStatic, nodes);
+    return this;
+  }
+
+  SmallNetwork without(Quirk quirk) {
+    quirks = EnumSet.allOf(Quirk.class);
+    quirks.remove(quirk);
+    return this;
+  }
+
+  SmallNetwork bandit(String name) {
+    bandit = Optional.of(name);
+    return this;
+  }
+
+  SmallNetwork errorLevel(int level) {
+    errorLevel = level;
+    return this;
+  }
+
+  SmallNetwork resetLevel(int level) {
+    resetLevel = level;
+    return this;
+  }
+
+  /** Runs this many further steps. */
+  SmallNetwork run(int steps) {
+    if (simulation == null) {
+      start();
+    }
+    for (int i = 0; i < steps; i++) {
+      simulation.step();
+    }
+    return this;
+  }
+
+  StepFigures row(int step) {
+    return rows.get(step);
+  }
+
+  StepFigures last() {
+    return rows.get(rows.size() - 1);
+  }
+
+  World world() {
+    return world;
+  }
+
+  /** The names of the cameras that own a target, joined. */
+  String owners(String features) {
+    StringBuilder owners = new StringBuilder();
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      for (int target : network.owned(camera)) {
+        if (world.targets().name(target).equals(features)) {
+          owners.append(world.cameras().name(camera));
+        }
+      }
+    }
+    return owners.toString();
+  }
+
+  private void start() {
+    NetworkSettings settings =
+        new NetworkSettings(
+            Optional.empty(),
+            OptionalInt.empty(),
+            Optional.empty(),
+            bandit,
+            use,
+            errorLevel,
+            resetLevel,
+            BanditParameters.DEFAULT,
+            HistoricalParameters.DEFAULT,
+            quirks);
+    world = new World(CamSimDialect.read(scenario(), settings), Movements.registry(), 0);
+    Detection detection = Detection.of(new CamSimVisibilityDetection());
+    network = new Network(world, detection, settings, 0);
+    StepListener listener = (view, coverage) -> rows.add(network.figures());
+    simulation =
+        new Simulation(world, detection, new WidestPolicy(), network, 0, List.of(listener));
+  }
+
+  private Scenario scenario() {
+    String text =
+        ("<root><simulation min_x='-50' max_x='50' min_y='-50' max_y='50'><cameras>%s</cameras>"
+                + "<objects>%s</objects><events>%s</events>%s</simulation></root>")
+            .formatted(cameras, targets, events, graph);
+    try {
+      Path file = Files.createTempFile("small", ".xml");
+      Files.writeString(file, text);
+      Scenario scenario = ScenarioReader.read(file, anyMovement -> true, warning -> {});
+      Files.delete(file);
+      return scenario;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,78 @@
+package org.hificamsim.network.bandit;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+/** Bandits alone. */
+class BanditSolverTest {
+  private static BanditSolver solver(BanditKind kind, int interval) {
+    return kind.solver(new BanditParameters(0.1, 1, 0.5, 0, interval), new Random(1));
+  }
+
+  /** CamSim's UCB2 weighs an arm's epochs against its own count alone, and wanders. */
+  @ParameterizedTest
+  @EnumSource(
+      value = BanditKind.class,
+      names = {"FULL_RANDOM", "UCB2"},
+      mode = EnumSource.Mode.EXCLUDE)
+  void theBestArmIsChosenMostOften(BanditKind kind) {
+    BanditSolver solver = solver(kind, 1);
+    int best = 0;
+    for (int step = 0; step < 3000; step++) {
+      int arm = solver.select();
+      best += arm == 4 ? 1 : 0;
+      solver.feed(arm == 4 ? 1 : 0.2, 0);
+    }
+    assertTrue(best > 1500, best + " of 3000");
+  }
+
+  @Test
+  void anArmIsKeptForTheInterval() {
+    BanditSolver solver = solver(BanditKind.FULL_RANDOM, 5);
+    int first = solver.select();
+    solver.feed(0, 0);
+    int arm = solver.select();
+    for (int step = 0; step < 4; step++) {
+      solver.feed(0, 0);
+      assertEquals(arm, solver.select());
+    }
+    assertTrue(first >= 0 && first < Arms.COUNT);
+    assertEquals(1, solver.arms().used(first));
+  }
+
+  @Test
+  void meanAndSpreadStandForTheListOfResults() {
+    Arms arms = new Arms(new Random(0));
+    List<Double> results = new ArrayList<>();
+    SplittableRandom random = new SplittableRandom(2);
+    for (int i = 0; i < 500; i++) {
+      int arm = random.nextInt(Arms.COUNT);
+      double reward = random.nextDouble(-1, 2);
+      arms.reward(arm, reward);
+      results.add(arm == 3 ? reward : 0.0);
+      double mean = arms.mean(3);
+      double squares = results.stream().mapToDouble(r -> (r - mean) * (r - mean)).sum();
+      assertEquals(Math.sqrt(squares / results.size()), arms.deviation(3), 1e-12);
+    }
+  }
+
+  @Test
+  void ranksCountEarlierValuesThatAreSmaller() {
+    Ranks ranks = new Ranks();
+    assertEquals(0, ranks.shareBelow(5));
+    for (int i = 0; i < 100; i++) {
+      ranks.add(i % 25);
+    }
+    assertEquals(0.4, ranks.shareBelow(10));
+    assertEquals(0, ranks.shareBelow(0));
+    assertEquals(1, ranks.shareBelow(25));
+  }
+}

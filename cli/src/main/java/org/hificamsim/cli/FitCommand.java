@@ -1,0 +1,146 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.dataset.Camera;
+import org.hificamsim.profiling.dataset.DatasetReader;
+import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.fit.FitSettings;
+import org.hificamsim.profiling.fit.Fitting;
+import org.hificamsim.profiling.fit.LineFit;
+import org.hificamsim.profiling.fit.ModelFolder;
+import org.hificamsim.profiling.fit.SupportVectorSettings;
+import org.hificamsim.profiling.fit.SymbolicSettings;
+import org.hificamsim.profiling.measure.Measurement;
+import org.hificamsim.profiling.measure.MeasurementsFile;
+import org.hificamsim.profiling.report.Report;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code hificamsim profile fit}: models and a report from measurements. */
+@Command(
+    name = "fit",
+    description = "Fits f and g to measurements.csv; writes models/*.json and report.html.",
+    mixinStandardHelpOptions = true,
+    showDefaultValues = true)
+final class FitCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
+  private Path folder;
+
+  @Option(
+      names = "--name",
+      paramLabel = "NAME",
+      defaultValue = "lab",
+      description = "Prefix of the models' names, as in NAME:orb-lin.")
+  private String name;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Of the folds and of symbolic regression.")
+  private long seed;
+
+  @Option(names = "--folds", paramLabel = "K", defaultValue = "5", description = "Folds.")
+  private int folds;
+
+  @Option(
+      names = "--population",
+      paramLabel = "N",
+      defaultValue = "1000",
+      description = "Programs per generation of symbolic regression.")
+  private int population;
+
+  @Option(
+      names = "--generations",
+      paramLabel = "N",
+      defaultValue = "30",
+      description = "Generations of symbolic regression.")
+  private int generations;
+
+  @Option(
+      names = "--parsimony",
+      paramLabel = "X",
+      defaultValue = "0.001",
+      description = "What each node of a formula costs, in squared error.")
+  private double parsimony;
+
+  @Option(
+      names = "--epsilon",
+      paramLabel = "X",
+      defaultValue = "0.1",
+      description = "Errors below this cost support vectors nothing.")
+  private double epsilon;
+
+  @Option(
+      names = "--penalty",
+      paramLabel = "C",
+      defaultValue = "1",
+      description = "What larger errors cost them.")
+  private double penalty;
+
+  @Mixin private ThreadsOption threads;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    FitSettings settings = settings();
+    int count = threads.count();
+    Camera camera = DatasetReader.camera(folder);
+    List<Measurement> measurements = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
+    FitResult result = new Fitting(settings).fit(camera, measurements, count);
+    int models = new ModelFolder(folder.resolve("models"), name).write(result);
+    Report.write(result, folder.toAbsolutePath().normalize().getFileName().toString(), folder);
+    print(result, models);
+    return 0;
+  }
+
+  private void print(FitResult result, int models) {
+    PrintWriter out = spec.commandLine().getOut();
+    out.printf("%-16s %7s %8s  g%n", "model", "R2", "RMSE");
+    for (String detector : result.detectors()) {
+      result
+          .features()
+          .forEach(
+              f -> {
+                LineFit line = result.line(detector, f.name());
+                out.printf(
+                    "%-16s %7.3f %8.4f  %.3f * PIP %+.3f%n",
+                    detector + "-" + f.name(),
+                    line.r2(),
+                    line.rmse(),
+                    line.slope().value(),
+                    line.intercept().value());
+              });
+    }
+    out.printf("%d models in %s%n", models, folder.resolve("models"));
+    out.printf("report: %s%n", folder.resolve("report.html"));
+  }
+
+  private FitSettings settings() {
+    if (!name.matches("[A-Za-z0-9][A-Za-z0-9._-]{0,39}")) {
+      throw new InputException(
+          "--name is '" + name + "', expected 1 to 40 letters, digits, or any of . _ -");
+    }
+    Numbers.inRange("--folds", folds, 2, 100);
+    Numbers.inRange("--population", population, 50, 1_000_000);
+    Numbers.inRange("--generations", generations, 1, 100_000);
+    Numbers.within("--parsimony", parsimony, 0, 1);
+    Numbers.within("--epsilon", epsilon, 0, 10);
+    Numbers.within("--penalty", penalty, 1e-6, 1e6);
+    return new FitSettings(
+        folds,
+        seed,
+        new SymbolicSettings(population, generations, parsimony, seed),
+        new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()));
+  }
+}

@@ -1,0 +1,49 @@
+package org.hificamsim.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Locale;
+import org.hificamsim.reproduction.Judgement;
+import org.hificamsim.reproduction.Statement;
+import org.hificamsim.reproduction.Table81;
+import org.hificamsim.reproduction.Verdict;
+
+/** The tables that a reproduction prints when it is done. */
+final class JudgementTable {
+  private JudgementTable() {}
+
+  static void print(PrintWriter out, Judgement judgement, Path folder) {
+    out.printf(
+        "%-8s %-15s %-9s %9s  %-20s %s%n",
+        "layout", "policy", "detection", "published", "ours [95%]", "verdict");
+    for (Table81.Cell cell : judgement.cells()) {
+      out.printf(
+          Locale.ROOT,
+          "%-8s %-15s %-9s %9.2f  %.3f [%.3f, %.3f] %s%n",
+          cell.published().layout().label(),
+          cell.published().policy(),
+          cell.published().hifi() ? "hi-fi" : "CamSim",
+          cell.published().proportion(),
+          cell.ours().mean(),
+          cell.ours().low(),
+          cell.ours().high(),
+          cell.verdict().label());
+    }
+    out.println();
+    for (Statement statement : judgement.statements()) {
+      out.printf("%-15s %s%n", statement.verdict().label(), statement.text());
+    }
+    out.println();
+    for (Verdict verdict : Verdict.values()) {
+      out.printf(
+          "%-15s %d of %d cells, %d of %d statements%n",
+          verdict.label(),
+          judgement.cellsWith(verdict),
+          judgement.cells().size(),
+          judgement.statementsWith(verdict),
+          judgement.statements().size());
+    }
+    out.println("files: " + folder);
+    out.flush();
+  }
+}

@@ -1,0 +1,118 @@
+package org.hificamsim.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.Callable;
+import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.dataset.Dataset;
+import org.hificamsim.profiling.dataset.DatasetReader;
+import org.hificamsim.profiling.dataset.DatasetReading;
+import org.hificamsim.profiling.detector.Detectors;
+import org.hificamsim.profiling.detector.Metric;
+import org.hificamsim.profiling.detector.RatioTest;
+import org.hificamsim.profiling.measure.MeasureSettings;
+import org.hificamsim.profiling.measure.Measurer;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code hificamsim profile measure}: PIP and the detectors' confidences of every photo. */
+@Command(
+    name = "measure",
+    description = "Measures every photo of a data set and writes measurements.csv; resumable.",
+    mixinStandardHelpOptions = true,
+    showDefaultValues = true)
+final class MeasureCommand implements Callable<Integer> {
+  private static final int BAD_INPUT = 2;
+
+  @Parameters(paramLabel = "DIR", description = "The data set's folder.")
+  private Path folder;
+
+  @Option(
+      names = "--detectors",
+      paramLabel = "A,B",
+      split = ",",
+      defaultValue = "orb,sift,surf",
+      description = "Which detectors.")
+  private List<String> detectors;
+
+  @Option(
+      names = "--metric",
+      paramLabel = "euclidean|hamming",
+      defaultValue = "euclidean",
+      description = "Distance between descriptors; hamming is for ORB, the others stay euclidean.")
+  private Metric metric;
+
+  @Option(
+      names = "--ratio",
+      paramLabel = "R",
+      defaultValue = "0.8",
+      description = "Lowe's ratio test, above 0, at most 1.")
+  private double ratio;
+
+  @Option(
+      names = "--picture",
+      paramLabel = "IMAGE",
+      description = "Draw this image's matches into matches/; may be repeated.")
+  private Set<String> pictures = new LinkedHashSet<>();
+
+  @Mixin private ThreadsOption threads;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() {
+    MeasureSettings settings = settings();
+    int count = threads.count();
+    PrintWriter err = spec.commandLine().getErr();
+    DatasetReading reading = DatasetReader.read(folder);
+    reading.problems().forEach(problem -> err.println("error: " + problem));
+    if (reading.dataset().isEmpty()) {
+      err.flush();
+      return BAD_INPUT;
+    }
+    measure(reading.dataset().get(), settings, count, err);
+    return 0;
+  }
+
+  private void measure(Dataset dataset, MeasureSettings settings, int count, PrintWriter err) {
+    for (String picture : pictures) {
+      if (dataset.samples().stream().noneMatch(sample -> sample.image().equals(picture))) {
+        throw new InputException(
+            "--picture is '" + picture + "', expected an image of " + Dataset.TABLE);
+      }
+    }
+    int resumed;
+    int photos = dataset.samples().size();
+    try (Progress progress = new Progress("measure", " photos", photos, err)) {
+      resumed = new Measurer(dataset, settings).measure(count, progress::advance);
+    }
+    spec.commandLine()
+        .getOut()
+        .printf(
+            "%d photos measured%s: %s%n",
+            photos,
+            resumed > 0 ? ", " + resumed + " of them by an earlier call" : "",
+            folder.resolve("measurements.csv"));
+  }
+
+  private MeasureSettings settings() {
+    Numbers.within("--ratio", ratio, Double.MIN_NORMAL, 1);
+    List<String> names =
+        detectors.stream().map(name -> name.strip().toLowerCase(Locale.ROOT)).distinct().toList();
+    for (String name : names) {
+      if (!Detectors.names().contains(name)) {
+        throw new InputException(
+            "--detectors has '" + name + "', expected some of " + Detectors.names());
+      }
+    }
+    return new MeasureSettings(names, new RatioTest(metric, ratio), pictures);
+  }
+}

@@ -1,0 +1,180 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import org.hificamsim.core.InputException;
+import org.hificamsim.presentation.picture.Animation;
+import org.hificamsim.presentation.picture.RunFrames;
+import org.hificamsim.presentation.picture.StepPicture;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.Replay;
+import org.hificamsim.runs.output.OutputFile;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParseResult;
+
+/** The options of {@code report} that ask for pictures: for papers, without a browser. */
+final class PictureOptions {
+  private static final int PNG_WIDTH = 1600;
+  private static final int GIF_WIDTH = 640;
+  private static final int LEAST_WIDTH = 200;
+  private static final int MOST_WIDTH = 8000;
+  private static final int MOST_GIF_WIDTH = 2000;
+  private static final int MOST_PER_SECOND = 50;
+
+  @Option(names = "--png", paramLabel = "FILE", description = "A picture of one step.")
+  private Path png;
+
+  @Option(names = "--svg", paramLabel = "FILE", description = "The same, for papers.")
+  private Path svg;
+
+  @Option(names = "--gif", paramLabel = "FILE", description = "An animation of the steps.")
+  private Path gif;
+
+  @Option(
+      names = "--run",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Which repeat pictures show, from 0; default: ${DEFAULT-VALUE}.")
+  private int repeat;
+
+  @Option(
+      names = "--step",
+      paramLabel = "N",
+      description = "Which step --png and --svg show; default: the last one.")
+  private Long step;
+
+  @Option(
+      names = "--from",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "First step of --gif; default: ${DEFAULT-VALUE}.")
+  private long from;
+
+  @Option(
+      names = "--to",
+      paramLabel = "N",
+      description = "Last step of --gif; default: the last one.")
+  private Long to;
+
+  @Option(
+      names = "--every",
+      paramLabel = "N",
+      description = "Steps between pictures of --gif; default: so that there are at most 200.")
+  private Integer every;
+
+  @Option(
+      names = "--per-second",
+      paramLabel = "N",
+      defaultValue = "10",
+      description = "Pictures of --gif per second, 1 to 50; default: ${DEFAULT-VALUE}.")
+  private int perSecond;
+
+  @Option(
+      names = "--width",
+      paramLabel = "PIXELS",
+      description = "Width of --png (default: 1600) and --gif (default: 640).")
+  private Integer width;
+
+  /** Whether any picture is asked for. */
+  boolean asked() {
+    return png != null || svg != null || gif != null;
+  }
+
+  /**
+   * Checks that nothing is said about pictures that are not asked for.
+   *
+   * @param words the command line
+   */
+  void check(ParseResult words) {
+    boolean still = png != null || svg != null;
+    require(words, still, "--png or --svg", "--step");
+    require(words, gif != null, "--gif", "--from", "--to", "--every", "--per-second");
+    require(words, still || gif != null, "--png, --svg or --gif", "--run");
+    require(words, png != null || gif != null, "--png or --gif", "--width");
+  }
+
+  private static void require(ParseResult words, boolean asked, String by, String... about) {
+    for (String option : about) {
+      if (!asked && words.hasMatchedOption(option)) {
+        throw new InputException(option + " needs " + by + " beside it");
+      }
+    }
+  }
+
+  /** Draws what is asked for, telling each file on {@code out}. */
+  void write(Path folder, PrintWriter out) throws IOException {
+    Numbers.inRange("--per-second", perSecond, 1, MOST_PER_SECOND);
+    if (width != null) {
+      Numbers.inRange("--width", width, LEAST_WIDTH, gif == null ? MOST_WIDTH : MOST_GIF_WIDTH);
+    }
+    RunFrames run = frames(folder);
+    StepPicture still = new StepPicture(run, run.at("--step", step == null ? run.last() : step));
+    Animation animation = animation(run);
+    if (png != null) {
+      int pixels = width == null ? PNG_WIDTH : width;
+      write("--png", png, stream -> FigureFile.png(stream, still, pixels));
+      out.println(png);
+    }
+    if (svg != null) {
+      write("--svg", svg, stream -> FigureFile.svg(stream, still));
+      out.println(svg);
+    }
+    if (gif != null) {
+      int pixels = width == null ? GIF_WIDTH : width;
+      write("--gif", gif, stream -> animation.write(stream, pixels, perSecond));
+      out.printf(
+          "%s (%d pictures, one for %s)%n",
+          gif,
+          animation.pictures(),
+          animation.stepsApart() == 1 ? "each step" : animation.stepsApart() + " steps");
+    }
+  }
+
+  private RunFrames frames(Path folder) throws IOException {
+    Replay replay = Replay.read(folder);
+    for (int i = 0; i < replay.runs().size(); i++) {
+      if (replay.runs().get(i).run() == repeat) {
+        Recording recording = replay.recording(folder, i);
+        return new RunFrames(replay.setup(), recording);
+      }
+    }
+    throw new InputException(
+        "--run is %d, expected one of the %d repeats recorded, from 0"
+            .formatted(repeat, replay.runs().size()));
+  }
+
+  private Animation animation(RunFrames run) {
+    int first = run.at("--from", from);
+    int last = run.at("--to", to == null ? run.last() : to);
+    if (last < first) {
+      throw new InputException("--to is %d, expected a step from %d on".formatted(to, from));
+    }
+    if (every == null) {
+      return Animation.of(run, first, last);
+    }
+    long recorded = run.stepsApart();
+    if (every < 1 || every % recorded != 0) {
+      throw new InputException(
+          "--every is %d, expected a multiple of %d, above 0".formatted(every, recorded));
+    }
+    return new Animation(run, first, last, (int) (every / recorded));
+  }
+
+  /** What fills a file. */
+  @FunctionalInterface
+  private interface Filling {
+    void fill(OutputStream out) throws IOException;
+  }
+
+  private static void write(String option, Path path, Filling filling) throws IOException {
+    try (OutputFile file = new OutputFile(option, path)) {
+      try (OutputStream stream = file.stream()) {
+        filling.fill(stream);
+      }
+      file.commit();
+    }
+  }
+}

@@ -1,0 +1,106 @@
+package org.hificamsim.cli;
+
+import java.io.PrintWriter;
+import java.util.concurrent.TimeUnit;
+import me.tongfei.progressbar.ProgressBar;
+import me.tongfei.progressbar.ProgressBarBuilder;
+
+/**
+ * The progress of a long run on standard error: a bar on a terminal, else a line now and then. The
+ * launcher says which by {@code -Dhificamsim.terminal=true}. Quiet for the first seconds, so that
+ * short runs show nothing.
+ */
+final class Progress implements AutoCloseable {
+  /** Units between two looks at the clock, at most: more would save nothing. */
+  private static final long MOST_UNSEEN = 64;
+
+  /** As often as a look need be, nanoseconds. */
+  private static final long SOON = TimeUnit.MILLISECONDS.toNanos(1);
+
+  private static final long QUIET = TimeUnit.SECONDS.toNanos(2);
+  private static final long BETWEEN_LINES = TimeUnit.SECONDS.toNanos(10);
+
+  /** How progress is told. */
+  enum Telling {
+    /** A bar that is drawn anew. */
+    BAR,
+    /** A line every ten seconds. */
+    LINES,
+    NOTHING;
+
+    /** What suits the place that the launcher says standard error is. */
+    static Telling asLaunched() {
+      return Boolean.getBoolean("hificamsim.terminal") ? BAR : LINES;
+    }
+  }
+
+  private final ProgressLine line;
+  private final long total;
+  private final PrintWriter err;
+  private final Telling telling;
+  private final long started = System.nanoTime();
+  private long done;
+  private long unseen = 1;
+  private long nextLook = 1;
+  private long lastLook = started;
+  private long lastLine = started;
+  private ProgressBar bar;
+
+  /**
+   * @param unit what is counted, as in {@code " steps"}
+   */
+  Progress(String task, String unit, long total, PrintWriter err) {
+    this(task, unit, total, err, Telling.asLaunched());
+  }
+
+  Progress(String task, String unit, long total, PrintWriter err, Telling telling) {
+    this.line = new ProgressLine(task, unit.strip(), total);
+    this.total = total;
+    this.err = err;
+    this.telling = telling;
+  }
+
+  /** Counts one unit. */
+  synchronized void advance() {
+    done++;
+    if (done >= nextLook && telling != Telling.NOTHING) {
+      long now = System.nanoTime();
+      unseen = now - lastLook < SOON ? Math.min(2 * unseen, MOST_UNSEEN) : 1;
+      lastLook = now;
+      nextLook = done + unseen;
+      look(now);
+    }
+  }
+
+  private void look(long now) {
+    if (now - started < QUIET) {
+      return;
+    }
+    if (telling == Telling.BAR) {
+      if (bar == null) {
+        bar = bar();
+      }
+      bar.stepTo(done);
+    } else if (now - lastLine > BETWEEN_LINES) {
+      lastLine = now;
+      err.println(line.plain(done, now - started));
+    }
+  }
+
+  private ProgressBar bar() {
+    return new ProgressBarBuilder()
+        .setInitialMax(total)
+        .setRenderer(
+            (state, width) -> line.bar(state.getCurrent(), System.nanoTime() - started, width))
+        .build();
+  }
+
+  @Override
+  public synchronized void close() {
+    if (bar != null) {
+      bar.stepTo(done);
+      bar.close();
+      bar = null;
+    }
+  }
+}

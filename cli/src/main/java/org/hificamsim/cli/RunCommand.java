@@ -1,0 +1,224 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.function.IntFunction;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
+import org.hificamsim.presentation.replay.ReplayRecorder;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.presentation.report.Report;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.output.ManifestFile;
+import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.runs.output.RunRecorder;
+import org.hificamsim.runs.output.SummaryFile;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code hificamsim run}: simulates one scenario and writes what was covered. */
+@Command(
+    name = "run",
+    description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.",
+    mixinStandardHelpOptions = true,
+    showDefaultValues = true)
+final class RunCommand implements Callable<Integer> {
+  private static final int MOST_STEPS = 1_000_000_000;
+  private static final int MOST_REPEATS = 1_000_000;
+  private static final int MOST_MEGABYTES = 5; // of a page
+
+  @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
+  private Path file;
+
+  @Option(
+      names = "--detection",
+      paramLabel = "NAME|FILE.json",
+      defaultValue = "hifi:orb-lin",
+      description = "The detection model; see 'list detections'.")
+  private String detection;
+
+  @Option(
+      names = "--policy",
+      paramLabel = "NAME[:key=value,...]",
+      defaultValue = "epsilon-greedy",
+      description = "The zoom policy; see 'list policies'.")
+  private String policy;
+
+  @Option(
+      names = "--threshold",
+      paramLabel = "T",
+      showDefaultValue = picocli.CommandLine.Help.Visibility.NEVER,
+      description = "Detection threshold, 0 to 1; default: the scenario's, else the model's.")
+  private Double threshold;
+
+  @Option(names = "--steps", paramLabel = "N", defaultValue = "1000", description = "Steps.")
+  private int steps;
+
+  @Option(
+      names = "--seed",
+      paramLabel = "N",
+      defaultValue = "0",
+      description = "Seed of the first repeat; repeat i uses seed + i.")
+  private long seed;
+
+  @Option(names = "--repeat", paramLabel = "N", defaultValue = "1", description = "Repeats.")
+  private int repeats;
+
+  @Option(
+      names = "--out",
+      paramLabel = "DIR",
+      description = "Where the files go; default: out/<scenario>/.")
+  private Path out;
+
+  @Option(
+      names = "--record",
+      description = "Write zooms.csv, targets.csv, replay.json and report.html too.")
+  private boolean record;
+
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      defaultValue = "1",
+      description =
+          "Threads that share each step, worth it from some thousand cameras; 0 for one per"
+              + " processor. Results do not depend on it.")
+  private int threads;
+
+  @Option(
+      names = "--listener",
+      paramLabel = "NAME",
+      description = "A step listener from a jar on the class path; may be repeated.")
+  private List<String> listeners = new ArrayList<>();
+
+  @Mixin private QuietOption quiet;
+
+  @Mixin private ScenarioOptions scenarioOptions;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    Instant started = Instant.now();
+    Catalogue catalogue = Catalogue.load();
+    RunPlan plan = plan(catalogue);
+    new RunExecutor(catalogue).check(plan);
+    listeners.forEach(catalogue.listeners()::create);
+    Path folder = out != null ? out : Path.of("out", plan.scenario().name());
+    try (OutputFolder output = new OutputFolder(folder);
+        Workers workers = Workers.of(Threads.number(threads))) {
+      KMinOverTime kMin = new KMinOverTime(plan.steps());
+      Optional<ReplayRecorder> replay =
+          record ? Optional.of(replay(plan, catalogue)) : Optional.empty();
+      IntFunction<Stream<StepListener>> own =
+          run ->
+              Stream.concat(
+                  Stream.of(kMin.listener()), replay.map(film -> film.listener(run)).stream());
+      List<RunResult> results =
+          execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
+      SummaryFile.write(output.open("summary.json"), plan, results);
+      ManifestFile.write(
+          output.open("manifest.json"),
+          spec.commandLine().getParent().getParseResult().originalArgs(),
+          started,
+          (long) plan.steps() * plan.repeats());
+      if (replay.isPresent()) {
+        replay.get().write(output.stream(ReplayRecorder.FILE));
+      }
+      output.commit(RunRecorder.RECORDS);
+      if (replay.isPresent()) {
+        report(folder);
+      }
+      SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
+    }
+    return 0;
+  }
+
+  private void report(Path folder) throws IOException {
+    Path page = folder.resolve(Report.FILE);
+    Report.write(folder, page);
+    double megabytes = Files.size(page) / 1e6;
+    if (megabytes >= MOST_MEGABYTES) {
+      stderr()
+          .printf(
+              "warning: %s has %.1f MB: where the cameras of this network stand, and what they see"
+                  + " at each zoom level, does not fit into %d MB%n",
+              page, megabytes, MOST_MEGABYTES);
+    }
+  }
+
+  /** Checks every option before anything is written. */
+  private RunPlan plan(Catalogue catalogue) {
+    Numbers.inRange("--steps", steps, 1, MOST_STEPS);
+    Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
+    Numbers.seeds(seed, repeats);
+    Threads.check(threads);
+    if (threshold != null) {
+      Numbers.proportion("--threshold", threshold);
+    }
+    catalogue.policies().create(policy);
+    DetectionModel model = catalogue.detection(detection);
+    Scenario scenario = scenarioOptions.read(file, catalogue, stderr());
+    double tau =
+        threshold != null ? threshold : scenario.threshold().orElse(model.defaultThreshold());
+    return new RunPlan(scenario, new Detection(model, tau), policy, steps, seed, repeats);
+  }
+
+  private List<RunResult> execute(
+      RunPlan plan,
+      RunExecutor executor,
+      Catalogue catalogue,
+      OutputFolder output,
+      IntFunction<Stream<StepListener>> own)
+      throws IOException {
+    long total = (long) plan.steps() * plan.repeats();
+    try (RunRecorder recorder = new RunRecorder(output, record);
+        Progress progress =
+            quiet.progress(spec, "run " + plan.scenario().name(), " steps", total)) {
+      return executor.execute(
+          plan,
+          run -> {
+            List<StepListener> all = new ArrayList<>();
+            all.add(recorder.listener(run));
+            own.apply(run).forEach(all::add);
+            all.add((network, coverage) -> progress.advance());
+            listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
+            return all;
+          });
+    }
+  }
+
+  private static ReplayRecorder replay(RunPlan plan, Catalogue catalogue) {
+    World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
+    return new ReplayRecorder(
+        Setup.of(world, plan.detection(), plan.policy(), plan.seed()),
+        plan.detection(),
+        plan.repeats());
+  }
+
+  private PrintWriter stdout() {
+    return quiet.out(spec);
+  }
+
+  private PrintWriter stderr() {
+    return quiet.err(spec);
+  }
+}

@@ -1,0 +1,49 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+
+/** The scenarios that come with the simulator: the folder {@code scenarios} of the project. */
+final class ShippedScenarios {
+  /** Where the launcher says the project is; the working directory otherwise. */
+  private static final Path HOME = Path.of(System.getProperty("hificamsim.root", ""));
+
+  private ShippedScenarios() {}
+
+  /** The files, by name. */
+  static List<Path> files() throws IOException {
+    try (Stream<Path> files = Files.list(folder())) {
+      return files.filter(file -> file.toString().endsWith(".xml")).sorted().toList();
+    }
+  }
+
+  /** Some of the scenarios, by name. */
+  static Map<String, Scenario> read(List<String> names, Catalogue catalogue) {
+    Path folder = folder();
+    Map<String, Scenario> scenarios = new LinkedHashMap<>();
+    for (String name : names) {
+      scenarios.put(
+          name,
+          ScenarioReader.read(
+              folder.resolve(name + ".xml"), catalogue.movements()::knows, warning -> {}));
+    }
+    return scenarios;
+  }
+
+  private static Path folder() {
+    Path folder = HOME.resolve("scenarios");
+    if (!Files.isDirectory(folder)) {
+      throw new InputException("no folder '" + folder + "', expected to run in the project");
+    }
+    return folder;
+  }
+}

@@ -1,0 +1,2 @@
+/** The command line: reads options, checks them all before anything is written, reports faults. */
+package org.hificamsim.cli;

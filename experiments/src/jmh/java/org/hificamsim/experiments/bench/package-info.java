@@ -1,2 +1,0 @@
-/** Benchmarks of the step (JMH). */
-package org.hificamsim.experiments.bench;

@@ -1,2 +1,0 @@
-/** CamSim's own files: parameters, the table of steps, the summary. */
-package org.hificamsim.experiments.camsim;

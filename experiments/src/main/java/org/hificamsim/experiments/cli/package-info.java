@@ -1,2 +1,0 @@
-/** The command line: reads options, checks them all before anything is written, reports faults. */
-package org.hificamsim.experiments.cli;

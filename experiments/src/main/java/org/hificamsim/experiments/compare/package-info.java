@@ -1,2 +1,0 @@
-/** Many plans side by side: run on all cores, safe to kill, summed up with intervals. */
-package org.hificamsim.experiments.compare;

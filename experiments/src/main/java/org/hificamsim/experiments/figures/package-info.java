@@ -1,2 +1,0 @@
-/** The figures that a comparison's results are drawn as. */
-package org.hificamsim.experiments.figures;

@@ -1,2 +1,0 @@
-/** Scenarios made at random, of any size. */
-package org.hificamsim.experiments.generate;

@@ -1,2 +1,0 @@
-/** Result files: written beside their place and moved there when all is well. */
-package org.hificamsim.experiments.output;

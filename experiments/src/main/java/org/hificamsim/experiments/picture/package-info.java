@@ -1,2 +1,0 @@
-/** Pictures and animations of recorded runs, painted without a browser or a display. */
-package org.hificamsim.experiments.picture;

@@ -1,8 +1,0 @@
-package org.hificamsim.experiments.replay;
-
-/**
- * A camera that stands, looks or sees otherwise from a step on.
- *
- * @param camera its number
- */
-public record Move(long step, int camera, Pose pose) {}

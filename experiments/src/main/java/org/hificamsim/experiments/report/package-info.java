@@ -1,2 +1,0 @@
-/** Pages: one self-contained HTML file that shows a run or a comparison. */
-package org.hificamsim.experiments.report;

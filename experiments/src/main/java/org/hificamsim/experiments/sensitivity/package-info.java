@@ -1,2 +1,0 @@
-/** What each open parameter does to the conclusion of chapter 8. */
-package org.hificamsim.experiments.sensitivity;

@@ -1,2 +1,0 @@
-/** The live view: simulations that a page on this machine watches and commands. */
-package org.hificamsim.experiments.view;

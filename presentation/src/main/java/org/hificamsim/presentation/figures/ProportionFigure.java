@@ -1,0 +1,77 @@
+package org.hificamsim.presentation.figures;
+
+import java.awt.Color;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.plot.XyPanel;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.compare.Bootstrap;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Score;
+import org.knowm.xchart.XYChart;
+
+/** The proportion of the optimum by policy and detection model, a panel per scenario. */
+final class ProportionFigure {
+  private static final int WIDTH = 430;
+  private static final int ROW = 26;
+  private static final int FRAME = 90;
+  private static final double APART = 0.18;
+
+  private final List<String> policies;
+  private final List<String> detections;
+
+  private ProportionFigure(List<CaseResult> cases) {
+    policies = new ArrayList<>(CaseGroups.byPolicy(cases).keySet());
+    policies.removeIf(PolicyColors::isOptimal);
+    Collections.reverse(policies);
+    detections = List.copyOf(CaseGroups.byDetection(cases).keySet());
+  }
+
+  static Figure of(List<CaseResult> cases) {
+    ProportionFigure figure = new ProportionFigure(cases);
+    List<XYChart> panels = new ArrayList<>();
+    CaseGroups.byScenario(cases).forEach((name, group) -> panels.add(figure.panel(name, group)));
+    return new Figure(
+        "Proportion of the optimum",
+        "Means over seeds with 95% bootstrap intervals; the optimum is that of the same detection"
+            + " model.",
+        figure.legend(),
+        panels,
+        Math.min(2, panels.size()),
+        WIDTH,
+        FRAME + ROW * Math.max(2, figure.policies.size()));
+  }
+
+  private List<LegendEntry> legend() {
+    return detections.stream()
+        .map(name -> new LegendEntry(name, color(name), LegendEntry.Mark.DOT))
+        .toList();
+  }
+
+  private Color color(String detection) {
+    return Palette.line(detections.indexOf(detection));
+  }
+
+  private XYChart panel(String scenario, List<CaseResult> cases) {
+    XyPanel panel =
+        new XyPanel(scenario, "performance / that of the optimum", "").x(0, 1).rows(policies);
+    Map<String, List<CaseResult>> groups = CaseGroups.byDetection(cases);
+    groups.forEach((name, group) -> group.forEach(one -> dot(panel, one)));
+    return panel.chart();
+  }
+
+  private void dot(XyPanel panel, CaseResult one) {
+    int row = policies.indexOf(one.plan().policy());
+    Estimate estimate = Bootstrap.mean(one.figures(Score.PROPORTION_OF_OPTIMAL));
+    if (row >= 0 && !Double.isNaN(estimate.mean())) {
+      int detection = detections.indexOf(one.plan().detection().model().name());
+      double y = row + 1 + APART * ((detections.size() - 1) / 2.0 - detection);
+      panel.dot(estimate, y, Palette.line(detection));
+    }
+  }
+}

@@ -1,0 +1,72 @@
+package org.hificamsim.presentation.picture;
+
+import java.awt.Shape;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Rectangle2D;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.presentation.replay.Pose;
+
+/**
+ * Where metres are in a picture: to scale, y upwards.
+ *
+ * @param scale points per metre
+ * @param left x of the field's origin, points
+ * @param top y of the field's origin, points
+ */
+record FieldMap(double scale, double left, double top) {
+  /** Room about the field, for what cameras see beyond it; a share of its longer side. */
+  private static final double MARGIN = 0.06;
+
+  /** A field with no room at all is shown as a small one. */
+  private static final double SMALLEST = 1e-3;
+
+  /** The whole field within a rectangle of the picture. */
+  static FieldMap fit(Field field, Rectangle2D area) {
+    double scale = Math.min(area.getWidth() / width(field), area.getHeight() / height(field));
+    return new FieldMap(
+        scale,
+        area.getCenterX() - scale * (field.minX() + field.maxX()) / 2,
+        area.getCenterY() + scale * (field.minY() + field.maxY()) / 2);
+  }
+
+  /** The width of the field with room about it, metres. */
+  static double width(Field field) {
+    return field.width() + 2 * room(field);
+  }
+
+  /** The height of the field with room about it, metres. */
+  static double height(Field field) {
+    return field.height() + 2 * room(field);
+  }
+
+  private static double room(Field field) {
+    return MARGIN * Math.max(SMALLEST, Math.max(field.width(), field.height()));
+  }
+
+  double x(double metres) {
+    return left + scale * metres;
+  }
+
+  double y(double metres) {
+    return top - scale * metres;
+  }
+
+  Rectangle2D rectangle(Field field) {
+    return new Rectangle2D.Double(
+        x(field.minX()), y(field.maxY()), scale * field.width(), scale * field.height());
+  }
+
+  /** A sector or a full circle about a camera; headings run clockwise from +y. */
+  Shape sector(Pose pose, double radius) {
+    double r = scale * radius;
+    double x = x(pose.x()) - r;
+    double y = y(pose.y()) - r;
+    if (pose.viewingAngle() >= 2 * Math.PI) {
+      return new Ellipse2D.Double(x, y, 2 * r, 2 * r);
+    }
+    double middle = 90 - Math.toDegrees(pose.heading());
+    double extent = Math.toDegrees(pose.viewingAngle());
+    return new Arc2D.Double(x, y, 2 * r, 2 * r, middle - extent / 2, extent, Arc2D.PIE);
+  }
+}

@@ -1,0 +1,104 @@
+package org.hificamsim.presentation.picture;
+
+import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.presentation.replay.Frame;
+import org.hificamsim.presentation.replay.Move;
+import org.hificamsim.presentation.replay.Pose;
+import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.Setup;
+
+/** A recorded run by frames, ready to be painted. */
+public final class RunFrames {
+  private final Setup setup;
+  private final Recording recording;
+  private final int[] kMin;
+
+  public RunFrames(Setup setup, Recording recording) {
+    this.setup = setup;
+    this.recording = recording;
+    this.kMin = recording.frames().stream().mapToInt(frame -> frame.measure().kMin()).toArray();
+  }
+
+  Setup setup() {
+    return setup;
+  }
+
+  Recording recording() {
+    return recording;
+  }
+
+  Frame frame(int index) {
+    return recording.frames().get(index);
+  }
+
+  /** How many frames there are, 1 or more. */
+  public int count() {
+    return kMin.length;
+  }
+
+  /** The step of a frame. */
+  public long step(int index) {
+    return frame(index).step();
+  }
+
+  /** How many steps lie between two frames. */
+  public long stepsApart() {
+    return recording.every();
+  }
+
+  /** The last step. */
+  public long last() {
+    return recording.steps() - 1;
+  }
+
+  int kMin(int index) {
+    return kMin[index];
+  }
+
+  /**
+   * The frame of a step.
+   *
+   * @param option that gave the step, for error lines
+   * @throws InputException when the run has no such step or it was not recorded
+   */
+  public int at(String option, long step) {
+    if (step < 0 || step > last()) {
+      throw new InputException(
+          "%s is %d, expected a step from 0 to %d".formatted(option, step, last()));
+    }
+    int index = before(step);
+    if (step(index) != step) {
+      throw new InputException(
+          "%s is %d, but the recording was thinned, expected a multiple of %d or %d; maybe %d"
+              .formatted(option, step, recording.every(), last(), step(index)));
+    }
+    return index;
+  }
+
+  /** The frame of a step, or the last one before it. */
+  private int before(long step) {
+    int low = 0;
+    int high = count() - 1;
+    while (low < high) {
+      int middle = (low + high + 1) / 2;
+      if (step(middle) <= step) {
+        low = middle;
+      } else {
+        high = middle - 1;
+      }
+    }
+    return low;
+  }
+
+  /** Where every camera is in a frame. */
+  List<Pose> poses(int index) {
+    Pose[] poses = setup.cameras().stream().map(camera -> camera.pose()).toArray(Pose[]::new);
+    for (Move move : recording.moves()) {
+      if (move.step() <= step(index)) {
+        poses[move.camera()] = move.pose();
+      }
+    }
+    return List.of(poses);
+  }
+}

@@ -1,0 +1,48 @@
+package org.hificamsim.presentation.plot;
+
+import java.util.Arrays;
+
+/**
+ * Points in the order of x.
+ *
+ * @param x rising
+ * @param y as many as x
+ */
+public record Curve(double[] x, double[] y) {
+  /** Values at x = 0, 1, 2, ... */
+  public static Curve of(double[] values) {
+    double[] x = new double[values.length];
+    Arrays.setAll(x, i -> i);
+    return new Curve(x, values);
+  }
+
+  /** The number of points. */
+  public int size() {
+    return x.length;
+  }
+
+  /** Two of the points. */
+  Curve piece(int one, int other) {
+    return new Curve(new double[] {x[one], x[other]}, new double[] {y[one], y[other]});
+  }
+
+  /**
+   * The means of groups of neighbours, as equal in size as can be.
+   *
+   * @param most number of groups, 1 or more; with no more points than that, nothing changes
+   */
+  public Curve thinned(int most) {
+    if (size() <= most) {
+      return this;
+    }
+    double[] newX = new double[most];
+    double[] newY = new double[most];
+    for (int group = 0; group < most; group++) {
+      int from = (int) ((long) group * size() / most);
+      int to = (int) ((long) (group + 1) * size() / most);
+      newX[group] = Arrays.stream(x, from, to).average().orElseThrow();
+      newY[group] = Arrays.stream(y, from, to).average().orElseThrow();
+    }
+    return new Curve(newX, newY);
+  }
+}

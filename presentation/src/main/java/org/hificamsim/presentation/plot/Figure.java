@@ -1,0 +1,58 @@
+package org.hificamsim.presentation.plot;
+
+import java.awt.Graphics2D;
+import java.util.List;
+import org.knowm.xchart.internal.chartpart.Chart;
+
+/**
+ * A picture: a title, a legend common to all panels, and the panels row by row.
+ *
+ * @param note what is shown and how, in one line under the title
+ * @param columns panels in a row
+ * @param panelWidth in points, as papers measure; PNG files have twice as many pixels
+ * @param panelHeight in points
+ */
+public record Figure(
+    String title,
+    String note,
+    List<LegendEntry> legend,
+    List<? extends Chart<?, ?>> panels,
+    int columns,
+    int panelWidth,
+    int panelHeight)
+    implements Picture {
+  static final int HEADING = 22;
+  static final int NOTE = 16;
+  static final int LEGEND = 22;
+  static final int PANEL_TITLE = 20;
+  static final int MARGIN = 10;
+
+  public Figure {
+    legend = List.copyOf(legend);
+    panels = List.copyOf(panels);
+  }
+
+  @Override
+  public int width() {
+    return columns * panelWidth + 2 * MARGIN;
+  }
+
+  @Override
+  public int height() {
+    return top() + rows() * panelHeight + MARGIN;
+  }
+
+  @Override
+  public void paint(Graphics2D graphics) {
+    FigurePainter.paint(this, graphics);
+  }
+
+  /** Where the panels begin. */
+  int top() {
+    return MARGIN + HEADING + (note.isEmpty() ? 0 : NOTE) + LEGEND * LegendLayout.of(this).rows();
+  }
+
+  private int rows() {
+    return (panels.size() + columns - 1) / columns;
+  }
+}

@@ -1,0 +1,129 @@
+package org.hificamsim.presentation.plot;
+
+import java.awt.Color;
+import java.awt.Dimension;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Rectangle2D;
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.StringWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.regex.Pattern;
+import javax.imageio.IIOImage;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageWriteParam;
+import javax.imageio.ImageWriter;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import javax.xml.parsers.ParserConfigurationException;
+import org.apache.batik.svggen.SVGGeneratorContext;
+import org.apache.batik.svggen.SVGGraphics2D;
+import org.hificamsim.runs.output.OutputFolder;
+import org.w3c.dom.Document;
+
+/** Writes pictures: PNG, for screens, and SVG, for papers. Needs no display. */
+public final class FigureFile {
+  /** Pixels of a PNG per point where nobody says otherwise. */
+  public static final int SCALE = 2;
+
+  private static final String SVG = "http://www.w3.org/2000/svg";
+
+  /** Left out: readers that follow it ask the network. */
+  private static final Pattern DOCTYPE = Pattern.compile("<!DOCTYPE[^>]*>\\s*");
+
+  static {
+    System.setProperty("java.awt.headless", "true");
+  }
+
+  private FigureFile() {}
+
+  /** Writes {@code name.png} and {@code name.svg}. */
+  public static void write(OutputFolder folder, String name, Figure figure) throws IOException {
+    try (OutputStream out = folder.stream(name + ".png")) {
+      png(out, figure);
+    }
+    try (OutputStream out = folder.stream(name + ".svg")) {
+      svg(out, figure);
+    }
+  }
+
+  /** Writes a PNG image, {@link #SCALE} pixels to a point. */
+  public static void png(OutputStream out, Picture picture) throws IOException {
+    png(out, picture, SCALE * picture.width());
+  }
+
+  /**
+   * Writes a PNG image.
+   *
+   * @param width pixels
+   */
+  public static void png(OutputStream out, Picture picture, int width) throws IOException {
+    compress(image(picture, width), out);
+  }
+
+  /**
+   * The picture on a white ground, in pixels.
+   *
+   * @param width pixels; the height follows
+   */
+  public static BufferedImage image(Picture picture, int width) {
+    double scale = (double) width / picture.width();
+    int height = (int) Math.round(scale * picture.height());
+    BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = image.createGraphics();
+    graphics.scale(scale, scale);
+    paint(picture, graphics);
+    graphics.dispose();
+    return image;
+  }
+
+  private static void paint(Picture picture, Graphics2D graphics) {
+    graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    graphics.setRenderingHint(
+        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    graphics.setColor(Color.WHITE);
+    graphics.fill(new Rectangle2D.Double(0, 0, picture.width(), picture.height()));
+    picture.paint(graphics);
+  }
+
+  /** As small as PNG can be: the default settings give files half as large again. */
+  private static void compress(BufferedImage image, OutputStream out) throws IOException {
+    ImageWriter writer = ImageIO.getImageWritersByFormatName("png").next();
+    try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
+      ImageWriteParam settings = writer.getDefaultWriteParam();
+      settings.setCompressionMode(ImageWriteParam.MODE_EXPLICIT);
+      settings.setCompressionQuality(0);
+      writer.setOutput(stream);
+      writer.write(null, new IIOImage(image, null, null), settings);
+    } finally {
+      writer.dispose();
+    }
+  }
+
+  /** Writes an SVG document. */
+  public static void svg(OutputStream out, Picture picture) throws IOException {
+    SVGGeneratorContext context = SVGGeneratorContext.createDefault(document());
+    context.setComment("HiFi-CamSim");
+    context.setPrecision(2);
+    SVGGraphics2D graphics = new SVGGraphics2D(context, false);
+    graphics.setSVGCanvasSize(new Dimension(picture.width(), picture.height()));
+    paint(picture, graphics);
+    StringWriter text = new StringWriter();
+    graphics.stream(text, true);
+    out.write(DOCTYPE.matcher(text.toString()).replaceFirst("").getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static Document document() {
+    try {
+      return DocumentBuilderFactory.newInstance()
+          .newDocumentBuilder()
+          .getDOMImplementation()
+          .createDocument(SVG, "svg", null);
+    } catch (ParserConfigurationException e) {
+      throw new IllegalStateException("every Java platform has an XML parser", e);
+    }
+  }
+}

@@ -1,0 +1,41 @@
+package org.hificamsim.presentation.plot;
+
+import java.awt.Color;
+import java.util.List;
+
+/**
+ * The colours of Okabe and Ito (Color Universal Design, 2008): told apart by people with any common
+ * form of colour blindness.
+ */
+public final class Palette {
+  public static final Color BLACK = new Color(0x222222);
+  public static final Color ORANGE = new Color(0xE69F00);
+  public static final Color SKY = new Color(0x56B4E9);
+  public static final Color GREEN = new Color(0x009E73);
+  public static final Color YELLOW = new Color(0xF0E442);
+  public static final Color BLUE = new Color(0x0072B2);
+  public static final Color VERMILION = new Color(0xD55E00);
+  public static final Color PURPLE = new Color(0xCC79A7);
+  public static final Color GREY = new Color(0x8A8A8A);
+
+  /** The colours for lines, in the order in which they are handed out. */
+  public static final List<Color> LINES =
+      List.of(BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, GREY, YELLOW, BLACK);
+
+  private Palette() {}
+
+  /** The colour of the i-th thing; they come round again after the ninth. */
+  public static Color line(int i) {
+    return LINES.get(i % LINES.size());
+  }
+
+  /**
+   * The colour as seen through.
+   *
+   * @param strength 0 for nothing, 1 for the colour itself
+   */
+  public static Color pale(Color color, double strength) {
+    int alpha = (int) Math.round(255 * strength);
+    return new Color(color.getRed(), color.getGreen(), color.getBlue(), alpha);
+  }
+}

@@ -1,0 +1,187 @@
+package org.hificamsim.presentation.plot;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.util.List;
+import org.hificamsim.runs.Estimate;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYSeries;
+import org.knowm.xchart.style.markers.Marker;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** A panel of lines, bands and points, drawn in the order in which they are added. */
+public final class XyPanel {
+  private static final BasicStroke THIN = new BasicStroke(0.8f);
+  private static final BasicStroke THICK = stroke(2.4f);
+  private static final BasicStroke INTERVAL = stroke(1.6f);
+  private static final BasicStroke DASHED =
+      new BasicStroke(
+          1.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {5, 4}, 0);
+  private static final double PALE = 0.38;
+  private static final double BAND = 0.18;
+
+  /** About the width of a panel's inside: makes XChart set a tick on each name and none between. */
+  private static final int NAMES_WIDTH = 380;
+
+  private static final int ROW_HEIGHT = 26;
+
+  /** How far axes reach beyond their ends: XChart leaves out a tick that stands on the very end. */
+  private static final double EDGE = 0.003;
+
+  private static final double LOGARITHMIC_CONTENT = 0.94;
+
+  private final XYChart chart;
+
+  /** An empty panel with these axes. */
+  public XyPanel(String title, String xTitle, String yTitle) {
+    chart = new XYChart(400, 300);
+    chart.setTitle(title);
+    chart.setXAxisTitle(xTitle);
+    chart.setYAxisTitle(yTitle);
+    PanelStyle.apply(chart.getStyler(), xTitle, yTitle);
+  }
+
+  /** Leaves out the axes' titles. */
+  public XyPanel untitled() {
+    chart.getStyler().setAxisTitlesVisible(false);
+    return this;
+  }
+
+  /** Sets the ends of the x axis. */
+  public XyPanel x(double min, double max) {
+    chart.getStyler().setXAxisMin(min - EDGE * (max - min));
+    chart.getStyler().setXAxisMax(max + EDGE * (max - min));
+    return this;
+  }
+
+  /** Sets the ends of the y axis. */
+  public XyPanel y(double min, double max) {
+    chart.getStyler().setYAxisMin(min - EDGE * (max - min));
+    chart.getStyler().setYAxisMax(max + EDGE * (max - min));
+    return this;
+  }
+
+  /** Makes both axes logarithmic, with numbers written out and room around what is drawn. */
+  public XyPanel logarithmic() {
+    chart.getStyler().setXAxisLogarithmic(true);
+    chart.getStyler().setYAxisLogarithmic(true);
+    chart.getStyler().setXAxisDecimalPattern("#,##0.###");
+    chart.getStyler().setYAxisDecimalPattern("#,##0.###");
+    chart.getStyler().setPlotContentSize(LOGARITHMIC_CONTENT);
+    return this;
+  }
+
+  /** Names x = 1, 2, 3, ... instead of numbering the axis. */
+  public XyPanel names(List<String> names) {
+    chart.getStyler().setPlotGridVerticalLinesVisible(false);
+    chart.getStyler().setXAxisMin(0.5);
+    chart.getStyler().setXAxisMax(names.size() + 0.5);
+    chart.getStyler().setXAxisTickMarkSpacingHint(NAMES_WIDTH / names.size());
+    chart.setCustomXAxisTickLabelsFormatter(x -> PanelStyle.name(names, x));
+    return this;
+  }
+
+  /** Names y = 1, 2, 3, ..., from the bottom, instead of numbering the axis. */
+  public XyPanel rows(List<String> names) {
+    chart.getStyler().setYAxisMin(0.5);
+    chart.getStyler().setYAxisMax(names.size() + 0.5);
+    chart.getStyler().setYAxisTickMarkSpacingHint(ROW_HEIGHT);
+    chart.setCustomYAxisTickLabelsFormatter(y -> PanelStyle.name(names, y));
+    return this;
+  }
+
+  /** Adds a dot with its interval, along x. */
+  public XyPanel dot(Estimate estimate, double y, Color color) {
+    double[] ends = {estimate.low(), estimate.high()};
+    line(new Curve(ends, new double[] {y, y}), color, INTERVAL);
+    return dots(new Curve(new double[] {estimate.mean()}, new double[] {y}), color);
+  }
+
+  /** Adds a thin pale line: the raw values beneath a smooth one. */
+  public XyPanel faint(Curve curve, Color color) {
+    return line(curve, Palette.pale(color, PALE), THIN);
+  }
+
+  /** Adds a thick line. */
+  public XyPanel line(Curve curve, Color color) {
+    return line(curve, color, THICK);
+  }
+
+  /** Adds a line that is straight from point to point. */
+  public XyPanel straight(Curve curve, Color color) {
+    for (int i = 1; i < curve.size(); i++) {
+      line(curve.piece(i - 1, i), color, THICK);
+    }
+    return this;
+  }
+
+  /** Adds a dashed line: a reference. */
+  public XyPanel dashed(Curve curve, Color color) {
+    return line(curve, color, DASHED);
+  }
+
+  /** Adds a vertical line from {@code low} to {@code high}: an interval. */
+  public XyPanel interval(double x, double low, double high, Color color) {
+    return line(new Curve(new double[] {x, x}, new double[] {low, high}), color, INTERVAL);
+  }
+
+  /** Adds the pale area between two curves over the same x: intervals all along. */
+  public XyPanel band(Curve low, Curve high, Color color) {
+    int n = low.size();
+    double[] x = new double[2 * n];
+    double[] y = new double[2 * n];
+    for (int i = 0; i < n; i++) {
+      x[i] = low.x()[i];
+      y[i] = low.y()[i];
+      x[2 * n - 1 - i] = high.x()[i];
+      y[2 * n - 1 - i] = high.y()[i];
+    }
+    XYSeries series = add(new Curve(x, y), SeriesMarkers.NONE);
+    series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.PolygonArea);
+    series.setFillColor(Palette.pale(color, BAND));
+    series.setLineColor(Palette.pale(color, 0));
+    series.setLineStyle(THIN);
+    return this;
+  }
+
+  /** Adds dots. */
+  public XyPanel dots(Curve curve, Color color) {
+    return marks(curve, color, SeriesMarkers.CIRCLE);
+  }
+
+  /** Adds diamonds: published values. */
+  public XyPanel diamonds(Curve curve, Color color) {
+    return marks(curve, color, SeriesMarkers.DIAMOND);
+  }
+
+  /** The panel for a figure. */
+  public XYChart chart() {
+    return chart;
+  }
+
+  private XyPanel line(Curve curve, Color color, BasicStroke stroke) {
+    XYSeries series = add(curve, SeriesMarkers.NONE);
+    series.setLineColor(color);
+    series.setLineStyle(stroke);
+    series.setSmooth(curve.size() > 2); // one path, where XChart would draw each piece on its own
+    return this;
+  }
+
+  private XyPanel marks(Curve curve, Color color, Marker marker) {
+    XYSeries series = add(curve, marker);
+    series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
+    series.setMarkerColor(color);
+    return this;
+  }
+
+  private XYSeries add(Curve curve, Marker marker) {
+    XYSeries series =
+        chart.addSeries(String.valueOf(chart.getSeriesMap().size()), curve.x(), curve.y());
+    series.setMarker(marker);
+    return series;
+  }
+
+  private static BasicStroke stroke(float width) {
+    return new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+  }
+}

@@ -1,0 +1,62 @@
+package org.hificamsim.presentation.replay;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ObjLongConsumer;
+import java.util.function.ToLongFunction;
+
+/**
+ * One number of each frame, as a whole number: to be packed and unpacked.
+ *
+ * <p>{@link #of} gives the order of columns in {@code replay.json}, which {@code docs/report.md}
+ * and the page's {@code recording.js} follow.
+ */
+record Column(ToLongFunction<Frame> pack, ObjLongConsumer<Frame> unpack) {
+  /** The columns of all frames, in the order in which they are stored. */
+  static List<Column> of(Setup setup, Scale place, Scale estimate, boolean estimated) {
+    List<Column> columns = new ArrayList<>();
+    for (int camera = 0; camera < setup.cameras().size(); camera++) {
+      addCamera(columns, camera);
+    }
+    for (int target = 0; target < setup.targets().size(); target++) {
+      addTarget(columns, target, place);
+    }
+    for (int camera = 0; estimated && camera < setup.cameras().size(); camera++) {
+      int levels = setup.cameras().get(camera).pose().levels().size();
+      for (int level = 0; level < levels; level++) {
+        addEstimate(columns, camera, level, estimate);
+      }
+    }
+    return columns;
+  }
+
+  private static void addCamera(List<Column> columns, int c) {
+    columns.add(new Column(f -> bit(f.online()[c]), (f, v) -> f.online()[c] = v != 0));
+    columns.add(new Column(f -> f.level()[c], (f, v) -> f.level()[c] = (int) v));
+    columns.add(new Column(f -> f.detected()[c], (f, v) -> f.detected()[c] = (int) v));
+  }
+
+  private static void addTarget(List<Column> columns, int t, Scale s) {
+    columns.add(new Column(f -> bit(f.present()[t]), (f, v) -> f.present()[t] = v != 0));
+    columns.add(new Column(f -> s.pack(f.x()[t]), (f, v) -> f.x()[t] = s.unpack(v)));
+    columns.add(new Column(f -> s.pack(f.y()[t]), (f, v) -> f.y()[t] = s.unpack(v)));
+    columns.add(new Column(f -> f.coverage()[t], (f, v) -> f.coverage()[t] = (int) v));
+  }
+
+  private static void addEstimate(List<Column> columns, int c, int l, Scale s) {
+    columns.add(
+        new Column(
+            f -> s.packOptional(f.estimates()[c][l]),
+            (f, v) -> f.estimates()[c][l] = s.unpackOptional(v)));
+    columns.add(
+        new Column(
+            f -> COUNT.packOptional(f.counts()[c][l]),
+            (f, v) -> f.counts()[c][l] = COUNT.unpackOptional(v)));
+  }
+
+  private static final Scale COUNT = new Scale(1);
+
+  private static long bit(boolean value) {
+    return value ? 1 : 0;
+  }
+}

@@ -1,0 +1,74 @@
+package org.hificamsim.presentation.replay;
+
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.hificamsim.core.detection.DetectedDistances;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.world.World;
+
+/**
+ * The distances at which targets of one size are detected, by zoom level; along the heading where
+ * the model depends on the bearing.
+ */
+final class DetectedRanges {
+  private final Detection detection;
+  private final double size;
+  private final Map<ZoomLevel, Level> levels = new HashMap<>();
+
+  /**
+   * @param size metres
+   */
+  DetectedRanges(Detection detection, double size) {
+    this.detection = new Detection(new OnAxis(detection.model()), detection.threshold());
+    this.size = size;
+  }
+
+  /** The most frequent size of a target, the first one of equals; metres. */
+  static double usualSize(World world) {
+    Map<Double, Integer> counts = new LinkedHashMap<>();
+    for (int target = 0; target < world.targets().count(); target++) {
+      counts.merge(world.targets().size(target), 1, Integer::sum);
+    }
+    double usual = TargetSpec.DEFAULT_SIZE;
+    int most = 0;
+    for (Map.Entry<Double, Integer> count : counts.entrySet()) {
+      if (count.getValue() > most) {
+        usual = count.getKey();
+        most = count.getValue();
+      }
+    }
+    return usual;
+  }
+
+  Level level(ZoomLevel zoom) {
+    return levels.computeIfAbsent(zoom, this::find);
+  }
+
+  private Level find(ZoomLevel zoom) {
+    DetectedDistances distances = detection.distances(size, zoom);
+    List<Interval> intervals =
+        IntStream.range(0, distances.intervals())
+            .mapToObj(i -> new Interval(Math.sqrt(distances.from(i)), Math.sqrt(distances.to(i))))
+            .toList();
+    return new Level(zoom.radius(), intervals);
+  }
+
+  /** A model as it is along the heading. */
+  private record OnAxis(DetectionModel model) implements DetectionModel {
+    @Override
+    public String name() {
+      return model.name();
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return model.confidence(size, distance, 0, zoom);
+    }
+  }
+}

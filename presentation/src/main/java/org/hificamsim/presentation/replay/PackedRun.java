@@ -1,0 +1,123 @@
+package org.hificamsim.presentation.replay;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.List;
+import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
+import java.util.zip.InflaterInputStream;
+
+/**
+ * A {@link Recording} in few bytes.
+ *
+ * @param frames how many there are
+ * @param scale parts of a metre that positions are rounded to
+ * @param estimateScale parts of a unit that estimates are rounded to
+ * @param data a {@link Series} for the frames' steps, then one for each {@link Column}; deflated
+ *     (zlib), in Base64
+ */
+public record PackedRun(
+    int run,
+    long seed,
+    long steps,
+    long every,
+    String estimated,
+    List<Move> moves,
+    int frames,
+    double scale,
+    double estimateScale,
+    String data) {
+  /** Up to five per cent larger than the best, in half the time. */
+  private static final int LEVEL = 6;
+
+  /** Packs a recording, each frame rounded. */
+  static PackedRun of(Setup setup, Recording recording) {
+    Scale place = Scale.of(setup.field());
+    Scale estimate = Scale.of(largestEstimate(recording.frames()));
+    List<Column> columns = Column.of(setup, place, estimate, !recording.estimated().isEmpty());
+    return new PackedRun(
+        recording.run(),
+        recording.seed(),
+        recording.steps(),
+        recording.every(),
+        recording.estimated(),
+        recording.moves(),
+        recording.frames().size(),
+        place.perUnit(),
+        estimate.perUnit(),
+        pack(recording.frames(), columns));
+  }
+
+  /** How many bytes this takes in a file, but for a hundred or so. */
+  long bytes() {
+    return data.length() + (long) ReplayJson.of(moves).length();
+  }
+
+  /**
+   * The frames, as rounded.
+   *
+   * @throws IOException when the data are not what {@link #of} makes for this setup
+   */
+  Recording unpack(Setup setup) throws IOException {
+    boolean known = !estimated.isEmpty();
+    List<Column> columns = Column.of(setup, new Scale(scale), new Scale(estimateScale), known);
+    List<Frame> unpacked = new ArrayList<>(frames);
+    try (InputStream in =
+        new InflaterInputStream(new ByteArrayInputStream(Base64.getDecoder().decode(data)))) {
+      long at = 0;
+      for (int i = 0; i < frames; i++) {
+        at += Series.read(in);
+        unpacked.add(Frame.blank(setup, at, known));
+      }
+      for (Column column : columns) {
+        at = 0;
+        for (Frame frame : unpacked) {
+          at += Series.read(in);
+          column.unpack().accept(frame, at);
+        }
+      }
+    } catch (IllegalArgumentException e) {
+      throw new IOException("no Base64", e);
+    }
+    return new Recording(run, seed, steps, every, estimated, moves, unpacked);
+  }
+
+  private static String pack(List<Frame> frames, List<Column> columns) {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (OutputStream out = new DeflaterOutputStream(bytes, new Deflater(LEVEL), 1 << 16)) {
+      pack(out, new Column(Frame::step, (frame, step) -> {}), frames);
+      for (Column column : columns) {
+        pack(out, column, frames);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return Base64.getEncoder().encodeToString(bytes.toByteArray());
+  }
+
+  private static void pack(OutputStream out, Column column, List<Frame> frames) throws IOException {
+    long before = 0;
+    for (Frame frame : frames) {
+      long number = column.pack().applyAsLong(frame);
+      Series.write(out, number - before);
+      before = number;
+    }
+  }
+
+  private static double largestEstimate(List<Frame> frames) {
+    return frames.stream()
+        .flatMap(frame -> Arrays.stream(frame.estimates()))
+        .flatMapToDouble(Arrays::stream)
+        .filter(estimate -> !Double.isNaN(estimate))
+        .map(Math::abs)
+        .max()
+        .orElse(1);
+  }
+}

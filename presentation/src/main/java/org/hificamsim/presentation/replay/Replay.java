@@ -1,0 +1,84 @@
+package org.hificamsim.presentation.replay;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.core.InputException;
+
+/**
+ * What {@code run --record} keeps for pages and pictures: {@code replay.json}.
+ *
+ * @param repeat how many repeats there were
+ * @param runs the first of them, 1 or more
+ */
+public record Replay(String format, int repeat, Setup setup, List<PackedRun> runs) {
+  static final String FORMAT = "hificamsim-replay-1";
+
+  /**
+   * Reads the file in a run's folder.
+   *
+   * @throws InputException when it is missing or is not what a run writes
+   */
+  public static Replay read(Path folder) throws IOException {
+    Path file = folder.resolve(ReplayRecorder.FILE);
+    if (!Files.isRegularFile(file)) {
+      throw new InputException(
+          "no file '" + file + "', expected a folder that 'hificamsim run --record' wrote");
+    }
+    try {
+      return ReplayJson.mapper().readValue(file.toFile(), Replay.class).checked(file);
+    } catch (JsonProcessingException e) {
+      int line = e.getLocation() == null ? 1 : e.getLocation().getLineNr();
+      int column = e.getLocation() == null ? 1 : e.getLocation().getColumnNr();
+      throw new InputException(
+          "%s:%d:%d: %s, expected what 'hificamsim run --record' writes"
+              .formatted(file, line, column, e.getOriginalMessage()),
+          e);
+    }
+  }
+
+  /**
+   * One run's frames.
+   *
+   * @param index in {@link #runs}
+   * @throws InputException when its data are broken
+   */
+  public Recording recording(Path folder, int index) {
+    try {
+      return runs.get(index).unpack(setup);
+    } catch (IOException e) {
+      throw broken(folder.resolve(ReplayRecorder.FILE), "the data of run " + index, e);
+    }
+  }
+
+  private Replay checked(Path file) {
+    if (!format.equals(FORMAT)) {
+      throw new InputException(
+          "%s: format is '%s', expected %s; maybe record the run anew"
+              .formatted(file, format, FORMAT));
+    }
+    if (runs.isEmpty()) {
+      throw broken(file, "runs", null);
+    }
+    int most = TapeLimits.USUAL.frames(setup) + 2;
+    for (PackedRun run : runs) {
+      if (run.frames() < 1 || run.frames() > most || run.steps() < run.frames()) {
+        throw broken(file, "frames of run " + run.run(), null);
+      }
+      for (Move move : run.moves()) {
+        if (move.camera() < 0 || move.camera() >= setup.cameras().size()) {
+          throw broken(file, "moves of run " + run.run(), null);
+        }
+      }
+    }
+    return this;
+  }
+
+  private static InputException broken(Path file, String what, Throwable cause) {
+    return new InputException(
+        file + ": " + what + " cannot be read, expected what 'hificamsim run --record' writes",
+        cause);
+  }
+}

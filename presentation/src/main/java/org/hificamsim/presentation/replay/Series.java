@@ -1,0 +1,53 @@
+package org.hificamsim.presentation.replay;
+
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+
+/**
+ * Whole numbers as bytes: each as its difference to the one before, signs in the last bit, seven
+ * bits a byte, the lowest first (LEB128).
+ */
+final class Series {
+  private static final int BITS = 7;
+  private static final int MORE = 1 << BITS;
+
+  private Series() {}
+
+  /** 0, -1, 1, -2, ... as 0, 1, 2, 3, ... */
+  static long zigzag(long number) {
+    return (number << 1) ^ (number >> (Long.SIZE - 1));
+  }
+
+  static long unzigzag(long code) {
+    return (code >>> 1) ^ -(code & 1);
+  }
+
+  static void write(OutputStream out, long difference) throws IOException {
+    long rest = zigzag(difference);
+    while ((rest & -MORE) != 0) {
+      out.write((int) (rest & (MORE - 1)) | MORE);
+      rest >>>= BITS;
+    }
+    out.write((int) rest);
+  }
+
+  /**
+   * @throws EOFException when there is none
+   */
+  static long read(InputStream in) throws IOException {
+    long code = 0;
+    for (int shift = 0; shift < Long.SIZE; shift += BITS) {
+      int next = in.read();
+      if (next < 0) {
+        throw new EOFException();
+      }
+      code |= (long) (next & (MORE - 1)) << shift;
+      if (next < MORE) {
+        break;
+      }
+    }
+    return unzigzag(code);
+  }
+}

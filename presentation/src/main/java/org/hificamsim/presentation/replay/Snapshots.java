@@ -1,0 +1,98 @@
+package org.hificamsim.presentation.replay;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/** Takes frames of one run, at the end of any step, and notes the cameras that moved. */
+public final class Snapshots {
+  private final Setup setup;
+  private final DetectedRanges ranges;
+  private final ZoomPolicy policy;
+  private final Pose[] poses;
+  private String estimated;
+  private int revision = Integer.MIN_VALUE;
+
+  /**
+   * @param policy what decides in the run
+   */
+  public Snapshots(Setup setup, Detection detection, ZoomPolicy policy) {
+    this.setup = setup;
+    this.ranges = new DetectedRanges(detection, setup.targetSize());
+    this.policy = policy;
+    this.poses = setup.cameras().stream().map(CameraSetup::pose).toArray(Pose[]::new);
+  }
+
+  /** What the agents' estimates are ("mean reward", "Q"); empty where they have none. */
+  public String estimated(NetworkView network) {
+    if (estimated == null) {
+      int most = IntStream.range(0, network.cameras()).map(network::levels).max().orElse(0);
+      estimated =
+          network.cameras() == 0
+              ? ""
+              : policy.estimates(network, 0, new double[most], new double[most]);
+    }
+    return estimated;
+  }
+
+  /** The network as it is now. */
+  public Frame take(NetworkView network) {
+    Frame frame = Frame.blank(setup, network.step(), !estimated(network).isEmpty());
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      frame.online()[camera] = network.online(camera);
+      frame.level()[camera] = network.level(camera);
+      frame.detected()[camera] = network.detected(camera);
+    }
+    for (int target = 0; target < network.targets(); target++) {
+      frame.present()[target] = network.present(target);
+      frame.x()[target] = network.targetX(target);
+      frame.y()[target] = network.targetY(target);
+      frame.coverage()[target] = network.coverage(target);
+    }
+    for (int camera = 0; camera < frame.estimates().length; camera++) {
+      policy.estimates(network, camera, frame.estimates()[camera], frame.counts()[camera]);
+    }
+    return frame;
+  }
+
+  /**
+   * The cameras that stand, look or see otherwise than at the call before, or than at the start.
+   */
+  public List<Move> moves(NetworkView network) {
+    if (network.revision() == revision) {
+      return List.of();
+    }
+    revision = network.revision();
+    List<Move> moves = new ArrayList<>();
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      Pose pose = network.online(camera) ? pose(network, camera) : poses[camera];
+      if (!pose.equals(poses[camera])) {
+        poses[camera] = pose;
+        moves.add(new Move(network.step(), camera, pose));
+      }
+    }
+    return moves;
+  }
+
+  /** Where every camera is, as the last call of {@link #moves} found it. */
+  public List<Pose> poses() {
+    return Arrays.asList(poses.clone());
+  }
+
+  private Pose pose(NetworkView network, int camera) {
+    List<Level> levels =
+        IntStream.range(0, network.levels(camera))
+            .mapToObj(level -> ranges.level(network.zoom(camera, level)))
+            .toList();
+    return new Pose(
+        network.cameraX(camera),
+        network.cameraY(camera),
+        network.cameraHeading(camera),
+        network.zoom(camera, 0).viewingAngle(),
+        levels);
+  }
+}

@@ -1,0 +1,96 @@
+package org.hificamsim.presentation.report;
+
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.Base64;
+
+/**
+ * A page that needs no other file: script, style, data and uPlot inside. Its content security
+ * policy lets it run these scripts alone and load nothing, so that no name in the data can make it
+ * do otherwise.
+ *
+ * @param title of the window
+ * @param module the script that shows it
+ * @param function that the module exports: called with the page's element and the data
+ * @param data JSON
+ * @param connections what the page may connect to, as in {@code connect-src}: {@code 'none'} for a
+ *     file
+ */
+public record Page(String title, String module, String function, String data, String connections) {
+  private static final String PAGE =
+      """
+<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="%s">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>%s</title>
+<link rel="icon" href="data:,">
+<style>%s</style>
+</head>
+<body>
+<main id="page"><noscript>This page is drawn by a script, which your browser does not run.</noscript></main>
+<script type="application/json" id="data">%s</script>
+<!-- uPlot %s -->
+<script>%s</script>
+<script type="module">%s</script>
+</body>
+</html>
+""";
+
+  /** A page that connects to nothing. */
+  public Page(String title, String module, String function, String data) {
+    this(title, module, function, data, "'none'");
+  }
+
+  /** The page as HTML. */
+  public String html() {
+    String style = Resources.text("uplot/uPlot.min.css") + Resources.text("style.css");
+    String plot = Resources.text("uplot/uPlot.iife.min.js");
+    String script = Scripts.bundle(module) + start();
+    return PAGE.formatted(
+        policy(style, plot, script),
+        escaped(title),
+        style,
+        data.replace("<", "\\u003c"),
+        Resources.text("uplot/LICENSE"),
+        plot,
+        script);
+  }
+
+  private String start() {
+    return Scripts.variable("dom.js")
+        + ".start("
+        + Scripts.variable(module)
+        + "."
+        + function
+        + ");\n";
+  }
+
+  private String policy(String style, String... scripts) {
+    StringBuilder policy =
+        new StringBuilder("default-src 'none'; base-uri 'none'; form-action 'none'");
+    policy.append("; img-src data: blob:; connect-src ").append(connections);
+    policy.append("; style-src ").append(hash(style)).append("; script-src");
+    for (String script : scripts) {
+      policy.append(' ').append(hash(script));
+    }
+    return policy.toString();
+  }
+
+  private static String hash(String text) {
+    try {
+      byte[] digest =
+          MessageDigest.getInstance("SHA-256").digest(text.getBytes(StandardCharsets.UTF_8));
+      return "'sha256-" + Base64.getEncoder().encodeToString(digest) + "'";
+    } catch (NoSuchAlgorithmException e) {
+      throw new AssertionError("every JDK has SHA-256", e);
+    }
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+  }
+}

@@ -1,0 +1,119 @@
+package org.hificamsim.presentation.report;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import org.hificamsim.core.InputException;
+import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.Replay;
+import org.hificamsim.presentation.replay.ReplayJson;
+import org.hificamsim.presentation.replay.ReplayRecorder;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.runs.Metric;
+
+/** The page of a run that was recorded: made from its folder alone. */
+final class RunReport {
+  private static final ObjectMapper JSON = new ObjectMapper();
+  private static final double ROUNDING = 1e-9;
+
+  private final Path folder;
+  private final Replay replay;
+  private final JsonNode summary;
+
+  private RunReport(Path folder) throws IOException {
+    this.folder = folder;
+    this.replay = Replay.read(folder);
+    this.summary = ReportFiles.json(folder, "summary.json");
+  }
+
+  /**
+   * The page.
+   *
+   * @throws InputException when a file is missing, broken, or of another run than the rest
+   */
+  static Page of(Path folder) throws IOException {
+    RunReport report = new RunReport(folder);
+    report.checkOneRun();
+    report.checkSteps();
+    Setup setup = report.replay.setup();
+    ObjectNode data = JSON.createObjectNode();
+    data.set("replay", JSON.readTree(ReplayJson.of(report.replay)));
+    data.set("summary", report.figures());
+    data.put("command", ReportFiles.command(folder));
+    data.put("version", ReportFiles.version(folder));
+    return new Page(
+        "%s, %s, %s".formatted(setup.scenario(), setup.policy(), setup.detection()),
+        "run-page.js",
+        "runPage",
+        JSON.writeValueAsString(data));
+  }
+
+  private void checkOneRun() {
+    Setup setup = replay.setup();
+    check("scenario", setup.scenario());
+    check("detection", setup.detection());
+    check("policy", setup.policy());
+    check("seed", Long.toString(setup.seed()));
+    check("repeat", Integer.toString(replay.repeat()));
+    check("steps", Long.toString(replay.runs().get(0).steps()));
+  }
+
+  private void check(String setting, String recorded) {
+    String told = summary.path(setting).asText();
+    if (!told.equals(recorded)) {
+      throw new InputException(
+          "%s: %s is '%s', but %s says '%s', expected the files of one run"
+              .formatted(
+                  folder.resolve("summary.json"), setting, told, ReplayRecorder.FILE, recorded));
+    }
+  }
+
+  /** What the page derives from the frames must be what {@code steps.csv} says. */
+  private void checkSteps() throws IOException {
+    StepsCheck check = new StepsCheck(folder.resolve("steps.csv"));
+    for (int i = 0; i < replay.runs().size(); i++) {
+      Recording recording = replay.recording(folder, i);
+      check.expect(recording);
+    }
+    check.read();
+    checkPerformance((double) check.performance() / replay.repeat());
+  }
+
+  private void checkPerformance(double mean) {
+    double told = summary.path("performance").asDouble(Double.NaN);
+    if (!(Math.abs(told - mean) <= ROUNDING * Math.max(1, mean))) {
+      throw new InputException(
+          "%s: performance is %s, but the k_min of steps.csv make %s, expected the files of one run"
+              .formatted(folder.resolve("summary.json"), told, mean));
+    }
+  }
+
+  /** The settings, and each figure with its interval. */
+  private ObjectNode figures() {
+    ObjectNode figures = JSON.createObjectNode();
+    ObjectNode settings = figures.putObject("settings");
+    summary
+        .fields()
+        .forEachRemaining(
+            field -> {
+              boolean figure =
+                  field.getKey().equals("runs") || field.getKey().equals("interval_95");
+              if (!figure) {
+                settings.set(field.getKey(), field.getValue());
+              }
+            });
+    figures.put("repeat", replay.repeat());
+    ObjectNode metrics = figures.putObject("metrics");
+    for (Metric metric : Metric.values()) {
+      JsonNode mean = settings.remove(metric.label());
+      JsonNode interval = summary.path("interval_95").path(metric.label());
+      ObjectNode figure = metrics.putObject(metric.label());
+      figure.set("mean", mean);
+      figure.set("low", interval.isArray() ? interval.get(0) : mean);
+      figure.set("high", interval.isArray() ? interval.get(1) : mean);
+    }
+    return figures;
+  }
+}

@@ -1,0 +1,63 @@
+package org.hificamsim.presentation.report;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * The page's modules as one script: each in a function of its own, after those that it imports, so
+ * that a file opened from a mailbox needs no other one. Understands what the modules here use:
+ * imports of names on one line, exports where a name is declared.
+ */
+final class Scripts {
+  private static final Pattern IMPORT =
+      Pattern.compile("(?m)^import (\\{[^}\\n]*\\}) from '\\./([\\w-]+\\.js)';$");
+  private static final Pattern EXPORT =
+      Pattern.compile("(?m)^export ((?:async )?(?:function|class|const) (\\w+))");
+
+  private final Map<String, String> modules = new LinkedHashMap<>();
+
+  private Scripts() {}
+
+  /** The module of this name and all that it needs, ending with the object of its exports. */
+  static String bundle(String entry) {
+    Scripts scripts = new Scripts();
+    scripts.add(entry);
+    return "'use strict';\n" + String.join("", scripts.modules.values());
+  }
+
+  /** The variable that holds a module's exports. */
+  static String variable(String module) {
+    return "module_" + module.replace(".js", "").replace('-', '_');
+  }
+
+  private void add(String name) {
+    if (modules.containsKey(name)) {
+      return;
+    }
+    String source = Resources.text(name);
+    Matcher imports = IMPORT.matcher(source);
+    while (imports.find()) {
+      add(imports.group(2));
+    }
+    modules.put(name, function(name, source));
+  }
+
+  private static String function(String name, String source) {
+    List<String> exported = new ArrayList<>();
+    Matcher exports = EXPORT.matcher(source);
+    while (exports.find()) {
+      exported.add(exports.group(2));
+    }
+    String body =
+        IMPORT
+            .matcher(EXPORT.matcher(source).replaceAll("$1"))
+            .replaceAll(
+                found -> "const " + found.group(1) + " = " + variable(found.group(2)) + ";");
+    return "const %s = (() => {\n%sreturn {%s};\n})();\n"
+        .formatted(variable(name), body, String.join(", ", exported));
+  }
+}

@@ -1,0 +1,62 @@
+package org.hificamsim.presentation.view;
+
+import java.awt.Desktop;
+import java.awt.GraphicsEnvironment;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+
+/** Opens the user's browser. */
+public final class Browsers {
+  private static final String PAGE =
+      """
+      <!DOCTYPE html><meta charset="utf-8"><meta name="referrer" content="no-referrer">
+      <meta http-equiv="refresh" content="0; url=%s"><title>HiFi-CamSim</title>
+      """;
+
+  private Browsers() {}
+
+  /**
+   * Opens an address if there is a desktop, otherwise does nothing. The browser is handed a file
+   * that only this user can read: whoever else lists the machine's processes does not see the
+   * address.
+   */
+  public static void open(String address) {
+    try {
+      if (hasScreen()) {
+        Path file = Files.createTempFile("hificamsim-", ".html");
+        file.toFile().deleteOnExit();
+        Files.writeString(file, page(address));
+        show(file);
+      }
+    } catch (IOException | UnsupportedOperationException e) {
+      // the address has been printed
+    }
+  }
+
+  /** What the file holds: a page that goes on to the address. */
+  public static String page(String address) {
+    return PAGE.formatted(address);
+  }
+
+  private static boolean hasScreen() {
+    boolean windows = System.getProperty("os.name").startsWith("Windows");
+    boolean mac = System.getProperty("os.name").startsWith("Mac");
+    return windows
+        || mac
+        || Stream.of("DISPLAY", "WAYLAND_DISPLAY")
+            .anyMatch(name -> System.getenv(name) != null && !System.getenv(name).isEmpty());
+  }
+
+  private static void show(Path file) throws IOException {
+    if (Files.isExecutable(Path.of("/usr/bin/xdg-open"))) {
+      new ProcessBuilder("/usr/bin/xdg-open", file.toString())
+          .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+          .redirectError(ProcessBuilder.Redirect.DISCARD)
+          .start();
+    } else if (!GraphicsEnvironment.isHeadless() && Desktop.isDesktopSupported()) {
+      Desktop.getDesktop().browse(file.toUri());
+    }
+  }
+}

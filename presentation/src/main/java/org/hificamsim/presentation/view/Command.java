@@ -1,0 +1,151 @@
+package org.hificamsim.presentation.view;
+
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.MapperFeature;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import org.hificamsim.core.InputException;
+
+/** What the page may ask for. */
+@JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "command")
+@JsonSubTypes({
+  @JsonSubTypes.Type(value = Command.Run.class, name = "run"),
+  @JsonSubTypes.Type(value = Command.Pause.class, name = "pause"),
+  @JsonSubTypes.Type(value = Command.Step.class, name = "step"),
+  @JsonSubTypes.Type(value = Command.Speed.class, name = "speed"),
+  @JsonSubTypes.Type(value = Command.Restart.class, name = "restart"),
+  @JsonSubTypes.Type(value = Command.Drag.class, name = "drag"),
+  @JsonSubTypes.Type(value = Command.Choose.class, name = "choose"),
+  @JsonSubTypes.Type(value = Command.Compare.class, name = "compare")
+})
+public sealed interface Command {
+  /**
+   * Does it; on the session's thread.
+   *
+   * @throws InputException when a value is wrong; nothing has changed then
+   */
+  void obey(Session session);
+
+  /** Step after step, until paused. */
+  record Run() implements Command {
+    @Override
+    public void obey(Session session) {
+      session.run();
+    }
+  }
+
+  /** No more steps. */
+  record Pause() implements Command {
+    @Override
+    public void obey(Session session) {
+      session.pause();
+    }
+  }
+
+  /**
+   * Some steps at once.
+   *
+   * @param steps 1 to 1000
+   */
+  record Step(int steps) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.steps(steps);
+    }
+  }
+
+  /**
+   * How fast to run.
+   *
+   * @param perSecond steps per second, 1 to 1000
+   */
+  record Speed(int perSecond) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.speed(perSecond);
+    }
+  }
+
+  /**
+   * Everything from the start.
+   *
+   * @param keepCameras whether cameras stay where they have been dragged
+   */
+  record Restart(long seed, boolean keepCameras) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.restart(seed, keepCameras);
+    }
+  }
+
+  /**
+   * A camera is put elsewhere, in all simulations.
+   *
+   * @param x metres, within the field
+   * @param y metres, within the field
+   */
+  record Drag(int camera, double x, double y) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.drag(camera, x, y);
+    }
+  }
+
+  /**
+   * Another detection model, threshold or policy: the targets go on, learning begins anew.
+   *
+   * @param side which simulation, from 0
+   */
+  record Choose(int side, String detection, Double threshold, String policy) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.choose(side, new Choice(detection, threshold, policy));
+    }
+  }
+
+  /** A second simulation of the same targets, or no longer. */
+  record Compare(boolean on) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.compare(on);
+    }
+  }
+
+  /**
+   * Reads a command.
+   *
+   * @throws InputException when the text is anything else
+   */
+  static Command read(byte[] json) {
+    try {
+      Command command = Json.STRICT.readValue(json, Command.class);
+      if (command == null) {
+        throw new InputException("null, expected a command");
+      }
+      return command;
+    } catch (JsonProcessingException e) {
+      throw new InputException("no command: " + e.getOriginalMessage(), e);
+    } catch (java.io.IOException e) {
+      throw new InputException("no command: " + e.getMessage(), e);
+    }
+  }
+
+  /** How commands are read: nothing is left out, added or converted. */
+  final class Json {
+    private static final ObjectMapper STRICT =
+        JsonMapper.builder()
+            .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
+            .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+            .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+            .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+            .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+            .build();
+
+    private Json() {}
+  }
+}

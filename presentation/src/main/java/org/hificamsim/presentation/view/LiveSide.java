@@ -1,0 +1,102 @@
+package org.hificamsim.presentation.view;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.world.World;
+import org.hificamsim.presentation.replay.Move;
+import org.hificamsim.presentation.replay.Pose;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.presentation.replay.Snapshots;
+
+/** A simulation that is watched step by step: a world under one choice of model and policy. */
+final class LiveSide {
+  private final World world;
+  private final Setup setup;
+  private final Snapshots snapshots;
+  private final Simulation simulation;
+  private boolean begun;
+  private LiveStep.Side last;
+
+  /**
+   * @param world as the steps before {@code next} have left it
+   * @param seed of the world, and of the policy
+   * @param next the step that comes next
+   * @param detection the model of that name
+   * @throws InputException when the choice is wrong or does not suit the scenario
+   */
+  LiveSide(
+      World world,
+      Catalogue catalogue,
+      DetectionModel detection,
+      Choice choice,
+      long seed,
+      long next) {
+    this.world = world;
+    ZoomPolicy policy = catalogue.policies().create(choice.policy());
+    if (policy instanceof HindsightZoomPolicy) {
+      throw new InputException(
+          "policy '" + policy.name() + "' looks at the whole run first: it cannot be viewed live");
+    }
+    double usual = world.scenario().threshold().orElse(detection.defaultThreshold());
+    Detection detects =
+        new Detection(detection, choice.threshold() == null ? usual : choice.threshold());
+    this.setup = Setup.of(world, detects, choice.policy(), seed);
+    this.snapshots = new Snapshots(setup, detects, policy);
+    this.simulation =
+        new Simulation(world, detects, policy, seed, List.of(this::record)).continuingAt(next);
+  }
+
+  /** Runs one step. */
+  LiveStep.Side step() {
+    simulation.step();
+    return last;
+  }
+
+  private void record(NetworkView network, StepCoverage coverage) {
+    List<Move> moves = snapshots.moves(network);
+    if (!begun) {
+      begun = true;
+      moves = allPoses(network);
+    }
+    last = new LiveStep.Side(snapshots.take(network), moves);
+  }
+
+  /** Where every camera is: whoever watches may know them from another simulation. */
+  private List<Move> allPoses(NetworkView network) {
+    List<Move> moves = new ArrayList<>();
+    List<Pose> poses = snapshots.poses();
+    for (int camera = 0; camera < poses.size(); camera++) {
+      moves.add(new Move(network.step(), camera, poses.get(camera)));
+    }
+    return moves;
+  }
+
+  /**
+   * Has the next step tell where every camera is, for those who have forgotten the steps before.
+   */
+  void tellPosesAgain() {
+    begun = false;
+  }
+
+  World world() {
+    return world;
+  }
+
+  Setup setup() {
+    return setup;
+  }
+
+  /** What the agents' estimates are; empty where they have none. */
+  String estimated() {
+    return snapshots.estimated(simulation.network());
+  }
+}

@@ -1,0 +1,51 @@
+package org.hificamsim.presentation.view;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.presentation.replay.Frame;
+import org.hificamsim.presentation.replay.Move;
+
+/**
+ * What one step left in each simulation.
+ *
+ * @param sides the simulations, 1 or 2
+ */
+public record LiveStep(List<Side> sides) {
+  /**
+   * One simulation's part.
+   *
+   * @param moves cameras that stand or see otherwise since the step that was told before
+   */
+  public record Side(Frame frame, List<Move> moves) {}
+
+  /** This step, with the moves of one that is left out before it. */
+  LiveStep after(LiveStep left) {
+    List<Side> merged = new ArrayList<>();
+    for (int i = 0; i < sides.size(); i++) {
+      List<Move> moves = new ArrayList<>(left.sides.get(i).moves());
+      moves.addAll(sides.get(i).moves());
+      merged.add(new Side(sides.get(i).frame(), moves));
+    }
+    return new LiveStep(merged);
+  }
+
+  /** The same without the estimates of one simulation: they were another policy's. */
+  LiveStep withoutEstimates(int side) {
+    List<Side> changed = new ArrayList<>(sides);
+    Frame frame = sides.get(side).frame();
+    Frame bare =
+        new Frame(
+            frame.step(),
+            frame.online(),
+            frame.level(),
+            frame.detected(),
+            frame.present(),
+            frame.x(),
+            frame.y(),
+            frame.coverage(),
+            new double[0][],
+            new double[0][]);
+    changed.set(side, new Side(bare, sides.get(side).moves()));
+    return new LiveStep(changed);
+  }
+}

@@ -1,0 +1,244 @@
+package org.hificamsim.presentation.view;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.TimeUnit;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.hificamsim.presentation.replay.ReplayJson;
+import org.hificamsim.presentation.replay.Setup;
+
+/**
+ * A live run on a thread of its own: it steps by the clock and does what commands say between two
+ * steps, in their order. Everything that touches the run goes through its queue.
+ */
+public final class Session implements AutoCloseable {
+  private static final int MOST_PER_SECOND = 1000;
+  private static final int MOST_STEPS = 1000;
+  private static final long LATEST = TimeUnit.MILLISECONDS.toNanos(200);
+
+  /** Who is told what happens, on the session's thread: must not wait for anything. */
+  interface Watcher {
+    /**
+     * The simulations are others.
+     *
+     * @param json a {@link SetupMessage}
+     * @param fresh whether the steps told before are to be forgotten
+     */
+    void setup(String json, boolean fresh);
+
+    /** A step has been done. */
+    void step(LiveStep step);
+
+    /**
+     * Running, speed or fault have changed.
+     *
+     * @param json a {@link StateMessage}
+     */
+    void state(String json);
+  }
+
+  /** What runs. */
+  record SetupMessage(boolean fresh, List<SideMessage> sides) {}
+
+  /** One simulation. */
+  record SideMessage(Setup setup, String estimated) {}
+
+  /**
+   * How it runs.
+   *
+   * @param fault why it has stopped; empty unless a policy or model failed
+   */
+  record StateMessage(boolean running, int perSecond, long next, long seed, String fault) {}
+
+  private final LiveRun run;
+  private final LinkedBlockingQueue<Runnable> queue = new LinkedBlockingQueue<>();
+  private final List<Watcher> watchers = new ArrayList<>();
+  private final int kept;
+  private final StepBuffer history;
+  private final Thread thread = new Thread(this::work, "simulation");
+  private volatile boolean closed;
+  private boolean running;
+  private int perSecond = 10;
+  private long due;
+  private String fault = "";
+
+  /** A session that is paused after the first step. */
+  public Session(LiveRun run) {
+    this.run = run;
+    this.kept = Memory.steps(run.sides().get(0).setup());
+    this.history = new StepBuffer(kept);
+    step();
+    thread.setDaemon(true);
+    thread.start();
+  }
+
+  /**
+   * Has a command done.
+   *
+   * @return completes when it has been done; exceptionally with an {@link InputException} when a
+   *     value is wrong
+   */
+  public CompletableFuture<Void> submit(Command command) {
+    if (closed) {
+      throw new RejectedExecutionException("the session has ended");
+    }
+    return CompletableFuture.runAsync(() -> command.obey(this), queue::add);
+  }
+
+  /** Tells somebody all that there is, and from then on whatever happens. */
+  void watch(Watcher watcher) {
+    queue.add(
+        () -> {
+          watcher.setup(setup(true), true);
+          history.all().forEach(watcher::step);
+          watcher.state(state());
+          watchers.add(watcher);
+        });
+  }
+
+  /** How many steps are kept for those who come later. */
+  int kept() {
+    return kept;
+  }
+
+  /** Tells somebody nothing more. */
+  void unwatch(Watcher watcher) {
+    queue.add(() -> watchers.remove(watcher));
+  }
+
+  private void work() {
+    try {
+      while (!closed) {
+        long wait = running ? due - System.nanoTime() : Long.MAX_VALUE;
+        Runnable task = queue.poll(Math.max(0, wait), TimeUnit.NANOSECONDS);
+        if (task != null) {
+          task.run();
+        } else if (running) {
+          stepByTheClock();
+        }
+      }
+    } catch (InterruptedException e) {
+      closed = true;
+    }
+  }
+
+  /** What could not be done in time is not made up for. */
+  private void stepByTheClock() {
+    long now = System.nanoTime();
+    due = Math.max(due, now - LATEST) + TimeUnit.SECONDS.toNanos(1) / perSecond;
+    step();
+  }
+
+  @SuppressWarnings("CatchingUnchecked") // a user's own policy may fail in any way
+  private void step() {
+    try {
+      LiveStep step = run.step();
+      history.add(step);
+      watchers.forEach(watcher -> watcher.step(step));
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      fault = Place.printable("step %d: %s".formatted(run.next(), e));
+      running = false;
+      tellState();
+    }
+  }
+
+  void run() {
+    running = true;
+    fault = "";
+    due = System.nanoTime();
+    tellState();
+  }
+
+  void pause() {
+    running = false;
+    tellState();
+  }
+
+  void steps(int steps) {
+    between("steps", steps, 1, MOST_STEPS);
+    running = false;
+    fault = "";
+    for (int i = 0; i < steps && fault.isEmpty(); i++) {
+      step();
+    }
+    tellState();
+  }
+
+  void speed(int newPerSecond) {
+    between("perSecond", newPerSecond, 1, MOST_PER_SECOND);
+    perSecond = newPerSecond;
+    due = System.nanoTime();
+    tellState();
+  }
+
+  void restart(long seed, boolean keepCameras) {
+    if (!keepCameras) {
+      run.forgetDragged();
+    }
+    run.restart(seed);
+    beginAnew();
+  }
+
+  void compare(boolean on) {
+    run.compare(on);
+    beginAnew();
+  }
+
+  void drag(int camera, double x, double y) {
+    run.drag(camera, x, y);
+  }
+
+  void choose(int side, Choice choice) {
+    run.choose(side, choice);
+    history.replaceAll(step -> step.withoutEstimates(side));
+    fault = "";
+    tellSetup(false);
+  }
+
+  /** The first step follows at once, so that there is something to see. */
+  private void beginAnew() {
+    history.clear();
+    fault = "";
+    tellSetup(true);
+    step();
+  }
+
+  private void tellSetup(boolean fresh) {
+    String json = setup(fresh);
+    watchers.forEach(watcher -> watcher.setup(json, fresh));
+    tellState();
+  }
+
+  private void tellState() {
+    String json = state();
+    watchers.forEach(watcher -> watcher.state(json));
+  }
+
+  private String setup(boolean fresh) {
+    List<SideMessage> sides =
+        run.sides().stream().map(side -> new SideMessage(side.setup(), side.estimated())).toList();
+    return ReplayJson.of(new SetupMessage(fresh, sides));
+  }
+
+  private String state() {
+    return ReplayJson.of(new StateMessage(running, perSecond, run.next(), run.seed(), fault));
+  }
+
+  private static void between(String name, int value, int least, int most) {
+    if (value < least || value > most) {
+      throw new InputException(
+          "%s is %d, expected a whole number from %d to %d".formatted(name, value, least, most));
+    }
+  }
+
+  /** Ends the thread; no command is done any more. */
+  @Override
+  public void close() {
+    closed = true;
+    thread.interrupt();
+  }
+}

@@ -1,0 +1,184 @@
+package org.hificamsim.presentation.picture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.metadata.IIOMetadataNode;
+import javax.imageio.stream.ImageInputStream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.world.World;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.replay.Frame;
+import org.hificamsim.presentation.replay.Replay;
+import org.hificamsim.presentation.replay.ReplayRecorder;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.RunPlan;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Pictures of recorded steps: to scale, in the colours of coverage. */
+class StepPictureTest {
+  private static final int WIDTH = 800; // one pixel a point
+  private static RunFrames run;
+
+  @BeforeAll
+  static void record(@TempDir Path folder) throws IOException {
+    Catalogue catalogue = Catalogue.load();
+    Path file =
+        Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "cluster-random.xml");
+    RunPlan plan =
+        new RunPlan(
+            ScenarioReader.read(file, catalogue.movements()::knows, warning -> {}),
+            Detection.of(catalogue.detection("hifi:orb-lin")),
+            "epsilon-greedy",
+            300,
+            0,
+            1);
+    World world = new World(plan.scenario(), catalogue.movements(), 0);
+    Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0);
+    ReplayRecorder recorder = new ReplayRecorder(setup, plan.detection(), 1);
+    new RunExecutor(catalogue).execute(plan, i -> List.of(recorder.listener(i)));
+    try (OutputStream out = Files.newOutputStream(folder.resolve(ReplayRecorder.FILE))) {
+      recorder.write(out);
+    }
+    Replay replay = Replay.read(folder);
+    run = new RunFrames(replay.setup(), replay.recording(folder, 0));
+  }
+
+  @Test
+  void everyTargetStandsWhereItIsInTheColourOfItsCoverage() {
+    Set<Cover> seen = EnumSet.noneOf(Cover.class);
+    for (int step = 0; step < 300; step += 7) {
+      BufferedImage image = FigureFile.image(new StepPicture(run, step), WIDTH);
+      Frame frame = run.frame(step);
+      FieldMap map = StepPicture.map(run.setup().field());
+      for (int target = 0; target < frame.x().length; target++) {
+        if (alone(frame, target, map)) {
+          Cover cover = Cover.of(frame.coverage()[target]);
+          int x = (int) map.x(frame.x()[target]);
+          int y = (int) map.y(frame.y()[target]);
+          boolean painted = false;
+          for (int down = -6; down <= 6; down++) {
+            painted |= image.getRGB(x, y + down) == cover.color().getRGB();
+          }
+          assertTrue(painted, "step " + step + ", target " + target + ", " + cover);
+          seen.add(cover);
+        }
+      }
+    }
+    assertTrue(seen.contains(Cover.NONE) && seen.contains(Cover.MORE), seen.toString());
+  }
+
+  private static boolean alone(Frame frame, int target, FieldMap map) {
+    for (int other = 0; other < frame.x().length; other++) {
+      double gap =
+          Math.hypot(frame.x()[other] - frame.x()[target], frame.y()[other] - frame.y()[target]);
+      if (other != target && gap * map.scale() < 20) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  @Test
+  void coverageIsToldInTheColoursOfThePage() throws IOException {
+    String page;
+    try (var in =
+        StepPicture.class.getResourceAsStream("/org/hificamsim/presentation/report/palette.js")) {
+      page = new String(in.readAllBytes(), java.nio.charset.StandardCharsets.UTF_8);
+    }
+    for (Cover cover : Cover.values()) {
+      String rgb = "%06x".formatted(cover.color().getRGB() & 0xFFFFFF);
+      assertTrue(
+          page.contains("{label: '%s', colour: '#%s'".formatted(cover.label(), rgb)),
+          cover.toString());
+    }
+  }
+
+  @Test
+  void metresAreEquallyLongInBothDirections() {
+    FieldMap map = StepPicture.map(run.setup().field());
+    assertEquals(map.x(3) - map.x(1), map.y(1) - map.y(3), 1e-9);
+  }
+
+  @Test
+  void anAnimationShowsWhatThePicturesShowAndGoesOnForEver() throws IOException {
+    Animation animation = new Animation(run, 100, 130, 7);
+    assertEquals(6, animation.pictures()); // 100, 107, ..., 128, 130
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    animation.write(out, 400, 20);
+    ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+    try (ImageInputStream in =
+        ImageIO.createImageInputStream(new ByteArrayInputStream(out.toByteArray()))) {
+      reader.setInput(in);
+      assertEquals(6, reader.getNumImages(true));
+      BufferedImage shown = null;
+      for (int i = 0; i < 6; i++) {
+        BufferedImage wanted =
+            FigureFile.image(new StepPicture(run, Math.min(130, 100 + 7 * i)), 400);
+        if (shown == null) {
+          shown = new BufferedImage(400, wanted.getHeight(), BufferedImage.TYPE_INT_RGB);
+        }
+        Graphics2D graphics = shown.createGraphics();
+        graphics.drawImage(reader.read(i), 0, 0, null);
+        graphics.dispose();
+        assertTrue(meanGap(wanted, shown) < 2, "picture " + i);
+        assertEquals("5", node(reader, i, "GraphicControlExtension").getAttribute("delayTime"));
+      }
+      IIOMetadataNode loop = node(reader, 0, "ApplicationExtension");
+      assertEquals("NETSCAPE", loop.getAttribute("applicationID"));
+    }
+  }
+
+  private static IIOMetadataNode node(ImageReader reader, int image, String name)
+      throws IOException {
+    IIOMetadataNode root =
+        (IIOMetadataNode) reader.getImageMetadata(image).getAsTree("javax_imageio_gif_image_1.0");
+    return (IIOMetadataNode) root.getElementsByTagName(name).item(0);
+  }
+
+  /** The mean difference of the green parts, of 255. */
+  private static double meanGap(BufferedImage a, BufferedImage b) {
+    long sum = 0;
+    for (int y = 0; y < a.getHeight(); y++) {
+      for (int x = 0; x < a.getWidth(); x++) {
+        sum += Math.abs((a.getRGB(x, y) >> 8 & 255) - (b.getRGB(x, y) >> 8 & 255));
+      }
+    }
+    return (double) sum / a.getWidth() / a.getHeight();
+  }
+
+  @Test
+  void longAnimationsAreThinned() {
+    Animation animation = Animation.of(run, 0, 299);
+    assertEquals(2, animation.stepsApart());
+    assertEquals(151, animation.pictures());
+  }
+
+  @Test
+  void stepsThatAreNotThereAreToldWithThoseThatAre() {
+    assertEquals(299, run.at("--step", 299));
+    String told = assertThrows(InputException.class, () -> run.at("--step", 300)).getMessage();
+    assertEquals("--step is 300, expected a step from 0 to 299", told);
+    assertThrows(InputException.class, () -> run.at("--step", -1));
+  }
+}

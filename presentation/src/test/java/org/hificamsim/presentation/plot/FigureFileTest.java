@@ -1,0 +1,93 @@
+package org.hificamsim.presentation.plot;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.util.List;
+import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.Test;
+import org.w3c.dom.Document;
+
+class FigureFileTest {
+  private static Figure figure() {
+    Curve rising = Curve.of(new double[] {0, 1, 2, 3});
+    Curve falling = Curve.of(new double[] {3, 2, 1, 0});
+    XyPanel panel =
+        new XyPanel("lines", "time (steps)", "k_min")
+            .x(0, 3)
+            .y(0, 3)
+            .band(Curve.of(new double[] {0, 0.5, 1, 2}), rising, Palette.BLUE)
+            .faint(falling, Palette.GREEN)
+            .line(rising, Palette.BLUE)
+            .dashed(falling, Palette.BLACK);
+    StackPanel stack =
+        new StackPanel("bars", "share", List.of("a", "b"))
+            .layer(List.of(0.4, 0.2), Palette.BLUE)
+            .layer(List.of(0.6, 0.8), Palette.YELLOW);
+    return new Figure(
+        "A figure",
+        "a note",
+        List.of(new LegendEntry("blue", Palette.BLUE, LegendEntry.Mark.LINE)),
+        List.of(panel.chart(), stack.chart()),
+        2,
+        300,
+        200);
+  }
+
+  @Test
+  void aPngHasTwoPixelsPerPointAndIsNotBlank() throws IOException {
+    BufferedImage image = ImageIO.read(new ByteArrayInputStream(png()));
+    assertEquals(FigureFile.SCALE * figure().width(), image.getWidth());
+    assertEquals(FigureFile.SCALE * figure().height(), image.getHeight());
+    int[] pixels =
+        image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
+    assertTrue(IntStream.of(pixels).distinct().count() > 50);
+    assertTrue(IntStream.of(pixels).anyMatch(pixel -> pixel == Palette.BLUE.getRGB()));
+    assertTrue(IntStream.of(pixels).anyMatch(pixel -> pixel == Palette.YELLOW.getRGB()));
+  }
+
+  @Test
+  void anSvgIsWellFormedAndAsksForNoDtd() throws Exception {
+    DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
+    factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
+    Document document = factory.newDocumentBuilder().parse(new ByteArrayInputStream(svg()));
+    assertEquals("svg", document.getDocumentElement().getTagName());
+    assertEquals(
+        String.valueOf(figure().width()), document.getDocumentElement().getAttribute("width"));
+    assertTrue(document.getElementsByTagName("path").getLength() > 2);
+    assertTrue(document.getDocumentElement().getTextContent().contains("A figure"));
+  }
+
+  @Test
+  void theSameFigureGivesTheSameBytes() throws IOException {
+    assertArrayEquals(png(), png());
+    assertArrayEquals(svg(), svg());
+  }
+
+  @Test
+  void panelsThatDoNotFitInARowStartAnother() {
+    Figure wide = figure();
+    Figure tall = new Figure(wide.title(), wide.note(), wide.legend(), wide.panels(), 1, 300, 200);
+    assertEquals(wide.height() + 200, tall.height());
+    assertEquals(wide.width() - 300, tall.width());
+  }
+
+  private static byte[] png() throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    FigureFile.png(out, figure());
+    return out.toByteArray();
+  }
+
+  private static byte[] svg() throws IOException {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    FigureFile.svg(out, figure());
+    return out.toByteArray();
+  }
+}

@@ -1,0 +1,237 @@
+package org.hificamsim.presentation.replay;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.world.World;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.RunPlan;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ReplayRecorderTest {
+  private static final Path SCENARIOS =
+      Path.of(System.getProperty("hificamsim.root", "."), "scenarios");
+
+  private final Catalogue catalogue = Catalogue.load();
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"epsilon-greedy", "softmax", "ucb1", "sarsa", "qb-sarsa", "zoom-out"})
+  void givesBackEveryStepToTheMillimetre(String policy) throws IOException {
+    RunPlan plan = plan("cluster-random", policy, 300, 1);
+    List<Frame> seen = record(plan, TapeLimits.USUAL);
+    Recording recording = Replay.read(folder).recording(folder, 0);
+    assertEquals(300, recording.frames().size());
+    assertEquals(policy.equals("zoom-out"), recording.estimated().isEmpty());
+    for (int step = 0; step < 300; step++) {
+      assertClose(seen.get(step), recording.frames().get(step));
+    }
+  }
+
+  @Test
+  void thinsALongRunAndKeepsItsLastStep() throws IOException {
+    RunPlan plan = plan("lattice-random", "sarsa", 1000, 1);
+    List<Frame> seen = record(plan, new TapeLimits(100, 1 << 20, 1 << 20));
+    Recording recording = Replay.read(folder).recording(folder, 0);
+    assertEquals(1000, recording.steps());
+    assertEquals(16, recording.every());
+    assertEquals(64, recording.frames().size());
+    assertEquals(999, recording.frames().get(63).step());
+    for (Frame frame : recording.frames()) {
+      assertTrue(frame.step() % 16 == 0 || frame.step() == 999);
+      assertClose(seen.get((int) frame.step()), frame);
+    }
+  }
+
+  @Test
+  void thinsUntilTheBytesFit() throws IOException {
+    record(plan("lattice-random", "sarsa", 1000, 1), new TapeLimits(10_000, 1 << 20, 20_000));
+    Replay replay = Replay.read(folder);
+    assertTrue(replay.runs().get(0).every() > 1);
+    long bytes = Files.size(folder.resolve(ReplayRecorder.FILE));
+    assertTrue(bytes <= 20_500, bytes + " bytes");
+  }
+
+  @Test
+  void keepsTheFirstAndTheLastStepsOfOneRunWhereTheSetupAloneIsTooLarge() throws IOException {
+    record(plan("lattice-random", "sarsa", 100, 2), new TapeLimits(10_000, 1 << 20, 10));
+    Replay replay = Replay.read(folder);
+    assertEquals(1, replay.runs().size());
+    List<Frame> frames = replay.recording(folder, 0).frames();
+    assertEquals(0, frames.get(0).step());
+    assertEquals(99, frames.get(frames.size() - 1).step());
+    assertTrue(frames.size() <= 3, frames.size() + " frames");
+  }
+
+  @Test
+  void keepsAsManyRepeatsAsFit() throws IOException {
+    RunPlan plan = plan("lattice-random", "sarsa", 200, 5);
+    record(plan, TapeLimits.USUAL);
+    Replay all = Replay.read(folder);
+    assertEquals(5, all.runs().size());
+    assertEquals(4, all.runs().get(4).seed());
+    int setup = ReplayJson.of(all.setup()).length();
+    record(
+        plan, new TapeLimits(1000, 1 << 20, setup + 2 * all.runs().get(0).data().length() + 2000));
+    assertEquals(2, Replay.read(folder).runs().size());
+    assertEquals(5, Replay.read(folder).repeat());
+  }
+
+  @Test
+  void notesCamerasThatAnEventMovesAddsOrSwitchesOff() throws IOException {
+    Path scenario = folder.resolve("moving.xml");
+    Files.writeString(
+        scenario,
+        Files.readString(SCENARIOS.resolve("lattice-random.xml"))
+            .replaceFirst(
+                "</simulation>",
+                """
+<events>
+<event timestep="3" participant="camera" event="change" name="Cam_01" x="1.5" y="-1" heading="90" viewing_angle="-1" range="-1"/>
+<event timestep="5" participant="camera" event="error" name="Cam_02" duration="-1"/>
+</events></simulation>"""));
+    record(plan(scenario, "epsilon-greedy", 10, 1), TapeLimits.USUAL);
+    Recording recording = Replay.read(folder).recording(folder, 0);
+    assertEquals(1, recording.moves().size(), recording.moves().toString());
+    Move move = recording.moves().get(0);
+    assertEquals(3, move.step());
+    assertEquals(1.5, move.pose().x());
+    assertEquals(Math.PI / 2, move.pose().heading(), 1e-12);
+    assertTrue(recording.frames().get(4).online()[1]);
+    assertTrue(!recording.frames().get(5).online()[1]);
+  }
+
+  @Test
+  void tellsTheRangesInWhichTargetsAreDetected() throws IOException {
+    record(plan("lattice-random", "zoom-out", 1, 1), TapeLimits.USUAL);
+    Setup setup = Replay.read(folder).setup();
+    assertEquals("lattice-random", setup.scenario());
+    assertEquals(0.66, setup.targetSize());
+    for (Level level : setup.cameras().get(0).pose().levels()) {
+      for (Interval interval : level.detected()) {
+        assertTrue(interval.from() <= interval.to() && interval.to() <= level.radius());
+      }
+    }
+    assertTrue(setup.cameras().get(0).pose().levels().get(0).detected().size() > 0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "{}",
+        "[]",
+        "nothing",
+        "{\"format\":\"hificamsim-replay-0\",\"repeat\":1,\"setup\":null,\"runs\":[]}",
+        ""
+      })
+  void refusesAnotherFileInOneLine(String text) throws IOException {
+    Files.writeString(folder.resolve(ReplayRecorder.FILE), text);
+    InputException refused = assertThrows(InputException.class, () -> Replay.read(folder));
+    assertTrue(refused.getMessage().contains("replay.json"), refused.getMessage());
+  }
+
+  @Test
+  void refusesDataThatEndEarly() throws IOException {
+    record(plan("lattice-random", "sarsa", 50, 1), TapeLimits.USUAL);
+    Path file = folder.resolve(ReplayRecorder.FILE);
+    Files.writeString(file, Files.readString(file).replaceFirst("\"frames\":50", "\"frames\":49"));
+    Files.writeString(file, Files.readString(file).replaceFirst("(\"data\":\".{400})[^\"]*", "$1"));
+    InputException refused =
+        assertThrows(InputException.class, () -> Replay.read(folder).recording(folder, 0));
+    assertTrue(refused.getMessage().contains("run 0"), refused.getMessage());
+  }
+
+  private RunPlan plan(String scenario, String policy, int steps, int repeats) {
+    return plan(SCENARIOS.resolve(scenario + ".xml"), policy, steps, repeats);
+  }
+
+  private RunPlan plan(Path scenario, String policy, int steps, int repeats) {
+    return new RunPlan(
+        ScenarioReader.read(scenario, catalogue.movements().names()::contains, warning -> {}),
+        Detection.of(catalogue.detection("hifi:orb-lin")),
+        policy,
+        steps,
+        0,
+        repeats);
+  }
+
+  /** Records a plan into the folder; returns the first run's frames as they were. */
+  private List<Frame> record(RunPlan plan, TapeLimits limits) throws IOException {
+    World world = new World(plan.scenario(), catalogue.movements(), 0);
+    Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0);
+    ReplayRecorder recorder = new ReplayRecorder(setup, plan.detection(), plan.repeats(), limits);
+    Watch watch = new Watch(setup, plan.detection());
+    new RunExecutor(catalogue)
+        .execute(
+            plan,
+            run ->
+                run == 0 ? List.of(recorder.listener(0), watch) : List.of(recorder.listener(run)));
+    try (OutputStream out = Files.newOutputStream(folder.resolve(ReplayRecorder.FILE))) {
+      recorder.write(out);
+    }
+    return watch.frames;
+  }
+
+  private static void assertClose(Frame expected, Frame actual) {
+    assertEquals(expected.step(), actual.step());
+    assertArrayEquals(expected.online(), actual.online());
+    assertArrayEquals(expected.level(), actual.level());
+    assertArrayEquals(expected.detected(), actual.detected());
+    assertArrayEquals(expected.present(), actual.present());
+    assertArrayEquals(expected.coverage(), actual.coverage());
+    assertArrayEquals(expected.x(), actual.x(), 0.000_501);
+    assertArrayEquals(expected.y(), actual.y(), 0.000_501);
+    assertEquals(expected.estimates().length, actual.estimates().length);
+    for (int camera = 0; camera < expected.estimates().length; camera++) {
+      assertArrayEquals(expected.estimates()[camera], actual.estimates()[camera], 1e-4);
+      assertArrayEquals(expected.counts()[camera], actual.counts()[camera]);
+    }
+  }
+
+  /** Keeps all frames, and checks that each measures what the engine measured. */
+  private static final class Watch implements StepListener {
+    private final Setup setup;
+    private final Detection detection;
+    private final List<Frame> frames = new ArrayList<>();
+    private Snapshots snapshots;
+
+    Watch(Setup setup, Detection detection) {
+      this.setup = setup;
+      this.detection = detection;
+    }
+
+    @Override
+    public void started(NetworkView network, ZoomPolicy policy) {
+      snapshots = new Snapshots(setup, detection, policy);
+    }
+
+    @Override
+    public void stepped(NetworkView network, StepCoverage coverage) {
+      Frame frame = snapshots.take(network);
+      frames.add(frame);
+      assertEquals(coverage.kMin(), frame.measure().kMin());
+      assertEquals(coverage.meanK(), frame.measure().meanK());
+      assertEquals(coverage.covered1(), frame.measure().covered1());
+    }
+  }
+}

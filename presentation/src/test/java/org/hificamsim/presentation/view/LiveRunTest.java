@@ -1,0 +1,242 @@
+package org.hificamsim.presentation.view;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
+import org.hificamsim.presentation.replay.Frame;
+import org.hificamsim.presentation.replay.Move;
+import org.hificamsim.presentation.replay.ReplayJson;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Simulations side by side, as commands change them. */
+class LiveRunTest {
+  private static final Choice CHOICE = new Choice("hifi:orb-lin", null, "epsilon-greedy");
+  private final Catalogue catalogue = Catalogue.load();
+
+  private LiveRun live(String scenario, long seed) {
+    return new LiveRun(catalogue, Scenarios.read(scenario), CHOICE, seed);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"cluster-random", "lattice-scripted"})
+  void stepsAsARunDoes(String name) {
+    Scenario scenario = Scenarios.read(name);
+    World world = new World(scenario, catalogue.movements(), 5);
+    Detection detection = Detection.of(catalogue.detection("hifi:orb-lin"));
+    List<List<Integer>> expected = new ArrayList<>();
+    new Simulation(
+            world,
+            detection,
+            catalogue.policies().create("epsilon-greedy"),
+            5,
+            List.of(
+                (network, coverage) -> {
+                  List<Integer> covered = new ArrayList<>();
+                  for (int target = 0; target < network.targets(); target++) {
+                    covered.add(network.coverage(target));
+                  }
+                  expected.add(covered);
+                }))
+        .run(200);
+    LiveRun live = live(name, 5);
+    for (int step = 0; step < 200; step++) {
+      Frame frame = frame(live.step(), 0);
+      assertEquals(step, frame.step());
+      assertEquals(expected.get(step), java.util.Arrays.stream(frame.coverage()).boxed().toList());
+    }
+  }
+
+  @Test
+  void twoModelsSeeTheSameTargetsAlsoWhenTheSecondComesLater() {
+    LiveRun live = live("cluster-random", 3);
+    steps(live, 70);
+    live.compare(true);
+    live.choose(1, new Choice("geometric", null, "zoom-out"));
+    boolean differs = false;
+    for (int step = 70; step < 200; step++) {
+      LiveStep both = live.step();
+      assertEquals(step, frame(both, 0).step());
+      assertEquals(step, frame(both, 1).step());
+      assertArrayEquals(frame(both, 0).x(), frame(both, 1).x());
+      assertArrayEquals(frame(both, 0).y(), frame(both, 1).y());
+      differs |= !java.util.Arrays.equals(frame(both, 0).coverage(), frame(both, 1).coverage());
+    }
+    assertTrue(differs);
+  }
+
+  @Test
+  void anotherChoiceLeavesTheTargetsOnTheirWay() {
+    LiveRun changed = live("ring-random", 1);
+    LiveRun same = live("ring-random", 1);
+    for (int step = 0; step < 100; step++) {
+      if (step == 40) {
+        changed.choose(0, new Choice("camsim-range", 0.3, "sarsa"));
+      }
+      Frame frame = frame(changed.step(), 0);
+      assertArrayEquals(frame(same.step(), 0).x(), frame.x());
+      assertEquals(step, frame.step());
+    }
+    assertEquals("Q", changed.sides().get(0).estimated());
+    assertEquals(0.3, changed.sides().get(0).setup().threshold());
+  }
+
+  @Test
+  void aDraggedCameraStandsThereInBothFromTheNextStepOn() {
+    LiveRun live = live("lattice-random", 0);
+    live.compare(true);
+    steps(live, 2);
+    live.drag(1, 0.25, -0.5);
+    LiveStep step = live.step();
+    for (LiveStep.Side side : step.sides()) {
+      Move move = side.moves().get(0);
+      assertEquals(1, side.moves().size());
+      assertEquals(1, move.camera());
+      assertEquals(0.25, move.pose().x());
+      assertEquals(-0.5, move.pose().y());
+    }
+    live.restart(0);
+    assertEquals(0.25, live.step().sides().get(0).moves().get(1).pose().x());
+    live.forgetDragged();
+    live.restart(0);
+    assertNotEquals(0.25, live.step().sides().get(0).moves().get(1).pose().x());
+  }
+
+  @Test
+  void comparingTellsWhereEveryCameraIsInEachSimulation() {
+    LiveRun live = live("cluster-random", 0);
+    steps(live, 2);
+    live.drag(2, 0, 0);
+    steps(live, 2);
+    live.compare(true);
+    LiveStep both = live.step();
+    List<Move> moves = both.sides().get(0).moves();
+    assertEquals(14, moves.size());
+    assertEquals(0, moves.get(2).pose().x());
+    assertEquals(ReplayJson.of(moves), ReplayJson.of(both.sides().get(1).moves()));
+    live.compare(false);
+    assertEquals(
+        ReplayJson.of(moves.get(2).pose()),
+        ReplayJson.of(live.step().sides().get(0).moves().get(2).pose()));
+  }
+
+  @Test
+  void draggingChangesWhatIsDetected() {
+    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0);
+    LiveRun still = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0);
+    steps(live, 10);
+    steps(still, 10);
+    Frame before = frame(still.step(), 0);
+    live.drag(0, before.x()[0], before.y()[0]);
+    Frame after = frame(live.step(), 0);
+    assertArrayEquals(before.x(), after.x());
+    assertEquals(live.sides().get(0).world().cameras().x(0), before.x()[0]);
+    assertNotEquals(0, after.detected()[0]);
+  }
+
+  private static Choice zoomOut() {
+    return new Choice("geometric", null, "zoom-out");
+  }
+
+  @Test
+  void equalCommandsAtEqualStepsGiveEqualFrames() {
+    Consumer<LiveRun> commands =
+        live -> {
+          live.drag(2, 1, 1);
+          live.choose(0, new Choice("hifi:sift-lin", 0.05, "softmax"));
+          live.compare(true);
+        };
+    List<String> once = played(commands);
+    assertEquals(once, played(commands));
+    assertEquals(60, once.size());
+  }
+
+  private List<String> played(Consumer<LiveRun> commands) {
+    LiveRun live = live("cluster-random", 9);
+    List<String> frames = new ArrayList<>();
+    for (int step = 0; step < 60; step++) {
+      if (step == 20) {
+        commands.accept(live);
+      }
+      frames.add(ReplayJson.of(live.step()));
+    }
+    return frames;
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "nothing | | zoom-out | unknown detection 'nothing'",
+        "geometric | | nothing | unknown policy 'nothing'",
+        "geometric | | sarsa:alpha=x | alpha is 'x'",
+        "geometric | | fixed:99 | level of camera",
+        "geometric | 2 | zoom-out | threshold is 2.0, expected a number from 0 to 1",
+        "geometric | NaN | zoom-out | threshold is NaN",
+        "geometric | | best-fixed | cannot be viewed live",
+        "scenarios/model.json | | zoom-out | unknown detection 'scenarios/model.json'",
+      })
+  void aWrongChoiceChangesNothing(
+      String detection, Double threshold, String policy, String expected) {
+    LiveRun live = live("cluster-random", 0);
+    InputException wrong =
+        assertThrows(
+            InputException.class, () -> live.choose(0, new Choice(detection, threshold, policy)));
+    assertTrue(wrong.getMessage().contains(expected), wrong.getMessage());
+    assertEquals("epsilon-greedy", live.sides().get(0).setup().policy());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"-1,0,0", "99,0,0", "0,1e9,0", "0,NaN,0", "0,0,Infinity"})
+  void aWrongPlaceIsRefused(int camera, double x, double y) {
+    LiveRun live = live("cluster-random", 0);
+    assertThrows(InputException.class, () -> live.drag(camera, x, y));
+  }
+
+  @Test
+  void aFullBufferKeepsTheShapeTheLastStepAndEveryMove() {
+    LiveRun live = live("lattice-random", 0);
+    StepBuffer buffer = new StepBuffer(10);
+    for (int step = 0; step < 100; step++) {
+      if (step % 7 == 0) {
+        live.drag(0, step / 100.0, 0);
+      }
+      buffer.add(live.step());
+      List<LiveStep> all = buffer.all();
+      assertTrue(all.size() <= 10);
+      assertEquals(step, frame(all.get(all.size() - 1), 0).step());
+    }
+    List<Double> moved =
+        buffer.all().stream()
+            .flatMap(step -> step.sides().get(0).moves().stream())
+            .filter(move -> move.camera() == 0)
+            .map(move -> move.pose().x())
+            .distinct()
+            .toList();
+    assertEquals(15, moved.size(), moved.toString());
+  }
+
+  private static Frame frame(LiveStep step, int side) {
+    return step.sides().get(side).frame();
+  }
+
+  private static void steps(LiveRun live, int count) {
+    for (int i = 0; i < count; i++) {
+      live.step();
+    }
+  }
+}

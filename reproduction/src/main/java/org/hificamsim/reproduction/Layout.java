@@ -1,0 +1,45 @@
+package org.hificamsim.reproduction;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Stream;
+
+/** A camera layout of Table 7.1, with its two scenarios. */
+public enum Layout {
+  LATTICE,
+  RING,
+  CLUSTER;
+
+  /** The six scenarios in the order of Table 7.1: scenario n is at n - 1. */
+  public static final List<String> SCENARIOS =
+      Stream.concat(
+              Arrays.stream(values()).map(Layout::random),
+              Arrays.stream(values()).map(Layout::scripted))
+          .toList();
+
+  /** The layout of a name in files. */
+  static Layout named(String label) {
+    return valueOf(label.toUpperCase(Locale.ROOT));
+  }
+
+  /** The name in files. */
+  public String label() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+
+  /** The scenario in which targets move at random. */
+  public String random() {
+    return label() + "-random";
+  }
+
+  /** The scenario in which they follow a script. */
+  public String scripted() {
+    return label() + "-scripted";
+  }
+
+  /** Both scenarios. */
+  public List<String> scenarios() {
+    return List.of(random(), scripted());
+  }
+}

@@ -1,0 +1,84 @@
+package org.hificamsim.reproduction;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.Function;
+import org.hificamsim.reproduction.Statement.Margin;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.compare.Bootstrap;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.Score;
+
+/** Differences between cases, paired by seed. */
+final class Margins {
+  static final Score K_MIN = Score.of(Metric.MEAN_K_MIN);
+  static final Score COVERED_0 = Score.of(Metric.COVERED_0);
+  static final Score SETTLING =
+      Score.ALL.stream().filter(score -> score.label().equals("settling_steps")).findFirst().get();
+
+  private static final double LAST = 0.1;
+
+  private final Cases cases;
+
+  Margins(Cases cases) {
+    this.cases = cases;
+  }
+
+  CaseResult hifi(String scenario, String policy) {
+    return cases.find(scenario, Preset.HIFI, policy);
+  }
+
+  CaseResult camsim(String scenario, String policy) {
+    return cases.find(scenario, Preset.CAMSIM, policy);
+  }
+
+  /** What one case has more of a figure than another. */
+  static Margin more(String where, CaseResult one, CaseResult other, Score score) {
+    return new Margin(where, Bootstrap.difference(one.figures(score), other.figures(score)));
+  }
+
+  /** How much higher one policy's k_min is than another's, in each of the six scenarios. */
+  List<Margin> inAllSix(String better, String worse) {
+    return six(scenario -> more(scenario, hifi(scenario, better), hifi(scenario, worse), K_MIN));
+  }
+
+  /** One margin for each of the six scenarios. */
+  static List<Margin> six(Function<String, Margin> margin) {
+    return Layout.SCENARIOS.stream().map(margin).toList();
+  }
+
+  /** What the distance between a proportion and the published one leaves of 0.05. */
+  static Margin near(String where, Estimate ours, double published) {
+    double off = Math.abs(ours.mean() - published);
+    double slack = Verdict.TOLERANCE - off;
+    double half = Math.max(ours.high() - ours.mean(), ours.mean() - ours.low());
+    return new Margin(where, new Estimate(slack, slack - half, slack + half));
+  }
+
+  /** By how much less than 0.05 two cases' final proportions differ, either way. */
+  static List<Margin> alike(String where, CaseResult one, CaseResult other, CaseResult optimum) {
+    double[] difference = finalLevels(one);
+    double[] others = finalLevels(other);
+    double[] optima = finalLevels(optimum);
+    Arrays.setAll(difference, i -> (difference[i] - others[i]) / optima[i]);
+    double[] above = Arrays.stream(difference).map(d -> Verdict.TOLERANCE - d).toArray();
+    double[] below = Arrays.stream(difference).map(d -> Verdict.TOLERANCE + d).toArray();
+    return List.of(
+        new Margin(where + ", above", Bootstrap.mean(above)),
+        new Margin(where + ", below", Bootstrap.mean(below)));
+  }
+
+  /** The mean k_min over the last tenth, run by run. */
+  static double[] finalLevels(CaseResult one) {
+    return Arrays.stream(one.levels())
+        .mapToDouble(
+            levels ->
+                Arrays.stream(levels)
+                    .skip(levels.length - Math.max(1, Math.round(LAST * levels.length)))
+                    .average()
+                    .orElseThrow())
+        .toArray();
+  }
+}

@@ -1,0 +1,210 @@
+package org.hificamsim.reproduction;
+
+import java.awt.Color;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.apache.commons.math3.stat.StatUtils;
+import org.hificamsim.presentation.figures.CoverageFigure;
+import org.hificamsim.presentation.figures.KMinPanel;
+import org.hificamsim.presentation.figures.OverTime;
+import org.hificamsim.presentation.figures.PolicyColors;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.output.OutputFolder;
+import org.knowm.xchart.XYChart;
+
+/** Figures 7.3, 7.4, 7.6 to 7.9 and 8.1, drawn anew. */
+public final class ReproductionFigures {
+  private static final int WIDTH = 440;
+  private static final int HEIGHT = 290;
+  private static final int SMALL_WIDTH = 330;
+  private static final int SMALL_HEIGHT = 200;
+  private static final Color PUBLISHED = Palette.PURPLE;
+
+  private static final List<String> BARS =
+      List.of(
+          Preset.OPTIMAL, Preset.SARSA, Preset.QB_SARSA, Preset.EPSILON_GREEDY, Preset.ZOOM_OUT);
+
+  private static final Map<String, Color> MODELS =
+      Map.of(Preset.CAMSIM, Palette.BLUE, Preset.HIFI, Palette.VERMILION);
+
+  private final Cases cases;
+
+  public ReproductionFigures(Cases cases) {
+    this.cases = cases;
+  }
+
+  /** Writes every figure under its number. */
+  public void write(OutputFolder folder) throws IOException {
+    FigureFile.write(folder, "figure-7.3", figure73());
+    FigureFile.write(folder, "figure-7.4", figure74());
+    FigureFile.write(folder, "figure-7.6", figure76());
+    FigureFile.write(folder, "figure-7.7", figure77());
+    FigureFile.write(folder, "figure-7.8", figure78());
+    FigureFile.write(folder, "figure-7.9", figure79());
+    FigureFile.write(folder, "figure-8.1", figure81());
+    FigureFile.write(folder, "table-8.1", TableFigure.of(new Table81(cases).cells()));
+  }
+
+  private Figure figure73() {
+    return overTime(
+        "Figure 7.3: the baselines and greedy, scenario 1",
+        List.of(1),
+        List.of("random", Preset.ZOOM_OUT, Preset.OPTIMAL),
+        Double.NaN);
+  }
+
+  private Figure figure74() {
+    return overTime(
+        "Figure 7.4: epsilon-greedy and greedy, random and scripted targets",
+        List.of(1, 4),
+        List.of(Preset.EPSILON_GREEDY, Preset.OPTIMAL),
+        Published.EPSILON_GREEDY_IN_4);
+  }
+
+  private Figure figure76() {
+    return overTime(
+        "Figure 7.6: SARSA's epsilon, scenario 4",
+        List.of(4),
+        List.of(
+            Preset.SARSA,
+            Preset.epsilon(Preset.SARSA, 0.2),
+            Preset.epsilon(Preset.SARSA, 0.3),
+            Preset.OPTIMAL),
+        Double.NaN);
+  }
+
+  private Figure figure77() {
+    return overTime(
+        "Figure 7.7: SARSA's learning rate, scenario 4",
+        List.of(4),
+        List.of(Preset.SARSA, Preset.alpha(0.2), Preset.alpha(0.3), Preset.OPTIMAL),
+        Double.NaN);
+  }
+
+  private Figure figure78() {
+    return overTime(
+        "Figure 7.8: SARSA and greedy, random and scripted targets",
+        List.of(1, 4),
+        List.of(Preset.SARSA, Preset.OPTIMAL),
+        Published.SARSA_IN_4);
+  }
+
+  /**
+   * A panel per scenario.
+   *
+   * @param published what the text says of scenario 4, a proportion of greedy; NaN for nothing
+   */
+  private Figure overTime(
+      String title, List<Integer> scenarios, List<String> policies, double published) {
+    List<CaseResult> all = new ArrayList<>();
+    scenarios.forEach(number -> all.addAll(hifi(number, policies)));
+    PolicyColors colors = OverTime.colors(all);
+    double most = OverTime.ceiling(all);
+    List<XYChart> panels = new ArrayList<>();
+    for (int number : scenarios) {
+      List<CaseResult> group = hifi(number, policies);
+      KMinPanel panel = OverTime.panel(title(number), group, colors, most);
+      if (number == 4 && !Double.isNaN(published)) {
+        panel.level(published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
+      }
+      panels.add(panel.panel().chart());
+    }
+    List<LegendEntry> legend = new ArrayList<>(colors.legend());
+    if (!Double.isNaN(published)) {
+      legend.add(
+          new LegendEntry(
+              "published: %.2f of the optimum in scenario 4".formatted(published),
+              PUBLISHED,
+              LegendEntry.Mark.DASHES));
+    }
+    int width = panels.size() == 1 ? WIDTH + WIDTH / 3 : WIDTH;
+    return new Figure(
+        title,
+        Preset.HIFI + ". " + OverTime.note(all),
+        legend,
+        panels,
+        panels.size(),
+        width,
+        HEIGHT);
+  }
+
+  private static CaseResult last(List<CaseResult> group) {
+    return group.get(group.size() - 1);
+  }
+
+  private Figure figure79() {
+    List<CoverageFigure.Group> groups = new ArrayList<>();
+    for (int number = 1; number <= Layout.SCENARIOS.size(); number++) {
+      groups.add(new CoverageFigure.Group(title(number), hifi(number, BARS)));
+    }
+    return CoverageFigure.of(
+        "Figure 7.9: targets covered by no, one, and more cameras (" + Preset.HIFI + ")",
+        groups,
+        3);
+  }
+
+  private Figure figure81() {
+    List<XYChart> panels = new ArrayList<>();
+    for (int number = 1; number <= Layout.SCENARIOS.size(); number++) {
+      double most = OverTime.ceiling(both(number, Published.POLICIES));
+      for (String policy : Published.POLICIES) {
+        panels.add(models(number, policy, most));
+      }
+    }
+    return new Figure(
+        "Figure 8.1: k_min under the two detection models",
+        "By scenario (rows) and policy (columns); x: time (steps), y: k_min (cameras). "
+            + OverTime.note(both(1, Published.POLICIES)),
+        List.of(
+            new LegendEntry(Preset.CAMSIM, MODELS.get(Preset.CAMSIM), LegendEntry.Mark.LINE),
+            new LegendEntry(Preset.HIFI, MODELS.get(Preset.HIFI), LegendEntry.Mark.LINE)),
+        panels,
+        Published.POLICIES.size(),
+        SMALL_WIDTH,
+        SMALL_HEIGHT);
+  }
+
+  private XYChart models(int number, String policy, double most) {
+    List<CaseResult> pair = both(number, List.of(policy));
+    KMinPanel panel =
+        new KMinPanel(number + ", " + policy, pair.get(0).plan().steps(), most).compact();
+    pair.forEach(one -> panel.band(one, color(one)));
+    pair.forEach(one -> panel.raw(one.meanKMin(), color(one)));
+    pair.forEach(one -> panel.smooth(one.meanKMin(), color(one)));
+    return panel.panel().chart();
+  }
+
+  private static Color color(CaseResult one) {
+    return MODELS.get(one.plan().detection().model().name());
+  }
+
+  private List<CaseResult> both(int number, List<String> policies) {
+    List<CaseResult> all = new ArrayList<>();
+    for (String policy : policies) {
+      all.add(cases.find(scenario(number), Preset.CAMSIM, policy));
+      all.add(cases.find(scenario(number), Preset.HIFI, policy));
+    }
+    return all;
+  }
+
+  private List<CaseResult> hifi(int number, List<String> policies) {
+    return policies.stream()
+        .map(policy -> cases.find(scenario(number), Preset.HIFI, policy))
+        .toList();
+  }
+
+  private static String scenario(int number) {
+    return Layout.SCENARIOS.get(number - 1);
+  }
+
+  private static String title(int number) {
+    return "Scenario " + number + ", " + scenario(number);
+  }
+}

@@ -1,0 +1,122 @@
+package org.hificamsim.reproduction;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.OutputFolder;
+
+/** The files of a reproduction: table and verdicts as CSV and Markdown, and the figures. */
+public final class ReproductionFiles {
+  private ReproductionFiles() {}
+
+  /**
+   * Writes all files.
+   *
+   * @return the judged table and statements
+   */
+  public static Judgement write(OutputFolder folder, List<CaseResult> results) throws IOException {
+    Cases cases = new Cases(results);
+    Judgement judgement = judge(cases);
+    table(folder, judgement.cells());
+    verdicts(folder, judgement);
+    MarkdownReport.write(folder, judgement);
+    new ReproductionFigures(cases).write(folder);
+    return judgement;
+  }
+
+  /** The table and all statements. */
+  public static Judgement judge(Cases cases) {
+    List<Statement> statements = new ArrayList<>(new Statements(cases).all());
+    statements.addAll(new DetectionStatements(cases).all());
+    return new Judgement(new Table81(cases).cells(), statements);
+  }
+
+  private static void table(OutputFolder folder, List<Table81.Cell> cells) throws IOException {
+    try (CsvTable table =
+        new CsvTable(
+            folder.open("table-8.1.csv"),
+            "layout",
+            "policy",
+            "detection",
+            "published",
+            "proportion",
+            "low",
+            "high",
+            "difference",
+            "verdict",
+            "over_hifi_optimum",
+            "over_hifi_optimum_at_0.45",
+            "explore_any",
+            "cluster_script_at_origin")) {
+      for (Table81.Cell cell : cells) {
+        table.row(
+            cell.published().layout().label(),
+            cell.published().policy(),
+            cell.published().hifi() ? Preset.HIFI : Preset.CAMSIM,
+            cell.published().proportion(),
+            cell.ours().mean(),
+            cell.ours().low(),
+            cell.ours().high(),
+            cell.difference(),
+            cell.verdict().label(),
+            cell.overHifi(),
+            cell.at45(),
+            cell.exploreAny(),
+            cell.origin());
+      }
+    }
+  }
+
+  private static void verdicts(OutputFolder folder, Judgement judgement) throws IOException {
+    try (CsvTable table =
+        new CsvTable(
+            folder.open("verdicts.csv"),
+            "kind",
+            "id",
+            "source",
+            "claim",
+            "published",
+            "value",
+            "low",
+            "high",
+            "checks",
+            "checks_held",
+            "verdict",
+            "why")) {
+      for (Table81.Cell cell : judgement.cells()) {
+        table.row(
+            "cell",
+            Why.id(cell),
+            "Table 8.1",
+            "proportion of the optimum",
+            cell.published().proportion(),
+            cell.ours().mean(),
+            cell.ours().low(),
+            cell.ours().high(),
+            1,
+            cell.verdict() == Verdict.REPRODUCED ? 1 : 0,
+            cell.verdict().label(),
+            Why.of(cell));
+      }
+      for (Statement statement : judgement.statements()) {
+        Statement.Margin weakest = statement.weakest();
+        table.row(
+            "statement",
+            statement.id(),
+            statement.source(),
+            statement.text(),
+            "",
+            weakest.value().mean(),
+            weakest.value().low(),
+            weakest.value().high(),
+            statement.margins().size(),
+            statement.held(),
+            statement.verdict().label(),
+            Why.of(statement));
+      }
+    }
+  }
+}

@@ -1,0 +1,215 @@
+package org.hificamsim.network.files;
+
+import java.awt.Color;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalInt;
+import java.util.function.ToDoubleFunction;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
+import org.hificamsim.network.GraphUse;
+import org.hificamsim.network.Network;
+import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.LegendEntry;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.plot.StackPanel;
+import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.OutputFolder;
+import org.knowm.xchart.CategoryChart;
+
+/**
+ * The experiment of {@code docs/camsim-network.md}: how handovers and communication change when
+ * bids come from a hi-fi model instead of CamSim's own visibility.
+ */
+public final class DetectionExperiment {
+  private static final int STEPS = 1000;
+  private static final int SEEDS = 10;
+  private static final List<String> DETECTIONS = List.of("camsim-visibility", "hifi:orb-lin");
+  private static final List<Color> COLORS = List.of(Palette.GREY, Palette.BLUE);
+  private static final List<Setting> SETTINGS =
+      List.of(
+          new Setting("Active", 0),
+          new Setting("Active", 1),
+          new Setting("Passive", 0),
+          new Setting("Passive", 1));
+
+  private final Catalogue catalogue = Catalogue.load();
+
+  private record Setting(String schedule, int comm) {
+    String label() {
+      return schedule + " c" + comm;
+    }
+  }
+
+  /** What a run added up to, as means over the seeds. */
+  private record Outcome(
+      String scenario,
+      String detection,
+      String setting,
+      double messages,
+      double handovers,
+      double tracked,
+      double utility) {}
+
+  private DetectionExperiment() {}
+
+  /**
+   * Writes {@code camsim-network.csv} and {@code camsim-network.png}.
+   *
+   * @param args the folder, then the scenario files
+   */
+  public static void main(String[] args) throws IOException {
+    DetectionExperiment experiment = new DetectionExperiment();
+    List<Path> files = Arrays.stream(args).skip(1).map(Path::of).toList();
+    List<Outcome> outcomes = new ArrayList<>();
+    for (Path file : files) {
+      for (String detection : DETECTIONS) {
+        SETTINGS.forEach(setting -> outcomes.add(experiment.run(file, detection, setting)));
+      }
+    }
+    try (OutputFolder folder = new OutputFolder(Path.of(args[0]))) {
+      table(folder, outcomes);
+      try (OutputStream out = folder.stream("camsim-network.png")) {
+        FigureFile.png(out, figure(outcomes));
+      }
+      folder.commit(List.of());
+    }
+  }
+
+  private Outcome run(Path file, String detection, Setting setting) {
+    List<RunSums> runs = new ArrayList<>();
+    for (int seed = 0; seed < SEEDS; seed++) {
+      runs.add(run(file, detection, setting, seed));
+    }
+    return new Outcome(
+        name(file),
+        detection,
+        setting.label(),
+        mean(runs, RunSums::communication),
+        mean(runs, RunSums::handovers),
+        mean(runs, RunSums::meanProportion),
+        mean(runs, RunSums::utility));
+  }
+
+  private RunSums run(Path file, String detection, Setting setting, int seed) {
+    NetworkSettings camsim = NetworkSettings.CAMSIM;
+    NetworkSettings settings =
+        new NetworkSettings(
+            Optional.of(setting.schedule()),
+            OptionalInt.of(setting.comm()),
+            Optional.empty(),
+            Optional.empty(),
+            GraphUse.AS_IN_FILE,
+            camsim.errorLevel(),
+            camsim.resetLevel(),
+            camsim.banditParameters(),
+            camsim.historicalParameters(),
+            camsim.quirks());
+    PrintWriter nowhere =
+        new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
+    Scenario scenario = CamSimScenario.read(file, null, false, settings, catalogue, nowhere);
+    World world = new World(scenario, catalogue.movements(), seed);
+    Detection model = Detection.of(catalogue.detection(detection));
+    Network network = new Network(world, model, settings, seed);
+    RunSums sums = new RunSums();
+    StepListener listener = (view, measured) -> sums.add(network.figures());
+    new Simulation(
+            world, model, catalogue.policies().create("zoom-out"), network, seed, List.of(listener))
+        .run(STEPS);
+    return sums;
+  }
+
+  private static double mean(List<RunSums> runs, ToDoubleFunction<RunSums> figure) {
+    return runs.stream().mapToDouble(figure).average().orElse(0);
+  }
+
+  /** The file's name with its folder, which in CamSim's collection tells files apart. */
+  private static String name(Path file) {
+    return file.getName(file.getNameCount() - 2)
+        + "/"
+        + file.getFileName().toString().replace(".xml", "");
+  }
+
+  private static void table(OutputFolder folder, List<Outcome> outcomes) throws IOException {
+    try (CsvTable table =
+        new CsvTable(
+            folder.open("camsim-network.csv"),
+            "scenario",
+            "detection",
+            "setting",
+            "messages",
+            "handovers",
+            "tracked",
+            "utility")) {
+      for (Outcome one : outcomes) {
+        table.row(
+            one.scenario(),
+            one.detection(),
+            one.setting(),
+            one.messages(),
+            one.handovers(),
+            rounded(one.tracked()),
+            rounded(one.utility()));
+      }
+    }
+  }
+
+  private static double rounded(double value) {
+    return Double.parseDouble(String.format(Locale.ROOT, "%.4f", value));
+  }
+
+  private static Figure figure(List<Outcome> outcomes) {
+    List<String> scenarios = outcomes.stream().map(Outcome::scenario).distinct().toList();
+    List<CategoryChart> panels = new ArrayList<>();
+    scenarios.forEach(name -> panels.add(panel(outcomes, name, "handovers", Outcome::handovers)));
+    scenarios.forEach(
+        name -> panels.add(panel(outcomes, name, "messages (1000)", one -> one.messages() / 1000)));
+    List<LegendEntry> legend = new ArrayList<>();
+    for (int i = 0; i < COLORS.size(); i++) {
+      legend.add(new LegendEntry(DETECTIONS.get(i), COLORS.get(i), LegendEntry.Mark.BAR));
+    }
+    return new Figure(
+        "Handovers and communication by detection model",
+        STEPS + " steps, mean over " + SEEDS + " seeds. c0 Broadcast, c1 Smooth.",
+        legend,
+        panels,
+        scenarios.size(),
+        250,
+        210);
+  }
+
+  private static CategoryChart panel(
+      List<Outcome> outcomes, String scenario, String unit, ToDoubleFunction<Outcome> figure) {
+    StackPanel panel =
+        new StackPanel(scenario, unit, SETTINGS.stream().map(Setting::label).toList());
+    double most = 0;
+    for (int i = 0; i < COLORS.size(); i++) {
+      String detection = DETECTIONS.get(i);
+      List<Double> values =
+          outcomes.stream()
+              .filter(one -> one.scenario().equals(scenario) && one.detection().equals(detection))
+              .map(figure::applyAsDouble)
+              .toList();
+      most = values.stream().reduce(most, Math::max);
+      panel.layer(values, COLORS.get(i));
+    }
+    CategoryChart chart = panel.chart();
+    chart.getStyler().setStacked(false);
+    chart.getStyler().setYAxisMax(1.05 * most);
+    return chart;
+  }
+}

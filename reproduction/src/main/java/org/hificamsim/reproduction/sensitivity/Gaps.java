@@ -1,0 +1,77 @@
+package org.hificamsim.reproduction.sensitivity;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.reproduction.Layout;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.Ratio;
+
+/** Computes the gaps of all sweeps. */
+final class Gaps {
+  private final Cases cases;
+
+  Gaps(Cases cases) {
+    this.cases = cases;
+  }
+
+  /** Every gap: by sweep, value, layout (then all), policy. */
+  List<Gap> of(List<Sweep> sweeps) {
+    List<Gap> gaps = new ArrayList<>();
+    for (Sweep sweep : sweeps) {
+      for (Variant variant : sweep.variants()) {
+        for (Layout layout : Layout.values()) {
+          sweep
+              .policies()
+              .forEach(
+                  policy -> gaps.add(gap(sweep, variant, layout.label(), policy, List.of(layout))));
+        }
+        for (String policy : sweep.policies()) {
+          gaps.add(gap(sweep, variant, Gap.ALL, policy, List.of(Layout.values())));
+        }
+      }
+    }
+    return gaps;
+  }
+
+  private Gap gap(Sweep sweep, Variant variant, String name, String policy, List<Layout> layouts) {
+    List<Ratio> hifi = ratios(variant, variant.hifi(), policy, layouts);
+    List<Ratio> camsim = ratios(variant, variant.camsim(), policy, layouts);
+    int seeds = hifi.get(0).performance().length;
+    return new Gap(
+        sweep,
+        variant,
+        name,
+        policy,
+        estimate(seeds, drawn -> mean(hifi, drawn)),
+        estimate(seeds, drawn -> mean(camsim, drawn)),
+        estimate(seeds, drawn -> mean(hifi, drawn) - mean(camsim, drawn)));
+  }
+
+  private static Estimate estimate(int seeds, ToDoubleFunction<int[]> figure) {
+    return Ratio.estimate(seeds, figure);
+  }
+
+  private static double mean(List<Ratio> ratios, int[] seeds) {
+    return ratios.stream().mapToDouble(ratio -> ratio.at(seeds)).average().orElseThrow();
+  }
+
+  private List<Ratio> ratios(
+      Variant variant, Detection detection, String policy, List<Layout> layouts) {
+    return layouts.stream().map(layout -> ratio(variant, detection, policy, layout)).toList();
+  }
+
+  private Ratio ratio(Variant variant, Detection detection, String policy, Layout layout) {
+    return Ratio.of(
+        layout.scenarios().stream()
+            .map(
+                name ->
+                    cases.find(
+                        variant.scenarios().get(name).name(),
+                        detection.model().name(),
+                        variant.policies().get(policy)))
+            .toList());
+  }
+}

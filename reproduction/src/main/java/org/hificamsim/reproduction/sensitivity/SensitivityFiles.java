@@ -1,0 +1,60 @@
+package org.hificamsim.reproduction.sensitivity;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.util.List;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.OutputFolder;
+
+/** The files of a sensitivity study: one table, the pictures, and the findings in words. */
+public final class SensitivityFiles {
+  private SensitivityFiles() {}
+
+  /** Writes all files and returns the findings. */
+  public static String write(OutputFolder folder, Sweeps sweeps, List<CaseResult> results)
+      throws IOException {
+    List<Sweep> all = sweeps.all();
+    List<Gap> gaps = new Gaps(new Cases(results)).of(all);
+    table(folder, gaps);
+    new GapFigures(gaps).write(folder, all);
+    String findings = Findings.of(all, gaps);
+    try (PrintWriter out = new PrintWriter(folder.open("sensitivity.md"))) {
+      out.print(findings);
+    }
+    return findings;
+  }
+
+  private static void table(OutputFolder folder, List<Gap> gaps) throws IOException {
+    try (CsvTable table =
+        new CsvTable(
+            folder.open("sensitivity.csv"),
+            "parameter",
+            "value",
+            "default",
+            "layout",
+            "policy",
+            "proportion_hifi",
+            "proportion_camsim",
+            "difference",
+            "low",
+            "high",
+            "finding")) {
+      for (Gap gap : gaps) {
+        table.row(
+            gap.sweep().parameter(),
+            gap.variant().value(),
+            gap.variant().standard() ? "true" : "false",
+            gap.layout(),
+            gap.policy(),
+            gap.hifi().mean(),
+            gap.camsim().mean(),
+            gap.difference().mean(),
+            gap.difference().low(),
+            gap.difference().high(),
+            gap.finding().label());
+      }
+    }
+  }
+}

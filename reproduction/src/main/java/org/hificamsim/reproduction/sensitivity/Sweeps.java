@@ -1,0 +1,149 @@
+package org.hificamsim.reproduction.sensitivity;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.reproduction.Layout;
+import org.hificamsim.reproduction.Preset;
+import org.hificamsim.runs.RenamedDetection;
+import org.hificamsim.runs.RunPlan;
+
+/** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
+public final class Sweeps {
+  private static final String ZOOM_OUT = "zoom-out";
+  private static final String EPSILON_GREEDY = "epsilon-greedy";
+  private static final String SARSA = "sarsa";
+  private static final String QB_SARSA = "qb-sarsa";
+  private static final List<String> ALL = List.of(ZOOM_OUT, EPSILON_GREEDY, SARSA, QB_SARSA);
+  private static final List<String> LEARNERS = List.of(EPSILON_GREEDY, SARSA, QB_SARSA);
+  private static final List<String> TEMPORAL = List.of(SARSA, QB_SARSA);
+  private static final int TARGETS = 3;
+
+  private final Map<String, Scenario> scenarios;
+  private final DetectionModel hifi;
+  private final DetectionModel camsim;
+
+  /**
+   * @param scenarios those of Table 7.1, by name
+   */
+  public Sweeps(Map<String, Scenario> scenarios, Function<String, DetectionModel> models) {
+    this.scenarios = scenarios;
+    this.hifi = models.apply(Preset.HIFI);
+    this.camsim = models.apply(Preset.CAMSIM);
+  }
+
+  /** The names of the scenarios that the sweeps need. */
+  public static List<String> scenarioNames() {
+    return Layout.SCENARIOS;
+  }
+
+  /** Every sweep, in the order of files. */
+  List<Sweep> all() {
+    return List.of(
+        new Sweep(
+            "threshold-hifi",
+            "detection threshold of " + hifi.name(),
+            thresholds(hifi, 0.03, 0.04, 0.0441, 0.05, 0.06, 0.08)),
+        new Sweep(
+            "threshold-camsim",
+            "detection threshold of " + camsim.name(),
+            thresholds(camsim, 0.15, 0.25, 0.35, 0.45, 0.55)),
+        new Sweep("targets", "number of targets", targets(1, 2, 3, 4, 5, 6, 8)),
+        new Sweep(
+            "gamma",
+            "discount factor of SARSA and QB-SARSA",
+            options(TEMPORAL, "gamma", "0.9", "0", "0.3", "0.6", "0.8", "0.9", "0.95", "0.99")),
+        new Sweep(
+            "epsilon",
+            "probability of exploring",
+            options(LEARNERS, "epsilon", "0.1", "0.01", "0.05", "0.1", "0.2", "0.3")),
+        new Sweep(
+            "k",
+            "cameras that QB-SARSA asks",
+            options(List.of(QB_SARSA), "k", "4", "0", "1", "2", "4", "6", "8")),
+        new Sweep(
+            "reward",
+            "reading of Eq 7.5",
+            options(TEMPORAL, "reward", "count-change", "count-change", "sign", "literal")));
+  }
+
+  /** The plans of all sweeps, each once. */
+  public List<RunPlan> plans(int steps, long seed, int repeats) {
+    Set<RunPlan> plans = new LinkedHashSet<>();
+    for (Sweep sweep : all()) {
+      for (Variant variant : sweep.variants()) {
+        for (Scenario scenario : variant.scenarios().values()) {
+          for (Detection detection : variant.detections()) {
+            for (String policy : variant.policies().values()) {
+              plans.add(new RunPlan(scenario, detection, policy, steps, seed, repeats));
+            }
+          }
+        }
+      }
+    }
+    return List.copyOf(plans);
+  }
+
+  private List<Variant> thresholds(DetectionModel model, double... thresholds) {
+    List<Variant> variants = new ArrayList<>();
+    for (double threshold : thresholds) {
+      boolean standard = threshold == model.defaultThreshold();
+      Detection changed = standard ? Detection.of(model) : at(model, threshold);
+      variants.add(
+          new Variant(
+              String.valueOf(threshold),
+              standard,
+              scenarios,
+              model.name().equals(hifi.name()) ? changed : Detection.of(hifi),
+              model.name().equals(camsim.name()) ? changed : Detection.of(camsim),
+              specs(ALL, "")));
+    }
+    return variants;
+  }
+
+  private static Detection at(DetectionModel model, double threshold) {
+    return new Detection(new RenamedDetection(model, model.name() + "@" + threshold), threshold);
+  }
+
+  private List<Variant> targets(int... numbers) {
+    List<Variant> variants = new ArrayList<>();
+    for (int number : numbers) {
+      boolean standard = number == TARGETS;
+      Map<String, Scenario> changed = new LinkedHashMap<>();
+      scenarios.forEach(
+          (name, scenario) ->
+              changed.put(name, standard ? scenario : TargetCount.of(scenario, number)));
+      variants.add(variant(String.valueOf(number), standard, changed, specs(ALL, "")));
+    }
+    return variants;
+  }
+
+  private List<Variant> options(
+      List<String> policies, String option, String standard, String... values) {
+    List<Variant> variants = new ArrayList<>();
+    for (String value : values) {
+      boolean isStandard = value.equals(standard);
+      String options = isStandard ? "" : ":" + option + "=" + value;
+      variants.add(variant(value, isStandard, scenarios, specs(policies, options)));
+    }
+    return variants;
+  }
+
+  private Variant variant(
+      String value, boolean standard, Map<String, Scenario> worlds, Map<String, String> specs) {
+    return new Variant(value, standard, worlds, Detection.of(hifi), Detection.of(camsim), specs);
+  }
+
+  private static Map<String, String> specs(List<String> policies, String options) {
+    Map<String, String> specs = new LinkedHashMap<>();
+    policies.forEach(policy -> specs.put(policy, policy + options));
+    return specs;
+  }
+}

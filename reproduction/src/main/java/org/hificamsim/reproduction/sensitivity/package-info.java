@@ -1,0 +1,2 @@
+/** What each open parameter does to the conclusion of chapter 8. */
+package org.hificamsim.reproduction.sensitivity;

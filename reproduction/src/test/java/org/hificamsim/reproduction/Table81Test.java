@@ -1,0 +1,75 @@
+package org.hificamsim.reproduction;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.ScoredRun;
+import org.junit.jupiter.api.Test;
+
+/** The aggregation by hand: two seeds, made-up performances. */
+class Table81Test {
+  private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
+
+  /** Random: 10 and 20 of 20; scripted: 30 and 60 of 120. */
+  private static ScoredRun run(RunPlan plan, int seed) {
+    boolean scripted = plan.scenario().name().contains("scripted");
+    long performance = (scripted ? 30L : 10L) * (seed + 1);
+    RunResult result = new RunResult(seed, seed, performance, 0, 0, 0, 0, 0, 0, 0, 0);
+    return new ScoredRun(result, scripted ? 120 : 20, 0);
+  }
+
+  private static List<Table81.Cell> cells() {
+    Map<String, Scenario> scenarios = new LinkedHashMap<>();
+    for (String name : Preset.scenarioNames()) {
+      Path file = ROOT.resolve("scenarios").resolve(name + ".xml");
+      scenarios.put(name, ScenarioReader.read(file, movement -> true, warning -> {}));
+    }
+    List<RunPlan> plans = new Preset(scenarios, 10, 0, 2).plans(Catalogue.load()::detection);
+    return new Table81(new Cases(plans.stream().map(Table81Test::result).toList())).cells();
+  }
+
+  private static CaseResult result(RunPlan plan) {
+    List<ScoredRun> runs = IntStream.range(0, 2).mapToObj(seed -> run(plan, seed)).toList();
+    return new CaseResult(plan, runs, new double[10], new double[2][10]);
+  }
+
+  @Test
+  void aCellIsTheRatioOfSumsOverBothScenariosAndAllSeeds() {
+    for (Table81.Cell cell : cells()) {
+      assertEquals((10 + 20 + 30 + 60) / 280.0, cell.ours().mean(), 1e-12);
+      assertEquals(40.0 / 140, cell.ours().low(), 1e-12);
+      assertEquals(80.0 / 140, cell.ours().high(), 1e-12);
+    }
+  }
+
+  @Test
+  void otherReadingsStandWhereTheyApply() {
+    for (Table81.Cell cell : cells()) {
+      Published published = cell.published();
+      assertEquals(published.hifi(), Double.isNaN(cell.overHifi()));
+      assertEquals(published.hifi(), Double.isNaN(cell.at45()));
+      assertEquals(published.policy().equals("epsilon-greedy"), !Double.isNaN(cell.exploreAny()));
+      assertEquals(published.layout() == Layout.CLUSTER, !Double.isNaN(cell.origin()));
+    }
+  }
+
+  @Test
+  void verdictsFollowTheRule() {
+    Table81.Cell near =
+        cells().stream().filter(cell -> cell.published().proportion() == 0.44).findFirst().get();
+    assertEquals(Verdict.REPRODUCED, near.verdict());
+    assertTrue(Math.abs(near.difference()) < 0.05);
+  }
+}

@@ -1,0 +1,81 @@
+package org.hificamsim.runs;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntFunction;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.engine.Cooperation;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.world.World;
+
+/** Runs a plan, one repeat after the other. */
+public final class RunExecutor {
+  private final Catalogue catalogue;
+  private final Workers workers;
+
+  /** Runs in the caller's thread alone. */
+  public RunExecutor(Catalogue catalogue) {
+    this(catalogue, Workers.CALLER);
+  }
+
+  /** Runs one repeat at a time, with these workers sharing its steps. */
+  public RunExecutor(Catalogue catalogue, Workers workers) {
+    this.catalogue = catalogue;
+    this.workers = workers;
+  }
+
+  /**
+   * Runs every repeat.
+   *
+   * @param listeners makes the listeners of one repeat
+   * @return one result per repeat, in order
+   */
+  public List<RunResult> execute(RunPlan plan, IntFunction<List<StepListener>> listeners) {
+    List<RunResult> results = new ArrayList<>();
+    for (int run = 0; run < plan.repeats(); run++) {
+      results.add(repeat(plan, run, listeners.apply(run)));
+    }
+    return results;
+  }
+
+  /** Runs one repeat. */
+  public RunResult repeat(RunPlan plan, int run, List<StepListener> listeners) {
+    RunCoverage coverage = new RunCoverage();
+    List<StepListener> all = new ArrayList<>(listeners);
+    all.add(0, coverage);
+    ZoomPolicy policy = catalogue.policies().create(plan.policy());
+    if (policy instanceof HindsightZoomPolicy hindsight) {
+      rehearse(plan, run, hindsight);
+    }
+    simulation(plan, run, policy, all).run(plan.steps());
+    return RunResult.of(run, plan.seed(run), coverage, policy);
+  }
+
+  /**
+   * Checks that a plan can start: its movements exist and its policy suits its cameras.
+   *
+   * @throws org.hificamsim.core.InputException when it cannot
+   */
+  public void check(RunPlan plan) {
+    simulation(plan, 0, catalogue.policies().create(plan.policy()), List.of());
+  }
+
+  private void rehearse(RunPlan plan, int run, HindsightZoomPolicy policy) {
+    StepListener rehearsal = (network, coverage) -> policy.rehearse(network);
+    ZoomPolicy widest = catalogue.policies().create("zoom-out");
+    simulation(plan, run, widest, List.of(rehearsal)).run(plan.steps());
+  }
+
+  private Simulation simulation(
+      RunPlan plan, int run, ZoomPolicy policy, List<StepListener> listeners) {
+    long seed = plan.seed(run);
+    World world = new World(plan.scenario(), catalogue.movements(), seed);
+    return new Simulation(
+        world, plan.detection(), policy, Cooperation.NONE, seed, listeners, workers);
+  }
+}

@@ -1,0 +1,25 @@
+package org.hificamsim.runs;
+
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.Scenario;
+
+/**
+ * What is to be run: the model's parameters, apart from where results go.
+ *
+ * @param policy name and options; each repeat makes its own instance
+ * @param steps 1 or more
+ * @param seed of the first repeat; repeat i uses seed + i
+ * @param repeats 1 or more
+ */
+public record RunPlan(
+    Scenario scenario, Detection detection, String policy, int steps, long seed, int repeats) {
+  /** The seed of one repeat. */
+  public long seed(int run) {
+    return seed + run;
+  }
+
+  /** The same plan under another policy. */
+  public RunPlan withPolicy(String newPolicy) {
+    return new RunPlan(scenario, detection, newPolicy, steps, seed, repeats);
+  }
+}

@@ -1,0 +1,129 @@
+package org.hificamsim.runs;
+
+import java.io.Serializable;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/**
+ * The coverage of one repeat.
+ *
+ * @param performance the sum of k_min over the steps (Eq 7.2)
+ * @param meanKMin per step
+ * @param covered0 share of targets that no camera covered, over all steps
+ * @param covered1 share that exactly one camera covered
+ * @param coveredK share that two or more cameras covered
+ * @param meanK mean number of cameras that cover a target
+ * @param detections one for each camera, target and step
+ * @param zoomChanges how often a camera's level differed from the one of the step before
+ * @param messages sent between cameras
+ * @param unprovenSteps steps whose configuration is not proven to be the best that the policy could
+ *     take; -1 under a policy that does not claim it to be
+ * @param gap what the performance might gain in those steps at most
+ */
+public record RunResult(
+    int run,
+    long seed,
+    long performance,
+    double meanKMin,
+    double covered0,
+    double covered1,
+    double coveredK,
+    double meanK,
+    long detections,
+    long zoomChanges,
+    long messages,
+    long unprovenSteps,
+    long gap)
+    implements Serializable {
+  private static final Proof NO_CLAIM = new Proof(-1, 0);
+
+  /** A result whose policy proves nothing. */
+  public RunResult(
+      int run,
+      long seed,
+      long performance,
+      double meanKMin,
+      double covered0,
+      double covered1,
+      double coveredK,
+      double meanK,
+      long detections,
+      long zoomChanges,
+      long messages) {
+    this(
+        run,
+        seed,
+        performance,
+        meanKMin,
+        covered0,
+        covered1,
+        coveredK,
+        meanK,
+        detections,
+        zoomChanges,
+        messages,
+        NO_CLAIM.unprovenSteps(),
+        NO_CLAIM.gap());
+  }
+
+  /** What the policy proved; empty under one that does not claim to be the best. */
+  public Optional<Proof> proof() {
+    return unprovenSteps < 0 ? Optional.empty() : Optional.of(new Proof(unprovenSteps, gap));
+  }
+
+  /** What is proven of several repeats together; of nothing where the policy claims nothing. */
+  public static Proof proofOf(List<RunResult> results) {
+    return results.stream()
+        .flatMap(result -> result.proof().stream())
+        .reduce(Proof.OF_NOTHING, Proof::plus);
+  }
+
+  /** The result of a repeat whose coverage has been added up, under a policy. */
+  public static RunResult of(int run, long seed, RunCoverage coverage, ZoomPolicy policy) {
+    return of(run, seed, coverage, policy.messages(), Proof.of(policy));
+  }
+
+  /**
+   * The result of a repeat whose coverage has been added up.
+   *
+   * @param proven what its policy proved; empty under one that does not claim to be the best
+   */
+  public static RunResult of(
+      int run, long seed, RunCoverage coverage, long messages, Optional<Proof> proven) {
+    Proof proof = proven.orElse(NO_CLAIM);
+    return new RunResult(
+        run,
+        seed,
+        coverage.performance(),
+        coverage.meanKMin(),
+        coverage.proportion0(),
+        coverage.proportion1(),
+        coverage.proportionK(),
+        coverage.meanK(),
+        coverage.detections(),
+        coverage.zoomChanges(),
+        messages,
+        proof.unprovenSteps(),
+        proof.gap());
+  }
+
+  /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
+  public RunResult asRun(int repeat) {
+    return new RunResult(
+        repeat,
+        seed,
+        performance,
+        meanKMin,
+        covered0,
+        covered1,
+        coveredK,
+        meanK,
+        detections,
+        zoomChanges,
+        messages,
+        unprovenSteps,
+        gap);
+  }
+}

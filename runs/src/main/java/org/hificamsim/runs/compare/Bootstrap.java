@@ -1,0 +1,50 @@
+package org.hificamsim.runs.compare;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.apache.commons.math3.stat.StatUtils;
+import org.apache.commons.math3.stat.descriptive.rank.Percentile;
+import org.hificamsim.runs.Estimate;
+
+/**
+ * The percentile bootstrap of a mean: 95% intervals that ask nothing of the distribution (Efron and
+ * Tibshirani, An Introduction to the Bootstrap, 1993, chapter 13). Same values, same interval.
+ */
+public final class Bootstrap {
+  private static final int RESAMPLES = 2000;
+  private static final long SEED = 1993;
+
+  private Bootstrap() {}
+
+  /**
+   * The mean with its interval; values that are NaN are left out.
+   *
+   * @return NaN throughout where no value is left
+   */
+  public static Estimate mean(double[] values) {
+    double[] known = Arrays.stream(values).filter(value -> !Double.isNaN(value)).toArray();
+    if (known.length == 0) {
+      return new Estimate(Double.NaN, Double.NaN, Double.NaN);
+    }
+    double mean = StatUtils.mean(known);
+    SplittableRandom random = new SplittableRandom(SEED);
+    double[] means = new double[RESAMPLES];
+    for (int i = 0; i < means.length; i++) {
+      double sum = 0;
+      for (int draw = 0; draw < known.length; draw++) {
+        sum += known[random.nextInt(known.length)];
+      }
+      means[i] = sum / known.length;
+    }
+    Percentile percentile = new Percentile().withEstimationType(Percentile.EstimationType.R_7);
+    percentile.setData(means);
+    return new Estimate(mean, percentile.evaluate(2.5), percentile.evaluate(97.5));
+  }
+
+  /** The mean difference of paired values with its interval. */
+  public static Estimate difference(double[] values, double[] paired) {
+    double[] differences = new double[values.length];
+    Arrays.setAll(differences, i -> values[i] - paired[i]);
+    return mean(differences);
+  }
+}

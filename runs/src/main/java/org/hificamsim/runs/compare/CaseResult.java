@@ -1,0 +1,36 @@
+package org.hificamsim.runs.compare;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.runs.Proof;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+
+/**
+ * One plan with all its runs.
+ *
+ * @param runs one per repeat, by rising seed
+ * @param meanKMin the mean over the repeats of k_min, by step
+ * @param levels each repeat's mean of k_min in {@link Levels equal parts} of the run: what
+ *     intervals over time are made of
+ */
+public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, double[][] levels) {
+  /** The figures that the case has. */
+  List<Score> scores() {
+    List<Score> scores = new ArrayList<>(Score.ALL);
+    if (runs.get(0).result().proof().isPresent()) {
+      scores.addAll(Score.OF_PROOFS);
+    }
+    return scores;
+  }
+
+  /** What is proven of all runs together. */
+  public Proof proof() {
+    return RunResult.proofOf(runs.stream().map(ScoredRun::result).toList());
+  }
+
+  /** One figure of every run. */
+  public double[] figures(Score score) {
+    return runs.stream().mapToDouble(score::of).toArray();
+  }
+}

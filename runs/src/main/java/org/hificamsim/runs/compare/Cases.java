@@ -1,0 +1,35 @@
+package org.hificamsim.runs.compare;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.runs.RunPlan;
+
+/** The results of a comparison, found by the names of scenario, detection model and policy. */
+public final class Cases {
+  private record Name(String scenario, String detection, String policy) {
+    static Name of(RunPlan plan) {
+      return new Name(plan.scenario().name(), plan.detection().model().name(), plan.policy());
+    }
+  }
+
+  private final Map<Name, CaseResult> cases = new LinkedHashMap<>();
+
+  public Cases(List<CaseResult> results) {
+    results.forEach(result -> cases.put(Name.of(result.plan()), result));
+  }
+
+  /**
+   * One result.
+   *
+   * @throws IllegalArgumentException when it was not run
+   */
+  public CaseResult find(String scenario, String detection, String policy) {
+    Name name = new Name(scenario, detection, policy);
+    CaseResult found = cases.get(name);
+    if (found == null) {
+      throw new IllegalArgumentException("no result for " + name);
+    }
+    return found;
+  }
+}

@@ -1,0 +1,154 @@
+package org.hificamsim.runs.compare;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.runs.RunPlan;
+
+/**
+ * Runs plans side by side, every repeat a task of its own, and scores each run against the exact
+ * optimum of its scenario, detection model and seed.
+ *
+ * <p>The results do not depend on the engine or its threads: a run depends on its plan and seed
+ * alone, and sums over runs are sums of whole numbers.
+ */
+public final class Comparison {
+  static final String OPTIMAL = "optimal";
+
+  private record Yardstick(Scenario scenario, Detection detection, int steps) {
+    static Yardstick of(RunPlan plan) {
+      return new Yardstick(plan.scenario(), plan.detection(), plan.steps());
+    }
+  }
+
+  private final RunEngine engine;
+  private final Runnable runFinished;
+
+  /**
+   * @param engine where the runs are computed, configured
+   * @param runFinished called after each run, from any thread
+   */
+  public Comparison(RunEngine engine, Runnable runFinished) {
+    this.engine = engine;
+    this.runFinished = runFinished;
+  }
+
+  /** The plans asked for, then the optimum of every scenario and detection where it is missing. */
+  public static List<RunPlan> withOptimum(List<RunPlan> plans) {
+    Map<Yardstick, RunPlan> missing = new LinkedHashMap<>();
+    for (RunPlan plan : plans) {
+      missing.putIfAbsent(Yardstick.of(plan), plan.withPolicy(OPTIMAL));
+    }
+    plans.stream()
+        .filter(plan -> plan.policy().equals(OPTIMAL))
+        .forEach(plan -> missing.remove(Yardstick.of(plan)));
+    List<RunPlan> all = new ArrayList<>(plans);
+    all.addAll(missing.values());
+    return all;
+  }
+
+  /**
+   * Runs all plans.
+   *
+   * @param plans made by {@link #withOptimum}; all with the same seeds
+   * @return one result per plan, in their order
+   */
+  List<CaseResult> run(List<RunPlan> plans, Journal journal) throws IOException {
+    List<CaseUnderWay> cases = plans.stream().map(CaseUnderWay::new).toList();
+    List<RunTask> missing = new ArrayList<>();
+    for (RunTask task : tasks(plans)) {
+      CaseUnderWay one = cases.get(task.plan());
+      Optional<Outcome> found = journal.find(one.key, one.plan.seed(task.repeat()));
+      if (found.isPresent()) {
+        take(one, task, found.get());
+      } else {
+        missing.add(task);
+      }
+    }
+    engine.run(
+        plans,
+        missing,
+        (task, outcome) -> {
+          CaseUnderWay one = cases.get(task.plan());
+          journal.add(one.key, one.plan.seed(task.repeat()), outcome);
+          take(one, task, outcome);
+        });
+    return score(cases);
+  }
+
+  private void take(CaseUnderWay one, RunTask task, Outcome outcome) {
+    one.take(task.repeat(), outcome);
+    runFinished.run();
+  }
+
+  /** Every run, seed by seed, so that all cases make headway together. */
+  private static List<RunTask> tasks(List<RunPlan> plans) {
+    List<RunTask> tasks = new ArrayList<>();
+    for (int repeat = 0; repeat < plans.get(0).repeats(); repeat++) {
+      for (int plan = 0; plan < plans.size(); plan++) {
+        tasks.add(new RunTask(plan, repeat));
+      }
+    }
+    return tasks;
+  }
+
+  private static List<CaseResult> score(List<CaseUnderWay> cases) {
+    Map<Yardstick, CaseUnderWay> optima = new LinkedHashMap<>();
+    for (CaseUnderWay one : cases) {
+      if (one.plan.policy().equals(OPTIMAL)) {
+        optima.put(Yardstick.of(one.plan), one);
+      }
+    }
+    return cases.stream().map(one -> one.scored(optima.get(Yardstick.of(one.plan)))).toList();
+  }
+
+  /** A plan whose repeats are being run, by several threads. */
+  private static final class CaseUnderWay {
+    private final RunPlan plan;
+    private final String key;
+    private final Outcome[] outcomes;
+    private final double[] settling;
+    private final double[][] levels;
+    private final long[] sums;
+
+    CaseUnderWay(RunPlan plan) {
+      this.plan = plan;
+      this.key = RunKey.of(plan);
+      this.outcomes = new Outcome[plan.repeats()];
+      this.settling = new double[plan.repeats()];
+      this.levels = new double[plan.repeats()][];
+      this.sums = new long[plan.steps()];
+    }
+
+    synchronized void take(int repeat, Outcome outcome) {
+      for (int step = 0; step < sums.length; step++) {
+        sums[step] += outcome.kMin()[step];
+      }
+      settling[repeat] = Settling.of(outcome.kMin());
+      levels[repeat] = Levels.of(outcome.kMin());
+      outcomes[repeat] = new Outcome(outcome.result().asRun(repeat), new int[0]);
+    }
+
+    CaseResult scored(CaseUnderWay optimum) {
+      List<ScoredRun> runs = new ArrayList<>();
+      for (int repeat = 0; repeat < outcomes.length; repeat++) {
+        runs.add(
+            new ScoredRun(
+                outcomes[repeat].result(),
+                optimum.outcomes[repeat].result().performance(),
+                settling[repeat]));
+      }
+      return new CaseResult(
+          plan,
+          runs,
+          Arrays.stream(sums).mapToDouble(sum -> sum / (double) runs.size()).toArray(),
+          levels);
+    }
+  }
+}

@@ -1,0 +1,59 @@
+package org.hificamsim.runs.compare;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.OutputFolder;
+
+/**
+ * A comparison from plans to files, safe to kill at any moment: finished runs are in the journal,
+ * and result files appear all at once at the end.
+ */
+public final class ComparisonRun {
+  private final Comparison comparison;
+  private final boolean resume;
+
+  /**
+   * @param resume whether runs that an earlier, killed comparison finished count
+   */
+  public ComparisonRun(Comparison comparison, boolean resume) {
+    this.comparison = comparison;
+    this.resume = resume;
+  }
+
+  /** Adds further files, such as plots and a manifest, to those of the results. */
+  @FunctionalInterface
+  public interface Extras {
+    /** Writes them. */
+    void write(OutputFolder folder, List<CaseResult> cases) throws IOException;
+  }
+
+  /**
+   * Runs all plans and writes the results.
+   *
+   * @return one result per plan, then those of the optima that had to be added
+   */
+  public List<CaseResult> execute(List<RunPlan> plans, Path out, Extras extras) throws IOException {
+    return executeWithoutTables(
+        plans,
+        out,
+        (folder, all) -> {
+          new ResultFiles(folder).write(all.subList(0, plans.size()), all);
+          extras.write(folder, all);
+        });
+  }
+
+  /** Runs all plans and writes the extras alone. */
+  public List<CaseResult> executeWithoutTables(List<RunPlan> plans, Path out, Extras extras)
+      throws IOException {
+    try (OutputFolder folder = new OutputFolder(out);
+        Journal journal = new Journal(out, resume)) {
+      List<CaseResult> all = comparison.run(Comparison.withOptimum(plans), journal);
+      extras.write(folder, all);
+      folder.commit(List.of());
+      journal.finish();
+      return all;
+    }
+  }
+}

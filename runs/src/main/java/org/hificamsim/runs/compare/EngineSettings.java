@@ -1,0 +1,13 @@
+package org.hificamsim.runs.compare;
+
+import java.util.Optional;
+import org.hificamsim.catalogue.Catalogue;
+
+/**
+ * How and where to compute; nothing that a result depends on.
+ *
+ * @param catalogue of this process
+ * @param threads of this machine, 1 or more
+ * @param master the URL of a cluster's master, if given
+ */
+public record EngineSettings(Catalogue catalogue, int threads, Optional<String> master) {}

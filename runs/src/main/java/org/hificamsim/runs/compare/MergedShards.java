@@ -1,0 +1,122 @@
+package org.hificamsim.runs.compare;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.runs.RunPlan;
+
+/** The runs of a sweep from the folders of all its shards, as an engine that computes nothing. */
+public final class MergedShards implements RunEngine {
+  private static final int MOST_NAMED = 10;
+
+  private final Map<Integer, ShardFolder> shards = new TreeMap<>();
+
+  /**
+   * Checks that the shards are there, each once and complete.
+   *
+   * @param folders of {@code --shard} runs
+   * @param plans of the whole sweep, made by {@link Comparison#withOptimum}
+   * @throws InputException naming what is missing, comes twice or belongs to another sweep
+   */
+  public MergedShards(List<Path> folders, List<RunPlan> plans) throws IOException {
+    for (Path folder : folders) {
+      add(shardOf(folder, plans));
+    }
+    requireAll();
+    for (ShardFolder shard : shards.values()) {
+      requireComplete(shard, plans);
+    }
+  }
+
+  @Override
+  public String name() {
+    return "merge";
+  }
+
+  @Override
+  public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
+    List<String> keys = plans.stream().map(RunKey::of).toList();
+    Set<RunTask> wanted = Set.copyOf(tasks);
+    for (ShardFolder shard : shards.values()) {
+      FinishedRuns runs = shard.runs();
+      for (RunTask task : shard.shard().tasks(plans)) {
+        if (wanted.contains(task)) {
+          long seed = plans.get(task.plan()).seed(task.repeat());
+          finished.take(task, runs.find(keys.get(task.plan()), seed).orElseThrow());
+        }
+      }
+    }
+  }
+
+  private static ShardFolder shardOf(Path folder, List<RunPlan> plans) throws IOException {
+    ShardFolder shard =
+        ShardFolder.read(folder)
+            .orElseThrow(
+                () ->
+                    new InputException(
+                        "--merge '%s' has no shard.json, expected a folder that --shard wrote"
+                            .formatted(folder)));
+    if (!shard.isOf(plans)) {
+      throw new InputException(
+          "--merge '%s' is shard %s of another sweep, expected this one's scenarios, models, policies, steps, seeds and version"
+              .formatted(folder, shard.shard()));
+    }
+    return shard;
+  }
+
+  private void add(ShardFolder shard) {
+    for (ShardFolder other : shards.values()) {
+      if (other.shard().of() != shard.shard().of()) {
+        throw new InputException(
+            "--merge '%s' is shard %s but '%s' is shard %s, expected parts of one split"
+                .formatted(shard.path(), shard.shard(), other.path(), other.shard()));
+      }
+    }
+    ShardFolder other = shards.putIfAbsent(shard.shard().number(), shard);
+    if (other != null) {
+      throw new InputException(
+          "--merge has shard %s twice, '%s' and '%s', expected each once"
+              .formatted(shard.shard(), other.path(), shard.path()));
+    }
+  }
+
+  private void requireAll() {
+    int of = shards.values().iterator().next().shard().of();
+    List<Integer> missing =
+        IntStream.rangeClosed(1, of).filter(i -> !shards.containsKey(i)).boxed().toList();
+    if (!missing.isEmpty()) {
+      throw new InputException(
+          "--merge lacks %d of %d shards (%s%s), expected all"
+              .formatted(
+                  missing.size(),
+                  of,
+                  missing.stream()
+                      .limit(MOST_NAMED)
+                      .map(String::valueOf)
+                      .collect(Collectors.joining(", ")),
+                  missing.size() > MOST_NAMED ? ", ..." : ""));
+    }
+  }
+
+  private static void requireComplete(ShardFolder shard, List<RunPlan> plans) throws IOException {
+    FinishedRuns runs = shard.runs();
+    List<RunTask> tasks = shard.shard().tasks(plans);
+    List<String> keys = plans.stream().map(RunKey::of).toList();
+    long there =
+        tasks.stream()
+            .filter(
+                task -> runs.has(keys.get(task.plan()), plans.get(task.plan()).seed(task.repeat())))
+            .count();
+    if (there < tasks.size()) {
+      throw new InputException(
+          "--merge '%s' has %d of the %d runs of shard %s, expected all; --shard %s --resume computes the rest"
+              .formatted(shard.path(), there, tasks.size(), shard.shard(), shard.shard()));
+    }
+  }
+}

@@ -1,0 +1,85 @@
+package org.hificamsim.runs.compare;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
+import org.apache.commons.math3.stat.descriptive.rank.Percentile;
+import org.hificamsim.runs.Estimate;
+
+/**
+ * The proportion of Table 8.1: the performance of several cases together over that of their optima,
+ * a ratio of sums. Intervals come from resampling seeds (percentile bootstrap), the same seeds for
+ * everything in a difference.
+ *
+ * @param performance the sum over the cases, by seed
+ * @param optimum the same of the yardsticks
+ */
+public record Ratio(double[] performance, double[] optimum) {
+  private static final int RESAMPLES = 1000;
+  private static final long SEED = 1993;
+
+  /** Cases over their own optima. */
+  public static Ratio of(List<CaseResult> cases) {
+    return over(cases, cases);
+  }
+
+  /** Cases over the optima of other cases. */
+  public static Ratio over(List<CaseResult> cases, List<CaseResult> others) {
+    return new Ratio(
+        sums(cases, run -> run.result().performance()), sums(others, ScoredRun::optimum));
+  }
+
+  private static double[] sums(List<CaseResult> cases, ToDoubleFunction<ScoredRun> figure) {
+    double[] sums = new double[cases.get(0).runs().size()];
+    for (CaseResult one : cases) {
+      Arrays.setAll(sums, seed -> sums[seed] + figure.applyAsDouble(one.runs().get(seed)));
+    }
+    return sums;
+  }
+
+  /** The ratio with its 95% interval; NaN throughout where no optimum is above 0. */
+  public Estimate estimate() {
+    return estimate(performance.length, this::at);
+  }
+
+  /** What this is more than another, with its 95% interval. */
+  public Estimate minus(Ratio other) {
+    return estimate(performance.length, seeds -> at(seeds) - other.at(seeds));
+  }
+
+  /** The ratio of some seeds, each given by its number, perhaps repeatedly. */
+  public double at(int[] seeds) {
+    double over = 0;
+    double under = 0;
+    for (int seed : seeds) {
+      over += performance[seed];
+      under += optimum[seed];
+    }
+    return under == 0 ? Double.NaN : over / under;
+  }
+
+  /**
+   * A figure of the seeds with its 95% interval.
+   *
+   * @param seeds how many there are
+   */
+  public static Estimate estimate(int seeds, ToDoubleFunction<int[]> figure) {
+    int[] drawn = new int[seeds];
+    Arrays.setAll(drawn, i -> i);
+    double value = figure.applyAsDouble(drawn);
+    SplittableRandom random = new SplittableRandom(SEED);
+    double[] values = new double[RESAMPLES];
+    for (int i = 0; i < values.length; i++) {
+      Arrays.setAll(drawn, draw -> random.nextInt(seeds));
+      values[i] = figure.applyAsDouble(drawn);
+    }
+    double[] known = Arrays.stream(values).filter(one -> !Double.isNaN(one)).toArray();
+    if (Double.isNaN(value) || known.length == 0) {
+      return new Estimate(Double.NaN, Double.NaN, Double.NaN);
+    }
+    Percentile percentile = new Percentile().withEstimationType(Percentile.EstimationType.R_7);
+    percentile.setData(known);
+    return new Estimate(value, percentile.evaluate(2.5), percentile.evaluate(97.5));
+  }
+}

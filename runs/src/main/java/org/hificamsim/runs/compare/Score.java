@@ -1,0 +1,55 @@
+package org.hificamsim.runs.compare;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.Proof;
+
+/**
+ * A figure of a scored run: what a run measures on its own, and what needs the optimum beside it.
+ *
+ * @param label the name in files
+ */
+public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
+  public static final Score PERFORMANCE = of(Metric.PERFORMANCE);
+  public static final Score PROPORTION_OF_OPTIMAL =
+      new Score("proportion_of_optimal", ScoredRun::proportionOfOptimal);
+
+  /** Every figure, in the order of files. */
+  public static final List<Score> ALL = all();
+
+  /** Figures of the policies that claim to be the best, beside all others. */
+  static final List<Score> OF_PROOFS =
+      List.of(
+          new Score("unproven_steps", run -> proof(run).unprovenSteps()),
+          new Score("performance_bound", run -> proof(run).bound(run.result().performance())));
+
+  /** The figure of one run. */
+  public double of(ScoredRun run) {
+    return figure.applyAsDouble(run);
+  }
+
+  /** A metric as a score. */
+  public static Score of(Metric metric) {
+    return new Score(metric.label(), run -> metric.of(run.result()));
+  }
+
+  private static Proof proof(ScoredRun run) {
+    return run.result().proof().orElseThrow();
+  }
+
+  private static List<Score> all() {
+    List<Score> all = new ArrayList<>();
+    all.add(PERFORMANCE);
+    all.add(PROPORTION_OF_OPTIMAL);
+    all.add(new Score("regret", ScoredRun::regret));
+    for (Metric metric : Metric.values()) {
+      if (metric != Metric.PERFORMANCE) {
+        all.add(of(metric));
+      }
+    }
+    all.add(new Score("settling_steps", ScoredRun::settling));
+    return List.copyOf(all);
+  }
+}

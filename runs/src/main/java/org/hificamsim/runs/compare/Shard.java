@@ -1,0 +1,65 @@
+package org.hificamsim.runs.compare;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.hificamsim.core.InputException;
+import org.hificamsim.runs.RunPlan;
+
+/**
+ * One of the equal parts of a sweep.
+ *
+ * @param number which part, 1 to {@code of}
+ * @param of how many parts there are
+ */
+public record Shard(int number, int of) {
+  private static final Pattern FORM = Pattern.compile("(\\d{1,7})/(\\d{1,7})");
+
+  /**
+   * Reads {@code i/n}.
+   *
+   * @throws InputException when it is none, or i is not in [1, n]
+   */
+  public static Shard parse(String text) {
+    Matcher form = FORM.matcher(text);
+    if (form.matches()) {
+      Shard shard = new Shard(Integer.parseInt(form.group(1)), Integer.parseInt(form.group(2)));
+      if (isOne(shard.number, shard.of)) {
+        return shard;
+      }
+    }
+    throw new InputException(
+        "--shard is '%s', expected i/n with i from 1 to n, such as 3/8".formatted(text));
+  }
+
+  static boolean isOne(int number, int of) {
+    return number >= 1 && number <= of;
+  }
+
+  /**
+   * This part's runs. Every run is in one part; of a case, as of the whole, no part has more than
+   * one run more than another. Case by case the seeds begin one further, so that a part does not
+   * get the same seeds of all.
+   *
+   * @param plans of the whole sweep
+   */
+  List<RunTask> tasks(List<RunPlan> plans) {
+    List<RunTask> tasks = new ArrayList<>();
+    long position = 0;
+    for (int plan = 0; plan < plans.size(); plan++) {
+      int repeats = plans.get(plan).repeats();
+      for (int turn = 0; turn < repeats; turn++) {
+        if (position++ % of == number - 1) {
+          tasks.add(new RunTask(plan, (turn + plan) % repeats));
+        }
+      }
+    }
+    return tasks;
+  }
+
+  @Override
+  public String toString() {
+    return number + "/" + of;
+  }
+}

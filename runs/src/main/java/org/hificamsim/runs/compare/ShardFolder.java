@@ -1,0 +1,90 @@
+package org.hificamsim.runs.compare;
+
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.InputException;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.OutputFolder;
+
+/**
+ * Where a shard's runs are kept: {@code shard.json} tells which part of which sweep, {@code
+ * runs.jsonl} is its journal.
+ *
+ * @param content of {@code shard.json}
+ */
+record ShardFolder(Path path, Content content) {
+  static final String RUNS = "runs.jsonl";
+  private static final String NAME = "shard.json";
+  private static final int LARGEST_BYTES = 1 << 16;
+
+  /** Which part of which sweep, the sweep as a digest of all that its results depend on. */
+  record Content(String sweep, int shard, int of) {}
+
+  private static final ObjectMapper MAPPER =
+      new ObjectMapper().enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES);
+
+  /**
+   * What is in a folder.
+   *
+   * @throws InputException when its {@code shard.json} cannot be read
+   */
+  static Optional<ShardFolder> read(Path path) throws IOException {
+    Path file = path.resolve(NAME);
+    if (!Files.isRegularFile(file)) {
+      return Optional.empty();
+    }
+    if (Files.size(file) <= LARGEST_BYTES) {
+      try {
+        Content content = MAPPER.readValue(Files.readAllBytes(file), Content.class);
+        if (content != null && content.sweep != null && Shard.isOne(content.shard, content.of)) {
+          return Optional.of(new ShardFolder(path, content));
+        }
+      } catch (com.fasterxml.jackson.core.JsonProcessingException e) {
+        throw new InputException(file + ": expected what --shard writes", e);
+      }
+    }
+    throw new InputException(file + ": expected what --shard writes");
+  }
+
+  /** Says in a folder what it will hold. */
+  static void write(OutputFolder folder, Shard shard, List<RunPlan> plans) throws IOException {
+    try (Writer out = folder.open(NAME)) {
+      out.write(MAPPER.writeValueAsString(content(shard, plans)) + "\n");
+    }
+    folder.commit(List.of());
+  }
+
+  /** Whether it holds this part of this sweep. */
+  boolean isOf(Shard shard, List<RunPlan> plans) {
+    return content.equals(content(shard, plans));
+  }
+
+  /** Whether it holds a part of this sweep. */
+  boolean isOf(List<RunPlan> plans) {
+    return content.sweep().equals(RunKey.of(plans));
+  }
+
+  Shard shard() {
+    return new Shard(content.shard(), content.of());
+  }
+
+  /** The runs that are there. */
+  FinishedRuns runs() throws IOException {
+    FinishedRuns runs = new FinishedRuns();
+    Path file = path.resolve(RUNS);
+    if (Files.isRegularFile(file)) {
+      runs.read(Files.readAllBytes(file));
+    }
+    return runs;
+  }
+
+  private static Content content(Shard shard, List<RunPlan> plans) {
+    return new Content(RunKey.of(plans), shard.number(), shard.of());
+  }
+}

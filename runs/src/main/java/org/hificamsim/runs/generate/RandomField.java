@@ -1,0 +1,89 @@
+package org.hificamsim.runs.generate;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.SplittableRandom;
+import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.TargetSpec;
+
+/**
+ * Cameras and targets strewn over a field at random, with the zoom levels of the thesis and, unless
+ * said otherwise, the density of its cluster scenarios: 14 cameras on 30 m by 20 m.
+ *
+ * @param cameras 1 or more
+ * @param targets 1 or more; they go straight at 1 m a step and are 0.66 m in size
+ * @param area square metres for each camera, above 0
+ * @param seed of the places and headings
+ */
+public record RandomField(int cameras, int targets, double area, long seed) {
+  /** Square metres for each camera in the cluster scenarios. */
+  public static final double CLUSTER_AREA = 30.0 * 20.0 / 14;
+
+  /** Targets for each camera, about as in the published scenarios. */
+  public static final double TARGETS_PER_CAMERA = 0.6;
+
+  private static final List<Double> ZOOMS = List.of(2.5, 3.75, 5.0, 6.25, 7.5);
+  private static final double RATIO = 1.5;
+  private static final double SIZE = 0.66;
+  private static final MovementSpec STRAIGHT =
+      new MovementSpec("epics.movement.Straight", 0, 1, List.of());
+
+  /** A field at the cluster scenarios' density with 0.6 targets for each camera. */
+  public static RandomField ofCameras(int cameras, long seed) {
+    int targets = (int) Math.max(1, Math.round(TARGETS_PER_CAMERA * cameras));
+    return new RandomField(cameras, targets, CLUSTER_AREA, seed);
+  }
+
+  /** The scenario, the same for the same arguments. */
+  public Scenario scenario() {
+    double height = Math.sqrt(cameras * area / RATIO);
+    Field field = new Field(0, RATIO * height, 0, height);
+    SplittableRandom random = new SplittableRandom(seed);
+    return new Scenario(
+        "random-" + cameras,
+        field,
+        StepOrder.COVERAGE,
+        Headings.DEGREES,
+        OptionalDouble.empty(),
+        OptionalDouble.empty(),
+        ZOOMS,
+        cameras(field, random),
+        targets(field, random),
+        List.of(),
+        Optional.empty(),
+        Map.of());
+  }
+
+  private List<CameraSpec> cameras(Field field, SplittableRandom random) {
+    double widest = ZOOMS.get(ZOOMS.size() - 1);
+    List<CameraSpec> all = new ArrayList<>();
+    for (int camera = 1; camera <= cameras; camera++) {
+      double x = random.nextDouble(field.maxX());
+      double y = random.nextDouble(field.maxY());
+      all.add(new CameraSpec("C" + camera, x, y, 0, 360, widest, AgentSpec.NONE, Map.of()));
+    }
+    return all;
+  }
+
+  private List<TargetSpec> targets(Field field, SplittableRandom random) {
+    List<TargetSpec> all = new ArrayList<>();
+    for (int target = 1; target <= targets; target++) {
+      double x = random.nextDouble(field.maxX());
+      double y = random.nextDouble(field.maxY());
+      double heading = random.nextDouble(360);
+      all.add(
+          new TargetSpec(
+              TargetSpec.Origin.OBJECT, target, x, y, heading, 1, SIZE, STRAIGHT, Map.of()));
+    }
+    return all;
+  }
+}

@@ -1,0 +1,2 @@
+/** Scenarios made at random, of any size. */
+package org.hificamsim.runs.generate;

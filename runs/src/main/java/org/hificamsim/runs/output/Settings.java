@@ -1,0 +1,50 @@
+package org.hificamsim.runs.output;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.io.Writer;
+import java.util.List;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.runs.RunPlan;
+
+/** Every setting of a plan, as result files name them. */
+public final class Settings {
+  private Settings() {}
+
+  /** Writes {@code settings.json}, one object per plan, and closes it. */
+  public static void write(Writer writer, List<RunPlan> plans) throws IOException {
+    try (JsonGenerator json = new JsonFactory().createGenerator(writer)) {
+      json.useDefaultPrettyPrinter();
+      json.writeStartArray();
+      for (RunPlan plan : plans) {
+        json.writeStartObject();
+        write(json, plan);
+        json.writeEndObject();
+      }
+      json.writeEndArray();
+      json.writeRaw('\n');
+    }
+  }
+
+  /** Writes the settings as fields of the object under way. */
+  static void write(JsonGenerator json, RunPlan plan) throws IOException {
+    Scenario scenario = plan.scenario();
+    json.writeStringField("scenario", scenario.name());
+    json.writeStringField("detection", plan.detection().model().name());
+    json.writeNumberField("threshold", plan.detection().threshold());
+    json.writeStringField("policy", plan.policy());
+    json.writeNumberField("steps", plan.steps());
+    json.writeNumberField("seed", plan.seed());
+    json.writeNumberField("repeat", plan.repeats());
+    json.writeStringField("order", Spelling.of(scenario.order()));
+    json.writeStringField("headings", Spelling.of(scenario.headings()));
+    json.writeArrayFieldStart("zooms");
+    for (double radius : scenario.zooms()) {
+      json.writeNumber(radius);
+    }
+    json.writeEndArray();
+    json.writeNumberField("cameras", scenario.cameras().size());
+  }
+}

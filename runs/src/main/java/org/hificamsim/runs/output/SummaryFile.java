@@ -1,0 +1,91 @@
+package org.hificamsim.runs.output;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import java.io.IOException;
+import java.io.Writer;
+import java.util.List;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.Proof;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+
+/** Writes {@code summary.json}: every setting, and the coverage of the run or of its repeats. */
+public final class SummaryFile {
+  private static final double WHOLE = 1L << 53;
+
+  private final JsonGenerator json;
+
+  private SummaryFile(JsonGenerator json) {
+    this.json = json;
+  }
+
+  /** Writes and closes the file. */
+  public static void write(Writer writer, RunPlan plan, List<RunResult> results)
+      throws IOException {
+    try (JsonGenerator json = new JsonFactory().createGenerator(writer)) {
+      json.useDefaultPrettyPrinter();
+      json.writeStartObject();
+      SummaryFile file = new SummaryFile(json);
+      Settings.write(json, plan);
+      file.figures(results);
+      file.runs(results);
+      json.writeEndObject();
+      json.writeRaw('\n');
+    }
+  }
+
+  private void figures(List<RunResult> results) throws IOException {
+    for (Metric metric : Metric.values()) {
+      if (results.size() == 1 && metric.label().equals("performance")) {
+        json.writeNumberField("performance", results.get(0).performance());
+      } else {
+        json.writeNumberField(metric.label(), Estimate.of(results, metric).mean());
+      }
+    }
+    if (results.size() > 1) {
+      json.writeObjectFieldStart("interval_95");
+      for (Metric metric : Metric.values()) {
+        Estimate estimate = Estimate.of(results, metric);
+        json.writeArrayFieldStart(metric.label());
+        json.writeNumber(estimate.low());
+        json.writeNumber(estimate.high());
+        json.writeEndArray();
+      }
+      json.writeEndObject();
+    }
+  }
+
+  private void runs(List<RunResult> results) throws IOException {
+    json.writeArrayFieldStart("runs");
+    for (RunResult result : results) {
+      json.writeStartObject();
+      json.writeNumberField("run", result.run());
+      json.writeNumberField("seed", result.seed());
+      for (Metric metric : Metric.values()) {
+        json.writeFieldName(metric.label());
+        number(metric.of(result));
+      }
+      if (result.proof().isPresent()) {
+        proof(result.performance(), result.proof().get());
+      }
+      json.writeEndObject();
+    }
+    json.writeEndArray();
+  }
+
+  private void proof(long performance, Proof proof) throws IOException {
+    json.writeNumberField("unproven_steps", proof.unprovenSteps());
+    json.writeNumberField("performance_bound", proof.bound(performance));
+  }
+
+  /** Whole numbers without a fraction. */
+  private void number(double value) throws IOException {
+    if (value == Math.rint(value) && Math.abs(value) < WHOLE) {
+      json.writeNumber((long) value);
+    } else {
+      json.writeNumber(value);
+    }
+  }
+}

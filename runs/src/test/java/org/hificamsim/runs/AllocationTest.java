@@ -1,0 +1,69 @@
+package org.hificamsim.runs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.AllocatedBytes;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.engine.Cooperation;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
+import org.hificamsim.runs.generate.RandomField;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** No step of any policy allocates after a warm-up, whatever detects, with or without a grid. */
+class AllocationTest {
+  private static final Catalogue CATALOGUE = Catalogue.load();
+
+  static Stream<Arguments> steps() {
+    return CATALOGUE.policies().names().stream()
+        .filter(name -> !(CATALOGUE.policies().create(name) instanceof HindsightZoomPolicy))
+        .flatMap(
+            policy ->
+                Stream.of("hifi:orb-lin", "camsim-visibility")
+                    .map(detection -> Arguments.of(policy, detection)));
+  }
+
+  @ParameterizedTest
+  @MethodSource("steps")
+  void aStepAllocatesNothing(String policy, String detection) {
+    assertNothing(policy, detection, RandomField.ofCameras(14, 5).scenario(), 6_000, 1);
+  }
+
+  @Test
+  void aStepOfABigNetworkAllocatesNothing() {
+    Scenario big = RandomField.ofCameras(200, 5).scenario();
+    assertNothing("epsilon-greedy", "hifi:orb-lin", big, 500, 1);
+    assertNothing("sarsa", "camsim-visibility", big, 500, 2);
+    assertNothing("qb-sarsa", "hifi:orb-lin", big, 500, 2);
+  }
+
+  private static void assertNothing(
+      String policyName, String detection, Scenario scenario, int steps, int threads) {
+    DetectionModel model = CATALOGUE.detection(detection);
+    ZoomPolicy policy = CATALOGUE.policies().create(policyName);
+    World world = new World(scenario, CATALOGUE.movements(), 0);
+    RunCoverage coverage = new RunCoverage();
+    try (Workers workers = Workers.of(threads)) {
+      Simulation simulation =
+          new Simulation(
+              world, Detection.of(model), policy, Cooperation.NONE, 0, List.of(coverage), workers);
+      simulation.run(steps);
+      long bytes = AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> simulation.run(steps)));
+      assertEquals(0, bytes, "bytes in " + steps + " steps");
+      assertTrue(coverage.detections() > 0);
+    }
+  }
+}

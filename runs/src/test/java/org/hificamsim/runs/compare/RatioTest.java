@@ -1,0 +1,38 @@
+package org.hificamsim.runs.compare;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hificamsim.runs.Estimate;
+import org.junit.jupiter.api.Test;
+
+class RatioTest {
+  @Test
+  void isARatioOfSumsAndNotAMeanOfRatios() {
+    Ratio ratio = new Ratio(new double[] {1, 30}, new double[] {10, 30});
+    assertEquals(31.0 / 40, ratio.estimate().mean());
+  }
+
+  @Test
+  void itsIntervalHoldsItAndStaysWithinTheSeeds() {
+    Estimate estimate = new Ratio(new double[] {1, 2, 3}, new double[] {10, 10, 10}).estimate();
+    assertEquals(0.2, estimate.mean(), 1e-12);
+    assertTrue(estimate.low() >= 0.1 && estimate.low() < 0.2);
+    assertTrue(estimate.high() <= 0.3 && estimate.high() > 0.2);
+  }
+
+  @Test
+  void aDifferenceIsPairedBySeed() {
+    Ratio one = new Ratio(new double[] {5, 9}, new double[] {10, 10});
+    Ratio other = new Ratio(new double[] {4, 8}, new double[] {10, 10});
+    Estimate difference = one.minus(other);
+    assertEquals(0.1, difference.mean(), 1e-12);
+    assertEquals(0.1, difference.low(), 1e-12);
+    assertEquals(0.1, difference.high(), 1e-12);
+  }
+
+  @Test
+  void withNoOptimumAboveZeroThereIsNoRatio() {
+    assertTrue(Double.isNaN(new Ratio(new double[] {0}, new double[] {0}).estimate().mean()));
+  }
+}

@@ -1,0 +1,51 @@
+package org.hificamsim.acceptance;
+
+import java.util.HashSet;
+import java.util.Locale;
+import java.util.Set;
+
+/** The modules with their arrows: each uses those named behind it, and what these use. */
+enum Module {
+  CORE("camsim-core"),
+  HIFI("hifi-detection", CORE),
+  AGENTS("coverage-agents", CORE),
+  CATALOGUE("catalogue", HIFI, AGENTS),
+  RUNS("runs", CATALOGUE),
+  NETWORK("camsim-network", RUNS),
+  PROFILING("profiling", HIFI),
+  PRESENTATION("presentation", RUNS),
+  REPRODUCTION("reproduction", PRESENTATION, NETWORK),
+  CLI("cli", REPRODUCTION, PROFILING),
+  BRIDGE("camsim-bridge", RUNS),
+  SPARK("spark", RUNS),
+  BENCH("bench", PRESENTATION, NETWORK);
+
+  /** Its folder, as settings.gradle names it. */
+  final String folder;
+
+  @SuppressWarnings("ImmutableEnumChecker") // nothing changes it
+  private final Module[] uses;
+
+  Module(String folder, Module... uses) {
+    this.folder = folder;
+    this.uses = uses;
+  }
+
+  /** Its packages, as ArchUnit writes them. */
+  String packages() {
+    return "org.hificamsim." + name().toLowerCase(Locale.ROOT) + "..";
+  }
+
+  /** The folders of all modules that it may use. */
+  String[] reached() {
+    return reach(new HashSet<>()).stream().map(m -> m.folder).toArray(String[]::new);
+  }
+
+  private Set<Module> reach(Set<Module> found) {
+    for (Module module : uses) {
+      found.add(module);
+      module.reach(found);
+    }
+    return found;
+  }
+}
