@@ -9,6 +9,7 @@ import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
 import org.hificamsim.network.agent.Agent;
@@ -30,7 +31,8 @@ class BidderHashesTest {
             Movements.registry(),
             0);
     int count = world.cameras().count();
-    Sightings sightings = new Sightings(world, Detection.of(new CamSimVisibilityDetection()));
+    Detection detection = Detection.of(new CamSimVisibilityDetection());
+    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
     Agent[] agents = new Agent[count];
     ScheduleKind[] schedules = new ScheduleKind[count];
     Arrays.fill(schedules, ScheduleKind.PASSIVE);
