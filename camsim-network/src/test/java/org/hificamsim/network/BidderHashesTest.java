@@ -7,6 +7,7 @@ import java.util.List;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.MessageQueue;
@@ -20,7 +21,8 @@ class BidderHashesTest {
   void theHashCodesOfPublishedCamerasAreTheKnownOnes() {
     World world = grid().world();
     int count = world.cameras().count();
-    Sightings sightings = new Sightings(world, Detection.of(new CamSimVisibilityDetection()));
+    Detection detection = Detection.of(new CamSimVisibilityDetection());
+    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
     Agent[] agents = new Agent[count];
     ScheduleKind[] schedules = new ScheduleKind[count];
     Arrays.fill(schedules, ScheduleKind.PASSIVE);

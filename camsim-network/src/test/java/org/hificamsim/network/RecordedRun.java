@@ -9,6 +9,7 @@ import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.WidestPolicy;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
 
@@ -48,7 +49,8 @@ record RecordedRun(CamSimCommand command) {
     Detection detection = Detection.of(new CamSimVisibilityDetection());
     Network network = new Network(world, detection, settings, seed);
     StepListener listener = (view, coverage) -> watcher.stepped(world, network);
-    new Simulation(world, detection, new WidestPolicy(), network, seed, List.of(listener))
+    List<StepListener> listeners = List.of(listener);
+    new Simulation(world, detection, new WidestPolicy(), network, seed, listeners, Workers.CALLER)
         .run(command.steps());
   }
 }

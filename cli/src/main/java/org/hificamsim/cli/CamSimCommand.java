@@ -11,9 +11,9 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
@@ -129,18 +129,12 @@ final class CamSimCommand implements Callable<Integer> {
             new Progress("camsim " + plan.scenario().name(), " steps", steps, err)) {
       List<StepListener> listeners = new ArrayList<>(files.listeners());
       listeners.add((view, measured) -> progress.advance());
-      new Simulation(world, observed(plan), zooms, network, seed, listeners).run(steps);
+      new Simulation(world, plan.detection(), zooms, network, seed, listeners, Workers.CALLER)
+          .run(steps);
       files.commit(spec.commandLine().getParent().getParseResult().originalArgs(), started);
       print(plan.scenario(), files.sums());
     }
     return 0;
-  }
-
-  /** The loop's own observation: where nobody reads its coverage, the cheapest will do. */
-  private Detection observed(RunPlan plan) {
-    return coverage == null && policy == null
-        ? Detection.of(new GeometricDetection())
-        : plan.detection();
   }
 
   private Optional<Path> extra() {

@@ -17,6 +17,8 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.GraphUse;
@@ -129,8 +131,8 @@ public final class DetectionExperiment {
     Network network = new Network(world, model, settings, seed);
     RunSums sums = new RunSums();
     StepListener listener = (view, measured) -> sums.add(network.figures());
-    new Simulation(
-            world, model, catalogue.policies().create("zoom-out"), network, seed, List.of(listener))
+    ZoomPolicy zooms = catalogue.policies().create("zoom-out");
+    new Simulation(world, model, zooms, network, seed, List.of(listener), Workers.CALLER)
         .run(STEPS);
     return sums;
   }

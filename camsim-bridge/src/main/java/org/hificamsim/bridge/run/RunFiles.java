@@ -19,7 +19,7 @@ import org.hificamsim.runs.output.SummaryFile;
  * The files of one run, as {@code hificamsim run --record} writes them: {@code steps.csv}, {@code
  * zooms.csv}, {@code targets.csv} and {@code summary.json}.
  */
-final class Recording {
+final class RunFiles {
   private final int run;
   private final OutputFolder folder;
   private final RunRecorder recorder;
@@ -31,7 +31,7 @@ final class Recording {
    *
    * @param run number of the run in this JVM, from 0
    */
-  Recording(Path path, int run) throws IOException {
+  RunFiles(Path path, int run) throws IOException {
     this.run = run;
     folder = new OutputFolder(path);
     recorder = new RunRecorder(folder, true);
