@@ -37,9 +37,9 @@ class BridgeOptionsTest {
 
   @Test
   void aDetectionsOwnThresholdGoesBeforeTheOption() {
-    Setup setup = parse("detection=hifi:orb-lin@0.06,threshold=0.0441");
-    assertEquals(0.06, setup.detection().orElseThrow().threshold());
-    assertEquals("hifi:orb-lin@0.06", setup.detection().orElseThrow().name());
+    BridgeSettings settings = parse("detection=hifi:orb-lin@0.06,threshold=0.0441");
+    assertEquals(0.06, settings.detection().orElseThrow().threshold());
+    assertEquals("hifi:orb-lin@0.06", settings.detection().orElseThrow().name());
   }
 
   @Test

@@ -45,7 +45,7 @@ class ObservationTest {
   void theModelIsAskedOnceForEachPairWithinReach() {
     Counting model = new Counting(new AtomicInteger());
     Simulation simulation = simulation(world(), model);
-    int pairs = 0;
+    long pairs = 0;
     for (int step = 0; step < STEPS; step++) {
       simulation.step();
       pairs += simulation.coverage().detections();
