@@ -15,7 +15,7 @@ import org.hificamsim.core.visibility.Visibility;
  * present) yet, see {@link #expect}.
  */
 final class LiveNetwork implements NetworkView {
-  private static final int LEAST_ROOM = 8;
+  private static final int MIN_ROOM = 8;
 
   private final CamSim camsim;
   private final Object core;
@@ -76,7 +76,7 @@ final class LiveNetwork implements NetworkView {
 
   /** Counts the cameras there are, and twice the targets, which come more often. */
   void makeRoom() {
-    expect(cameras.all().size(), 2 * targets.all().size() + LEAST_ROOM);
+    expect(cameras.all().size(), 2 * targets.all().size() + MIN_ROOM);
   }
 
   /** Sets a camera's level, and CamSim's range by it. */
