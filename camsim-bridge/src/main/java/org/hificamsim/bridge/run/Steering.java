@@ -10,7 +10,7 @@ import org.hificamsim.runs.Proof;
  * A zoom policy that sets the ranges of CamSim's cameras.
  *
  * <p>Policies size their tables when they begin. Where events bring more cameras or targets than
- * were expected then, the policy begins anew and has to learn again, which is told.
+ * were expected then, the policy starts over and has to learn again, which is reported.
  */
 final class Steering {
   private final BridgeSettings.Policy given;
@@ -63,7 +63,7 @@ final class Steering {
   private void begin(LiveNetwork network) {
     if (policy != null) {
       Trouble.note(
-          "step %d: more cameras or objects than expected: policy %s begins anew"
+          "step %d: more cameras or objects than expected: policy %s starts over"
               .formatted(network.step(), given.spec()));
     }
     if (network.outgrown()) {

@@ -158,7 +158,7 @@ public final class ScenarioReader {
         warnings.accept(
             node.place("name")
                 + ": a second <graphnode> for '"
-                + XmlText.shortened(camera, Attributes.MOST_QUOTED)
+                + XmlText.shortened(camera, Attributes.MAX_QUOTED)
                 + "', the last one counts");
         neighbours.remove(camera);
       }
