@@ -88,7 +88,10 @@ final class AgentFactory {
         streams.communication());
   }
 
-  /** CamSim's number for a schedule and policy, -1 for what is no arm of its bandits (9.4). */
+  /**
+   * CamSim's number for a schedule and policy, -1 for what is no arm of its bandits (behaviour
+   * 9.4).
+   */
   private static int inForce(AgentSetup setup) {
     if (setup.schedule().isHistorical()) {
       return -1;

@@ -12,7 +12,7 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.bandit.BanditKind;
 
-/** Reads what the cameras of a scenario and the settings ask for (sections 3.2, 3.5, 3.6). */
+/** Reads what the cameras of a scenario and the settings ask for (behaviour 3.2, 3.5, 3.6). */
 public final class AgentSetups {
   private static final int FIX = 3;
   private static final int CUSTOM = 4;

@@ -7,7 +7,7 @@ import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.Sightings;
 
 /**
- * The hash codes that order the bids of CamSim's cameras (section 4.5, quirk Q19): each that of a
+ * The hash codes that order the bids of CamSim's cameras (behaviour 4.5, quirk Q19): each that of a
  * text that describes the camera. The constant part of each text is hashed once.
  */
 final class BidderHashes {

@@ -20,7 +20,7 @@ import org.hificamsim.network.statistics.StepTally;
 
 /**
  * CamSim's network of cameras: who owns which target, and how targets are sold within each step
- * (sections 7 and 8). Equal arguments give equal runs.
+ * (behaviour 7 and 8). Equal arguments give equal runs.
  *
  * <p>In a step all cameras look, then all advertise, then all bid, then each settles its auctions.
  * Messages that a camera sends are delivered at the end of its turn.
@@ -172,7 +172,7 @@ public final class Network implements Cooperation, WorldObserver {
     return sightings;
   }
 
-  /** A new camera knows all cameras; those that are online get to know it (section 8.1). */
+  /** A new camera knows all cameras; those that are online get to know it (behaviour 8.1). */
   @Override
   public void cameraAdded(int camera) {
     schedules[camera] = factory.schedule(camera);
@@ -192,7 +192,7 @@ public final class Network implements Cooperation, WorldObserver {
     errors.failed(camera, duration);
   }
 
-  /** Every camera that is online looks for a target that nobody owns yet (section 8.1). */
+  /** Every camera that is online looks for a target that nobody owns yet (behaviour 8.1). */
   @Override
   public void targetAppeared(int target) {
     appeared = target + 1;

@@ -8,7 +8,7 @@ import org.hificamsim.network.auction.HistoricalParameters;
 import org.hificamsim.network.bandit.BanditParameters;
 
 /**
- * How a scenario's network is run, apart from what the scenario itself says (section 12.1).
+ * How a scenario's network is run, apart from what the scenario itself says (behaviour 12.1).
  *
  * @param schedule for all cameras of the file, a class name; else what each camera asks for
  * @param comm policy for all cameras of the file, 0 to 4; else what each camera asks for

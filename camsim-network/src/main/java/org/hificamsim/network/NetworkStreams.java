@@ -3,7 +3,7 @@ package org.hificamsim.network;
 import java.util.Random;
 
 /**
- * The network's random streams, each seeded with the run's seed as the world's are (section 4.1).
+ * The network's random streams, each seeded with the run's seed as the world's are (behaviour 4.1).
  */
 record NetworkStreams(Random communication, Random error, Random bandit) {
   static NetworkStreams of(long seed) {

@@ -3,7 +3,7 @@ package org.hificamsim.network;
 import java.util.List;
 import org.hificamsim.network.agent.Named;
 
-/** The communication policies of CamSim, in the order of their numbers (section 8.6). */
+/** The communication policies of CamSim, in the order of their numbers (behaviour 8.6). */
 public enum PolicyKind implements Named {
   BROADCAST("Broadcast"),
   SMOOTH("Smooth"),

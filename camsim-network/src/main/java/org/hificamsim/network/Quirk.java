@@ -1,8 +1,8 @@
 package org.hificamsim.network;
 
 /**
- * Peculiarities of CamSim that are reproduced or not, as asked (section 11). The others are either
- * always kept, because its numbers depend on them, or always mended.
+ * Peculiarities of CamSim that are reproduced or not, as asked (behaviour 11). The others are
+ * either always kept, because its numbers depend on them, or always mended.
  */
 public enum Quirk {
   /** Q3: targets whose waypoints come through a class name take their heading for their speed. */

@@ -3,7 +3,7 @@ package org.hificamsim.network;
 import java.util.List;
 import org.hificamsim.network.agent.Named;
 
-/** The auction schedules of CamSim (section 3.7). */
+/** The auction schedules of CamSim (behaviour 3.7). */
 public enum ScheduleKind implements Named {
   ACTIVE("Active", "epics.ai.auctionSchedules.ActiveAuctionSchedule", "epics.ai.ActiveAINodeMulti"),
   PASSIVE(

@@ -14,7 +14,7 @@ import org.hificamsim.network.Quirk;
 import org.hificamsim.network.files.ParameterFile;
 import picocli.CommandLine.Option;
 
-/** CamSim's own options that say how the network is run (section 12.1). */
+/** CamSim's own options that say how the network is run (behaviour 12.1). */
 final class CamSimOptions {
   private static final int MOST_COMM = 4;
 

@@ -3,7 +3,9 @@ package org.hificamsim.network.agent;
 import java.util.function.IntUnaryOperator;
 import org.hificamsim.core.world.Cameras;
 
-/** One camera as a member of the network: its state (section 8.1) and its mail (section 8.2). */
+/**
+ * One camera as a member of the network: its state (behaviour 8.1) and its mail (behaviour 8.2).
+ */
 public final class Agent {
   /**
    * What all agents share.

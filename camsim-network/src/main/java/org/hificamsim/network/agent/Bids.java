@@ -10,7 +10,7 @@ public final class Bids {
   private final HashOrder byHash;
 
   /**
-   * @param hashed whether the order is that of CamSim's map (section 4.5), not that of arrival
+   * @param hashed whether the order is that of CamSim's map (behaviour 4.5), not that of arrival
    */
   Bids(boolean hashed) {
     byHash = hashed ? new HashOrder() : null;

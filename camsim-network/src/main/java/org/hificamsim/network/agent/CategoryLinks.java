@@ -5,7 +5,7 @@ import java.util.function.IntUnaryOperator;
 
 /**
  * The links of a historical schedule: a strength for each name and category of targets, none at the
- * start, never frozen (section 8.7).
+ * start, never frozen (behaviour 8.7).
  */
 public final class CategoryLinks implements Links {
   private final double[] strengths;

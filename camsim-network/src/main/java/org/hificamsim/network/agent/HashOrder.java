@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * A list of numbers in the order in which a Java hash map would iterate over their keys: by bucket,
- * and inside a bucket by insertion (section 4.4). Nothing is allocated while it does not grow.
+ * and inside a bucket by insertion (behaviour 4.4). Nothing is allocated while it does not grow.
  *
  * <p>Eight and more keys of one bucket, where a hash map keeps a tree, are treated like fewer.
  */

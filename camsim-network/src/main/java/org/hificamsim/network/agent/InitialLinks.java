@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.scenario.VisionGraph;
 
-/** The links that a scenario's vision graph gives cameras to start with (section 3.6). */
+/** The links that a scenario's vision graph gives cameras to start with (behaviour 3.6). */
 public final class InitialLinks {
   private final Map<String, Integer> numbers = new LinkedHashMap<>();
   private final Map<String, List<String>> neighbours;

@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * A set of small numbers that is walked through in the order of insertion; inserting a member again
- * keeps its place (section 4.6). Nothing is allocated after construction.
+ * keeps its place (behaviour 4.6). Nothing is allocated after construction.
  */
 public final class InsertionOrder {
   /** No member: the end of a walk. */

@@ -2,7 +2,7 @@ package org.hificamsim.network.agent;
 
 /**
  * One camera's part of the vision graph: a strength for each camera that it handed targets to
- * (section 8.1).
+ * (behaviour 8.1).
  *
  * <p>Names are numbered: cameras by their number, names in the file's graph without a camera after
  * them.

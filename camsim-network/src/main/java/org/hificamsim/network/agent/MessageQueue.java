@@ -7,7 +7,7 @@ import java.util.Arrays;
  *
  * <p>The network empties the queue after each camera's turn. No camera reads in its own turn what
  * it writes to another one, so that this gives the same numbers as CamSim's delivery within the
- * call that sends (section 8.2). Late or lost messages are a matter of {@link #deliver}.
+ * call that sends (behaviour 8.2). Late or lost messages are a matter of {@link #deliver}.
  */
 public final class MessageQueue {
   private MessageKind[] kinds = new MessageKind[64];

@@ -6,7 +6,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Something that scenario files and options name by one of CamSim's class names (section 3.7). */
+/**
+ * Something that scenario files and options name by one of CamSim's class names (behaviour 3.7).
+ */
 public interface Named {
   /** The name to write today, such as {@code Active}. */
   String shortName();

@@ -17,7 +17,7 @@ public final class Neighbours {
     cameras[count++] = camera;
   }
 
-  /** Removes all, for good (section 7.4). */
+  /** Removes all, for good (behaviour 7, step 4). */
   public void clear() {
     for (int i = 0; i < count; i++) {
       member[cameras[i]] = false;

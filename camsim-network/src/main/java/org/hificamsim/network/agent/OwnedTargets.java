@@ -1,8 +1,8 @@
 package org.hificamsim.network.agent;
 
 /**
- * The targets that a camera tracks, in the order of CamSim's map keyed by features (section 4.4). A
- * target that appears with the features of one that has gone takes its place.
+ * The targets that a camera tracks, in the order of CamSim's map keyed by features (behaviour 4.4).
+ * A target that appears with the features of one that has gone takes its place.
  */
 public final class OwnedTargets {
   private final double[] features;

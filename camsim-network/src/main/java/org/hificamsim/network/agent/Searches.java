@@ -1,6 +1,6 @@
 package org.hificamsim.network.agent;
 
-/** The targets that a camera looks for, and for whom, in the order of insertion (section 4.6). */
+/** The targets that a camera looks for, and for whom, in the order of insertion (behaviour 4.6). */
 public final class Searches {
   /** Nobody owns the target: whoever sees it first may have it. */
   public static final int NOBODY = -1;

@@ -1,6 +1,6 @@
 package org.hificamsim.network.agent;
 
-/** Which of a camera's targets others see too, counted for the zoom bandit (section 9.6). */
+/** Which of a camera's targets others see too, counted for the zoom bandit (behaviour 9.6). */
 public final class ViewTally {
   private int shared;
   private int yours;

@@ -9,7 +9,7 @@ public final class Broadcast implements CommunicationPolicy {
   /** Counts what it sends. */
   public static final Broadcast COUNTED = new Broadcast(true);
 
-  /** Does not count: the fall-back of cameras that switch schedules (section 9.4). */
+  /** Does not count: the fall-back of cameras that switch schedules (behaviour 9.4). */
   public static final Broadcast UNCOUNTED = new Broadcast(false);
 
   private final boolean counted;

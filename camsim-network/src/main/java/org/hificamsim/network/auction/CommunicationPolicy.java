@@ -2,7 +2,7 @@ package org.hificamsim.network.auction;
 
 import org.hificamsim.network.agent.Agent;
 
-/** Whom a camera asks when it advertises a target (section 8.6). */
+/** Whom a camera asks when it advertises a target (behaviour 8.6). */
 public interface CommunicationPolicy {
   /** Advertises the target to the cameras of the policy's choice. */
   void startSearch(Agent agent, int target);

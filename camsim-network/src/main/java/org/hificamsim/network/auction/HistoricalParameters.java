@@ -1,7 +1,7 @@
 package org.hificamsim.network.auction;
 
 /**
- * The parameters of the historical schedules (section 8.7).
+ * The parameters of the historical schedules (behaviour 8.7).
  *
  * @param preInstantiation what a target's visibility is multiplied by while nothing is known of how
  *     long such targets stay in view

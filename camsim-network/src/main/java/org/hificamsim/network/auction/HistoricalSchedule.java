@@ -4,7 +4,7 @@ import org.hificamsim.network.agent.Agent;
 
 /**
  * An active or passive schedule whose bids weigh visibility with how long such targets used to stay
- * in view (section 8.7).
+ * in view (behaviour 8.7).
  */
 public final class HistoricalSchedule implements AuctionSchedule {
   private final AuctionSchedule plain;

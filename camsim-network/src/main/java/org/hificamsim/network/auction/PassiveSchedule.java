@@ -3,7 +3,9 @@ package org.hificamsim.network.auction;
 import java.util.Arrays;
 import org.hificamsim.network.agent.Agent;
 
-/** Advertises an owned target when it is out of sight, or faint and getting fainter (8.3). */
+/**
+ * Advertises an owned target when it is out of sight, or faint and getting fainter (behaviour 8.3).
+ */
 public final class PassiveSchedule implements AuctionSchedule {
   private static final double FAINT = 0.1;
 

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.hificamsim.core.world.Targets;
 
 /**
- * How long targets stay in one camera's view, by the direction in which they came (section 8.7).
+ * How long targets stay in one camera's view, by the direction in which they came (behaviour 8.7).
  *
  * <p>A direction needs the first two positions of a stay alone: no others are kept.
  */

@@ -8,7 +8,7 @@ import org.hificamsim.network.agent.Searches;
 
 /**
  * One camera at the market: it advertises, bids and settles its auctions, under a schedule and a
- * communication policy (sections 8.3 to 8.5). An auction opened in a step is settled in the same.
+ * communication policy (behaviour 8.3 to 8.5). An auction opened in a step is settled in the same.
  */
 public final class Trader {
   private final Agent agent;
@@ -42,7 +42,7 @@ public final class Trader {
     policy = newPolicy;
   }
 
-  /** Offers owned targets for sale, in the order of the map that holds them (8.3). */
+  /** Offers owned targets for sale, in the order of the map that holds them (behaviour 8.3). */
   public void advertise() {
     for (int i = 0; i < agent.owned().size(); i++) {
       int target = agent.owned().get(i);
@@ -53,7 +53,10 @@ public final class Trader {
     }
   }
 
-  /** Bids for the targets in view that others sell, and claims those that nobody owns (8.4). */
+  /**
+   * Bids for the targets in view that others sell, and claims those that nobody owns (behaviour
+   * 8.4).
+   */
   public void bid(InsertionOrder visible) {
     Searches searches = agent.searches();
     int claimed = 0;
@@ -87,7 +90,7 @@ public final class Trader {
     Broadcast.COUNTED.stopSearch(agent, target);
   }
 
-  /** Settles this camera's auctions (8.5). */
+  /** Settles this camera's auctions (behaviour 8.5). */
   public void settle() {
     agent.resetCounters();
     agent.links().decay();

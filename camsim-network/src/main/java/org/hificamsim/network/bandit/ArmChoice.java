@@ -2,7 +2,7 @@ package org.hificamsim.network.bandit;
 
 import java.util.Random;
 
-/** How a bandit chooses an arm from what it knows (section 9.3). */
+/** How a bandit chooses an arm from what it knows (behaviour 9.3). */
 interface ArmChoice {
   /** Chooses an arm, or {@link BanditSolver#NONE} to keep the current one. */
   int choose(Arms arms, Random random);

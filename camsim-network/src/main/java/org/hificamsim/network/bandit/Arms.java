@@ -3,7 +3,7 @@ package org.hificamsim.network.bandit;
 import java.util.Random;
 
 /**
- * What a bandit knows of its six arms (section 9.1): how often each was rewarded, and how much.
+ * What a bandit knows of its six arms (behaviour 9.1): how often each was rewarded, and how much.
  *
  * <p>Of each arm's list of results, where a step that rewarded another arm counts as 0, mean and
  * spread are kept, not the list, so that memory does not grow with the steps.

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Random;
 import org.hificamsim.network.agent.Named;
 
-/** The bandits of CamSim (section 9.3). */
+/** The bandits of CamSim (behaviour 9.3). */
 public enum BanditKind implements Named {
   EPSILON_GREEDY("EpsilonGreedy") {
     @Override

@@ -1,7 +1,7 @@
 package org.hificamsim.network.bandit;
 
 /**
- * The parameters of a bandit (section 9.1).
+ * The parameters of a bandit (behaviour 9.1).
  *
  * @param epsilon chance of exploring, temperature of SoftMax, or alpha of UCB2
  * @param alpha weight of performance against communication, or of the targets kept in view

@@ -4,7 +4,7 @@ import java.util.Random;
 
 /**
  * One camera's bandit: chooses among six arms now and then, and learns from what it is fed between
- * (sections 9.1 and 9.2).
+ * (behaviour 9.1 and 9.2).
  */
 public final class BanditSolver {
   /** No arm. */

@@ -12,7 +12,7 @@ import org.hificamsim.network.auction.Trader;
 
 /**
  * A bandit whose arms are schedules with policies: gives one camera another one step by step
- * (section 9.4). Arms 0 to 2 are active, 3 to 5 passive, each with Broadcast, Smooth and Step.
+ * (behaviour 9.4). Arms 0 to 2 are active, 3 to 5 passive, each with Broadcast, Smooth and Step.
  */
 public final class ScheduleSwitch {
   /** CamSim's number for each arm once it is in force: Smooth and Step change places. */

@@ -6,7 +6,7 @@ import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.ViewTally;
 import org.hificamsim.network.statistics.CameraFigures;
 
-/** A bandit whose arms are ranges: changes a camera's range every eleventh step (section 9.6). */
+/** A bandit whose arms are ranges: changes a camera's range every eleventh step (behaviour 9.6). */
 public final class ZoomBandit {
   private static final double MOST_RANGE = 20;
   private static final double ARM_WIDTH = MOST_RANGE / Arms.COUNT;
@@ -81,7 +81,7 @@ public final class ZoomBandit {
     certaintyCount = 0;
   }
 
-  /** CamSim's rule for a range that changes (section 6.3, quirk Q10). */
+  /** CamSim's rule for a range that changes (behaviour 6.3, quirk Q10). */
   private void reach(int camera, double range, double change) {
     double changed = range + change;
     world.reach(camera, changed >= MOST_RANGE ? MOST_RANGE - MOST_RANGE * 0.2 : changed);

@@ -17,7 +17,7 @@ import org.hificamsim.network.auction.HistoricalParameters;
 import org.hificamsim.network.bandit.BanditParameters;
 
 /**
- * The parameters of {@code -p}: a Java properties file, keys in any case (section 8.7; quirk Q2
+ * The parameters of {@code -p}: a Java properties file, keys in any case (behaviour 8.7; quirk Q2
  * mended). Keys that are not given keep CamSim's defaults.
  */
 public final class ParameterFile {

@@ -2,7 +2,7 @@ package org.hificamsim.network.files;
 
 import org.hificamsim.network.statistics.StepFigures;
 
-/** The sums of a run's figures, one row of CamSim's summary file (section 10.5). */
+/** The sums of a run's figures, one row of CamSim's summary file (behaviour 10.5). */
 public final class RunSums {
   /** The columns. Those without CUMULATIVE in front are of a step that never began, hence 0. */
   static final String HEADER =

@@ -6,7 +6,7 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import org.hificamsim.network.statistics.StepFigures;
 
-/** CamSim's table of steps (section 10.1): a row is written when its step is over. */
+/** CamSim's table of steps (behaviour 10.1): a row is written when its step is over. */
 public final class StepsCsv implements Closeable {
   private static final String HEADER =
       "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;proportion";

@@ -8,7 +8,8 @@ import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.HashOrder;
 
 /**
- * What a camera's targets are worth: its utility (section 10.3) and its relative confidence (10.4).
+ * What a camera's targets are worth: its utility (behaviour 10.3) and its relative confidence
+ * (behaviour 10.4).
  *
  * <p>{@link #measure} fills the figures of one camera, to be read before the next is measured.
  */

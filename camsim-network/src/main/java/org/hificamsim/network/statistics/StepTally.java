@@ -6,7 +6,7 @@ import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.Sightings;
 
-/** Adds a step's figures up, camera by camera (section 7, steps 8 to 11). */
+/** Adds a step's figures up, camera by camera (behaviour 7, steps 8 to 11). */
 public final class StepTally {
   private final Targets targets;
   private final OverlapTable overlaps;
