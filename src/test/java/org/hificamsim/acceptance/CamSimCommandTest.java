@@ -135,11 +135,11 @@ class CamSimCommandTest {
         "-s 4294967296 | '4294967296'",
         "-v 3 | -v is 3, expected one of -1, 0, 1, 2",
         "-c 5 | -c is 5, expected a whole number from 0 to 4",
-        "-c 4 | comm 4 without the class of its policy",
-        "-c 4 -u Whisper | 'Whisper', expected one of Broadcast, Smooth, Step, Fix",
-        "-a epics.ai.Nobody | ai_algorithm is 'epics.ai.Nobody', expected one of Active",
-        "-b Gambler | bandit is 'Gambler', expected one of EpsilonGreedy",
-        "-a BanditZoom | without a bandit",
+        "-c 4 | -u is '', expected where -c is 4 one of Broadcast",
+        "-c 4 -u Whisper | -u is 'Whisper', expected where -c is 4 one of Broadcast, Smooth, Step",
+        "-a epics.ai.Nobody | -a is 'epics.ai.Nobody', expected one of Active",
+        "-b Gambler | -b is 'Gambler', expected one of EpsilonGreedy",
+        "-a BanditZoom | <camera> bandit is '', expected where the schedule is BanditZoom one of",
         "-m epics.movement.Teleport | unknown movement",
         "-p missing.properties | missing.properties: cannot be read",
         "--quirks Q99 | names 'Q99'",
@@ -166,7 +166,7 @@ class CamSimCommandTest {
     Path parameters = Files.writeString(folder.resolve("p.properties"), "Speed=1\n");
     Cli run = camsim("-p " + parameters, SCENARIO);
     assertEquals(2, run.exit());
-    assertTrue(run.err().contains("unknown key 'Speed', expected one of Pre"), run.err());
+    assertTrue(run.err().contains("unknown option 'Speed=1', expected one of Pre"), run.err());
   }
 
   @Test

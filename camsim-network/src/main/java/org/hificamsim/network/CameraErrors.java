@@ -28,7 +28,7 @@ final class CameraErrors {
     this.random = random;
     errorLevel = settings.errorLevel();
     resetLevel = settings.resetLevel();
-    comeBack = !settings.has(Quirk.Q6);
+    comeBack = !settings.has(Quirk.FAILED_CAMERAS_STAY_OFFLINE);
     forEver = new boolean[world.cameras().count()];
     stepsLeft = new int[world.cameras().count()];
   }
@@ -54,7 +54,7 @@ final class CameraErrors {
       world.switchCamera(camera, duration == 0);
     }
     if (random.nextInt(PERCENT) > resetLevel) {
-      agents[camera].neighbours().clear();
+      agents[camera].forgetNeighbours();
     }
   }
 

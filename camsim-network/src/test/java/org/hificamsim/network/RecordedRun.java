@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.Detection;
@@ -16,6 +15,9 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
+import org.hificamsim.network.agent.Named;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.bandit.BanditAlgorithm;
 
 /**
  * A run of CamSim's that was recorded, to be run again here.
@@ -49,10 +51,9 @@ record RecordedRun(String scenario, List<String> options) {
   NetworkSettings settings(Set<Quirk> quirks) {
     NetworkSettings camsim = NetworkSettings.CAMSIM;
     return new NetworkSettings(
-        option("-a"),
-        option("-c").map(Integer::parseInt).map(OptionalInt::of).orElse(OptionalInt.empty()),
-        option("-u"),
-        option("-b"),
+        option("-a").map(name -> Named.find(ScheduleKind.class, name).orElseThrow()),
+        option("-c").map(c -> Comm.of(Integer.parseInt(c), option("-u")).orElseThrow()),
+        option("-b").map(name -> Named.find(BanditAlgorithm.class, name).orElseThrow()),
         option("-v").flatMap(v -> GraphUse.find(Integer.parseInt(v))).orElse(GraphUse.AS_IN_FILE),
         option("-e").map(Integer::parseInt).orElse(camsim.errorLevel()),
         option("-r").map(Integer::parseInt).orElse(camsim.resetLevel()),
@@ -77,7 +78,7 @@ record RecordedRun(String scenario, List<String> options) {
     if (option("-m").isPresent()) {
       read = read.withMovement(option("-m").get());
     }
-    World world = new World(CamSimDialect.read(read, settings), Movements.registry(), seed());
+    World world = new World(CamSimScenario.as(read, settings), Movements.registry(), seed());
     Detection detection = Detection.of(new CamSimVisibilityDetection());
     Network network = new Network(world, detection, settings, seed());
     StepListener listener = (view, coverage) -> watcher.stepped(world, network);

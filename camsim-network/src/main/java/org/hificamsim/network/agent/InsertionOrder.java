@@ -62,10 +62,19 @@ public final class InsertionOrder {
     }
   }
 
+  /** Removes all members. */
+  public void clear() {
+    while (first != END) {
+      remove(first);
+    }
+  }
+
+  /** Whether the number is a member. */
   public boolean contains(int number) {
     return member[number];
   }
 
+  /** The number of members. */
   public int size() {
     return size;
   }

@@ -1,60 +1,57 @@
-package org.hificamsim.network;
+package org.hificamsim.network.agent;
 
 import java.util.EnumMap;
 import java.util.Map;
 import org.hificamsim.core.world.Cameras;
-import org.hificamsim.network.agent.Agent;
-import org.hificamsim.network.agent.Sightings;
 
 /**
  * The hash codes that order the bids of CamSim's cameras (behaviour 4.5, quirk Q19): each that of a
  * text that describes the camera. The constant part of each text is hashed once.
  */
-final class BidderHashes {
-  /**
-   * The hash codes of the cameras' constant parts.
-   *
-   * @param revisions each camera's, plus 1, when its hash code was computed; 0 before
-   */
-  @SuppressWarnings("ArrayRecordComponent")
-  private record Constants(int[] hashes, int[] revisions) {}
-
+public final class BidderHashes {
   private final Cameras cameras;
   private final Sightings sightings;
   private final Agent[] agents;
-  private final ScheduleKind[] schedules;
-  private final Map<ScheduleKind, Constants> known = new EnumMap<>(ScheduleKind.class);
+  private final Map<ScheduleKind, int[]> hashes = new EnumMap<>(ScheduleKind.class);
+  private final Map<ScheduleKind, int[]> revisions = new EnumMap<>(ScheduleKind.class);
 
   /**
+   * Hash codes of agents as they will be when asked for.
+   *
    * @param agents by camera; may be filled later
-   * @param schedules by camera, as they are now; may change
    */
-  BidderHashes(Cameras cameras, Sightings sightings, Agent[] agents, ScheduleKind[] schedules) {
+  public BidderHashes(Cameras cameras, Sightings sightings, Agent[] agents) {
     this.cameras = cameras;
     this.sightings = sightings;
     this.agents = agents;
-    this.schedules = schedules;
     for (ScheduleKind kind : ScheduleKind.values()) {
-      known.put(kind, new Constants(new int[agents.length], new int[agents.length]));
+      hashes.put(kind, new int[agents.length]);
+      revisions.put(kind, new int[agents.length]);
     }
   }
 
   /** The hash code of the camera's text as it is now. */
-  int of(int camera) {
-    Constants constants = known.get(schedules[camera]);
-    int now = cameras.revision() + 1;
-    if (constants.revisions()[camera] != now) {
-      constants.revisions()[camera] = now;
-      constants.hashes()[camera] = constantPart(camera).hashCode();
-    }
-    int hash = appendNumber(constants.hashes()[camera], sightings.visible(camera).size());
-    return appendNumber(append(hash, " neighbours="), agents[camera].neighbours().count());
+  public int of(int camera) {
+    int hash = appendNumber(constantPart(camera), sightings.visible(camera).size());
+    return appendNumber(append(hash, " neighbours="), agents[camera].neighbours().size());
   }
 
-  private String constantPart(int camera) {
+  /** Its hash code, computed again where a camera has changed since. */
+  private int constantPart(int camera) {
+    ScheduleKind schedule = agents[camera].schedule();
+    int[] known = hashes.get(schedule);
+    int[] revision = revisions.get(schedule);
+    if (revision[camera] != cameras.revision() + 1) {
+      revision[camera] = cameras.revision() + 1;
+      known[camera] = text(camera, schedule).hashCode();
+    }
+    return known[camera];
+  }
+
+  private String text(int camera, ScheduleKind schedule) {
     return "<camera ai_algorithm=\"%s\" heading=\"%s\" name=\"%s\" range=\"%s\" "
             .formatted(
-                schedules[camera].canonicalName(),
+                schedule.canonicalName(),
                 Math.toDegrees(cameras.heading(camera)),
                 cameras.name(camera),
                 cameras.zoom(camera, cameras.level(camera)).radius())
