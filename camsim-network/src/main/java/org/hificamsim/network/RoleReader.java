@@ -50,7 +50,7 @@ final class RoleReader {
         .orElseThrow(
             () ->
                 fault.in(
-                    "customcom", "where comm is 4 " + Named.expected(CommunicationPolicy.class)));
+                    "customcom", Named.expected(CommunicationPolicy.class) + " where comm is 4"));
   }
 
   private Optional<BanditAlgorithm> bandit(AgentSpec agent, Fault fault) {
@@ -58,7 +58,7 @@ final class RoleReader {
         settings.bandit().or(() -> find(BanditAlgorithm.class, agent.bandit(), "bandit", fault));
     if (schedule == ScheduleKind.BANDIT_ZOOM && bandit.isEmpty()) {
       throw fault.in(
-          "bandit", "where the schedule is BanditZoom " + Named.expected(BanditAlgorithm.class));
+          "bandit", Named.expected(BanditAlgorithm.class) + " where the schedule is BanditZoom");
     }
     return bandit;
   }

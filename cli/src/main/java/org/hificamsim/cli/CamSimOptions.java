@@ -137,7 +137,7 @@ final class CamSimOptions {
 
   private InputException invalidPolicy() {
     String given = customComm == null ? "" : customComm;
-    return invalid("-u", given, "where -c is 4 " + Named.expected(CommunicationPolicy.class));
+    return invalid("-u", given, Named.expected(CommunicationPolicy.class) + " where -c is 4");
   }
 
   private Set<Quirk> quirks() {
