@@ -102,8 +102,13 @@ final class Attributes {
     return kept;
   }
 
-  /** An error about one attribute's value. */
+  /** An error about one attribute's value, or that it has none. */
   InputException invalid(String name, String expected) {
+    if (!element.attributes().containsKey(name)) {
+      return element
+          .place()
+          .error("<" + element.name() + "> has no " + name + ", expected " + expected);
+    }
     return element
         .place(name)
         .error(
@@ -112,7 +117,7 @@ final class Attributes {
                 + "> "
                 + name
                 + " is '"
-                + XmlText.shortened(element.attributes().getOrDefault(name, ""), MAX_QUOTED)
+                + XmlText.shortened(element.attributes().get(name), MAX_QUOTED)
                 + "', expected "
                 + expected);
   }
@@ -120,9 +125,7 @@ final class Attributes {
   private String required(String name, String expected) {
     String text = rest.remove(name);
     if (text == null) {
-      throw element
-          .place()
-          .error("<" + element.name() + "> has no " + name + ", expected " + expected);
+      throw invalid(name, expected);
     }
     return text;
   }

@@ -43,12 +43,15 @@ public final class ScenarioReader {
   private final Path path;
   private final XmlElement root;
   private final Predicate<String> movements;
+  private final AgentCheck agents;
   private final Consumer<String> warnings;
 
-  private ScenarioReader(Path path, Predicate<String> movements, Consumer<String> warnings) {
+  private ScenarioReader(
+      Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
     this.path = path;
     this.root = XmlParser.parse(path);
     this.movements = movements;
+    this.agents = agents;
     this.warnings = warnings;
   }
 
@@ -60,7 +63,19 @@ public final class ScenarioReader {
    * @throws org.hificamsim.core.InputException when the file is missing or wrong
    */
   public static Scenario read(Path path, Predicate<String> movements, Consumer<String> warnings) {
-    return new ScenarioReader(path, movements, warnings).scenario();
+    return read(path, movements, AgentCheck.NONE, warnings);
+  }
+
+  /**
+   * Reads one file, and checks what its cameras ask of the network.
+   *
+   * @param movements tells whether a movement of this short name exists
+   * @param warnings takes one line for each thing that is odd, with its place
+   * @throws org.hificamsim.core.InputException when the file is missing or wrong
+   */
+  public static Scenario read(
+      Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
+    return new ScenarioReader(path, movements, agents, warnings).scenario();
   }
 
   private Scenario scenario() {
@@ -72,7 +87,7 @@ public final class ScenarioReader {
     Attributes attributes = new Attributes(simulation);
     Field field = field(simulation, attributes);
     List<Double> zooms = new ZoomListReader(root).zooms();
-    CameraReader cameraReader = new CameraReader(field, warnings);
+    CameraReader cameraReader = new CameraReader(field, agents, warnings);
     TargetReader targetReader = new TargetReader(field, !zooms.isEmpty(), movements, warnings);
     List<CameraSpec> cameras = root.all("camera").stream().map(cameraReader::camera).toList();
     List<TargetSpec> targets = new ArrayList<>();

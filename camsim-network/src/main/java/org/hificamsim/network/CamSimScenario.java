@@ -1,21 +1,21 @@
-package org.hificamsim.network.files;
+package org.hificamsim.network;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.network.CamSimDialect;
-import org.hificamsim.network.NetworkSettings;
 
 /** Reads a scenario file as CamSim would: its order of a step, its ranges, its movements. */
 public final class CamSimScenario {
@@ -39,6 +39,7 @@ public final class CamSimScenario {
         ScenarioReader.read(
                 file,
                 catalogue.movements().names()::contains,
+                settings.check(),
                 warning -> err.println("warning: " + Place.printable(warning)))
             .withOrder(StepOrder.CAMSIM);
     warnAboutDefaults(file, scenario, settings, err);
@@ -49,7 +50,34 @@ public final class CamSimScenario {
       scenario = scenario.withMovement(movement);
       requireWaypoints(scenario, movement);
     }
-    return CamSimDialect.read(scenario, settings);
+    return as(scenario, settings);
+  }
+
+  /** The scenario with the quirks of movement that are asked for. */
+  public static Scenario as(Scenario scenario, NetworkSettings settings) {
+    Scenario read = scenario;
+    if (!settings.has(Quirk.EVENT_MOVE_IGNORED)) {
+      read = read.withTargets(CamSimScenario::withAlias);
+    }
+    return settings.has(Quirk.WAYPOINT_SPEED_IS_HEADING)
+        ? read.withTargets(target -> withSwap(target, scenario.headings()))
+        : read;
+  }
+
+  /** An event's {@code move} names its movement where {@code fqName} does not. */
+  private static TargetSpec withAlias(TargetSpec target) {
+    String alias = target.extras().getOrDefault("move", "");
+    return target.origin() == TargetSpec.Origin.EVENT && target.movement().name().isEmpty()
+        ? target.withMovement(alias)
+        : target;
+  }
+
+  /** Speed becomes the heading in radians where a class name leads to waypoints. */
+  private static TargetSpec withSwap(TargetSpec target, Headings headings) {
+    boolean throughClassName = !target.movement().name().isEmpty();
+    return throughClassName && target.movement().shortName().equals("Waypoints")
+        ? target.withSpeed(headings.radians(target.heading()))
+        : target;
   }
 
   private static void requireWaypoints(Scenario scenario, String movement) {
@@ -85,8 +113,7 @@ public final class CamSimScenario {
     }
   }
 
-  private static boolean lacks(
-      Scenario scenario, java.util.function.Predicate<CameraSpec> condition) {
+  private static boolean lacks(Scenario scenario, Predicate<CameraSpec> condition) {
     return scenario.cameras().stream().anyMatch(condition);
   }
 }

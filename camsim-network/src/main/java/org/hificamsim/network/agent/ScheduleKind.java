@@ -1,9 +1,8 @@
-package org.hificamsim.network;
+package org.hificamsim.network.agent;
 
 import java.util.List;
-import org.hificamsim.network.agent.Named;
 
-/** The auction schedules of CamSim (section 3.7). */
+/** The auction schedules of CamSim (behaviour 3.7). */
 public enum ScheduleKind implements Named {
   ACTIVE("Active", "epics.ai.auctionSchedules.ActiveAuctionSchedule", "epics.ai.ActiveAINodeMulti"),
   PASSIVE(
@@ -22,27 +21,21 @@ public enum ScheduleKind implements Named {
       "epics.ai.dynamicZoom.BanditSolverZoom",
       "epics.ai.dynamicZoom.NewActiveBCBanditRange");
 
-  private final String shortName;
-  private final String classNames;
+  @SuppressWarnings("ImmutableEnumChecker") // nothing changes it
+  private final List<String> names;
 
-  ScheduleKind(String shortName, String... classNames) {
-    this.shortName = shortName;
-    this.classNames = String.join(" ", classNames);
+  ScheduleKind(String... names) {
+    this.names = List.of(names);
   }
 
   @Override
-  public String shortName() {
-    return shortName;
-  }
-
-  @Override
-  public List<String> classNames() {
-    return List.of(classNames.split(" "));
+  public List<String> names() {
+    return names;
   }
 
   /** The current class's canonical name, as CamSim's saved scenarios have it. */
-  public String canonicalName() {
-    return classNames().get(0).replace('$', '.');
+  String canonicalName() {
+    return names.get(1).replace('$', '.');
   }
 
   /** Whether targets are advertised in every step. */
@@ -50,6 +43,7 @@ public enum ScheduleKind implements Named {
     return this != PASSIVE && this != HISTORICAL_PASSIVE;
   }
 
+  /** Whether bids weigh how long targets used to stay in view. */
   public boolean isHistorical() {
     return this == HISTORICAL_ACTIVE || this == HISTORICAL_PASSIVE;
   }

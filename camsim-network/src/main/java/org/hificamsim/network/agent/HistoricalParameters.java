@@ -1,13 +1,13 @@
-package org.hificamsim.network.auction;
+package org.hificamsim.network.agent;
 
 /**
- * The parameters of the historical schedules (section 8.7).
+ * The parameters of the historical schedules (behaviour 8.7).
  *
- * @param preInstantiation what a target's visibility is multiplied by while nothing is known of how
- *     long such targets stay in view
- * @param overstay the same for a target that has been in view longer than the average
- * @param classification whether targets are told apart by their direction
- * @param categories how many directions are told apart, 1 or more
+ * @param preInstantiation factor of a target's visibility while nothing is known of how long such
+ *     targets stay in view
+ * @param overstay factor for a target that has been in view longer than the average
+ * @param classification whether targets are classified by their direction
+ * @param categories number of directions, 1 or more
  * @param perCategory whether the average stay is kept per category; needs classification
  * @param history whether history is used at all
  */
@@ -22,6 +22,7 @@ public record HistoricalParameters(
   public static final HistoricalParameters DEFAULT =
       new HistoricalParameters(20, 0, true, 4, true, true);
 
+  /** Categories without classification are none. */
   public HistoricalParameters {
     perCategory = perCategory && classification;
   }

@@ -1,14 +1,14 @@
-package org.hificamsim.network.auction;
+package org.hificamsim.network.agent;
 
 import java.util.Arrays;
 import org.hificamsim.core.world.Targets;
 
 /**
- * How long targets stay in one camera's view, by the direction in which they came (section 8.7).
+ * How long targets stay in one camera's view, by the direction in which they came (behaviour 8.7).
  *
- * <p>A direction needs the first two positions of a stay alone: no others are kept.
+ * <p>A direction needs only the first two positions of a stay: no others are kept.
  */
-public final class Stays {
+final class ViewHistory {
   private final Targets targets;
   private final HistoricalParameters parameters;
   private final boolean[] seen;
@@ -21,7 +21,7 @@ public final class Stays {
   private final long[] sums;
   private final long[] counts;
 
-  public Stays(Targets targets, HistoricalParameters parameters) {
+  ViewHistory(Targets targets, HistoricalParameters parameters) {
     this.targets = targets;
     this.parameters = parameters;
     int count = targets.count();
@@ -37,7 +37,7 @@ public final class Stays {
   }
 
   /** A target's direction, from 1; 0 while it is not known. */
-  public int category(int target) {
+  int category(int target) {
     if (points[target] == 0) {
       return lastCategory[target];
     }
@@ -52,8 +52,10 @@ public final class Stays {
     return degrees == 360 ? 1 : (int) Math.floor(degrees / width) + 1;
   }
 
-  /** What a visibility is multiplied by to make a bid of it; a target in view counts as seen. */
-  public double value(int target, double visibility) {
+  /**
+   * What a target is worth: its visibility times a coefficient; a target in view counts as seen.
+   */
+  double value(int target, double visibility) {
     double value = parameters.history() ? visibility * coefficient(target) : visibility;
     if (visibility > 0) {
       seen[target] = true;
@@ -84,7 +86,7 @@ public final class Stays {
   }
 
   /** Ends the step: stays of targets seen grow, those of the others are over. */
-  public void endStep() {
+  void endStep() {
     for (int target = 0; target < points.length; target++) {
       if (seen[target]) {
         grow(target);

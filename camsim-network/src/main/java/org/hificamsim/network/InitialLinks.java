@@ -1,4 +1,4 @@
-package org.hificamsim.network.agent;
+package org.hificamsim.network;
 
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -7,23 +7,25 @@ import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.scenario.VisionGraph;
 
-/** The links that a scenario's vision graph gives cameras to start with (section 3.6). */
-public final class InitialLinks {
+/** The links that a scenario's vision graph gives cameras to start with (behaviour 3.6). */
+final class InitialLinks {
   private final Map<String, Integer> numbers = new LinkedHashMap<>();
   private final Map<String, List<String>> neighbours;
 
   /**
+   * Links between names.
+   *
    * @param cameras all names of cameras, in their order
    */
-  public InitialLinks(List<String> cameras, Optional<VisionGraph> graph) {
+  InitialLinks(List<String> cameras, Optional<VisionGraph> graph) {
     cameras.forEach(this::number);
     neighbours = graph.map(VisionGraph::neighbours).orElse(Map.of());
     neighbours.values().forEach(names -> names.forEach(this::number));
     neighbours.keySet().forEach(this::number);
   }
 
-  /** How many names there are: cameras, then names in the graph alone. */
-  public int names() {
+  /** The number of names: cameras, then names in the graph alone. */
+  int names() {
     return numbers.size();
   }
 
@@ -32,7 +34,7 @@ public final class InitialLinks {
    *
    * @param reverse whether the cameras that list this one count too
    */
-  public List<Integer> of(String camera, boolean reverse) {
+  List<Integer> of(String camera, boolean reverse) {
     List<Integer> links = new ArrayList<>();
     neighbours.getOrDefault(camera, List.of()).forEach(name -> links.add(numbers.get(name)));
     if (reverse) {
