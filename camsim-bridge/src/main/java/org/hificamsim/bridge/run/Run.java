@@ -13,6 +13,7 @@ import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.SingleRun;
 
 /**
  * One run of CamSim, from the first step of a {@code SimCore} to its end.
@@ -31,7 +32,7 @@ final class Run {
   private final CamSim camsim;
   private final LiveNetwork network;
   private final Optional<Steering> steering;
-  private final Optional<Recording> recording;
+  private final Optional<SingleRun> recording;
   private final StepCoverage coverage = new StepCoverage();
   private Optional<ScenarioFile> scenario = Optional.empty();
   private long step;
@@ -55,7 +56,7 @@ final class Run {
     this.steering = setup.policy().map(policy -> new Steering(policy, seed()));
     this.recording =
         setup.out().isPresent()
-            ? Optional.of(new Recording(folder(setup.out().get(), number), number))
+            ? Optional.of(new SingleRun(folder(setup.out().get(), number), number, true))
             : Optional.empty();
   }
 
@@ -117,11 +118,12 @@ final class Run {
     if (!ended) {
       ended = true;
       if (recording.isPresent()) {
-        Recording files = recording.get();
-        files.commit(
-            plan(files.steps()),
-            steering.map(Steering::messages).orElse(0L),
-            steering.flatMap(Steering::proof));
+        try (SingleRun files = recording.get()) {
+          files.commit(
+              plan(files.steps()),
+              steering.map(Steering::messages).orElse(0L),
+              steering.flatMap(Steering::proof));
+        }
       }
     }
   }

@@ -17,6 +17,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.GraphUse;
@@ -28,7 +29,6 @@ import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.StackPanel;
 import org.hificamsim.runs.output.CsvTable;
-import org.hificamsim.runs.output.OutputFolder;
 import org.knowm.xchart.CategoryChart;
 
 /**
