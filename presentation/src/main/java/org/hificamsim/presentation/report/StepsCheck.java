@@ -20,7 +20,7 @@ final class StepsCheck {
   void expect(Recording recording) {
     for (Frame frame : recording.frames()) {
       expected.put(
-          recording.run() + "," + frame.step() + ",",
+          recording.run() + "," + frame.step(),
           StepRow.measures(frame.measure()).stream()
               .map(String::valueOf)
               .collect(Collectors.joining(",")));
@@ -43,7 +43,7 @@ final class StepsCheck {
   }
 
   private void check(StepRow row) {
-    String wanted = expected.remove(row.key());
+    String wanted = expected.remove(row.run() + "," + row.step());
     if (wanted != null && !row.measures().equals(wanted)) {
       throw row.error(
           "'%s', but the recorded run has %s there, expected the files of one run"

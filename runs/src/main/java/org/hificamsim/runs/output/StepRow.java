@@ -13,8 +13,9 @@ import org.hificamsim.core.metrics.StepCoverage;
  * A row of {@code steps.csv} as it was read.
  *
  * @param line in the file, from 1
+ * @param measures the columns of {@link #measures(StepCoverage)}
  */
-public record StepRow(Path file, int line, String text) {
+public record StepRow(Path file, int line, String run, String step, String measures) {
   /** What is measured in each step, in the order of columns. */
   public static List<Number> measures(StepCoverage coverage) {
     return List.of(
@@ -29,26 +30,21 @@ public record StepRow(Path file, int line, String text) {
   /**
    * Reads the table of a run's folder, row by row.
    *
-   * @throws InputException when it is missing
+   * @throws InputException when it is missing or a row is too short
    */
   public static void each(Path folder, Consumer<StepRow> taker) throws IOException {
     Path file = new ResultFolder(folder).file(Table.RUN_STEPS.file());
     try (BufferedReader reader = Files.newBufferedReader(file)) {
       String line = reader.readLine();
       for (int number = 2; (line = reader.readLine()) != null; number++) {
-        taker.accept(new StepRow(file, number, line));
+        String[] cells = line.split(",", 3);
+        if (cells.length < 3) {
+          throw new InputException(
+              file + ":" + number + ":1: '" + line + "' is no row of run,step,k_min,...");
+        }
+        taker.accept(new StepRow(file, number, cells[0], cells[1], cells[2]));
       }
     }
-  }
-
-  /** The run and the step, each followed by a comma. */
-  public String key() {
-    return text.substring(0, measured());
-  }
-
-  /** The columns of {@link #measures}. */
-  public String measures() {
-    return text.substring(measured());
   }
 
   /**
@@ -57,12 +53,11 @@ public record StepRow(Path file, int line, String text) {
    * @throws InputException when it is none below {@code steps}
    */
   public int step(int steps) {
-    String[] cells = key().split(",", -1);
-    long step = cells.length < 2 ? -1 : number("step", cells[1], cells[0].length() + 1);
-    if (step < 0 || step >= steps) {
-      throw error(0, "'" + text + "' is no row of run,step,k_min,... with a step below " + steps);
+    long number = number("step", step, run.length() + 2);
+    if (number < 0 || number >= steps) {
+      throw error(run.length() + 2, "step is " + step + ", expected one below " + steps);
     }
-    return (int) step;
+    return (int) number;
   }
 
   /**
@@ -71,7 +66,7 @@ public record StepRow(Path file, int line, String text) {
    * @throws InputException when it is no number
    */
   public long kMin() {
-    return number("k_min", measures().split(",", 2)[0], measured());
+    return number("k_min", measures.split(",", 2)[0], measured());
   }
 
   /** That what is measured is not what was expected. */
@@ -80,18 +75,18 @@ public record StepRow(Path file, int line, String text) {
   }
 
   private int measured() {
-    return text.indexOf(',', text.indexOf(',') + 1) + 1;
+    return run.length() + step.length() + 3;
   }
 
-  private long number(String column, String cell, int position) {
+  private long number(String name, String cell, int column) {
     try {
       return Long.parseLong(cell);
     } catch (NumberFormatException e) {
-      throw error(position, column + " is '" + cell + "', expected a whole number");
+      throw error(column, name + " is '" + cell + "', expected a whole number");
     }
   }
 
-  private InputException error(int position, String message) {
-    return new InputException(file + ":" + line + ":" + (position + 1) + ": " + message);
+  private InputException error(int column, String message) {
+    return new InputException(file + ":" + line + ":" + column + ": " + message);
   }
 }
