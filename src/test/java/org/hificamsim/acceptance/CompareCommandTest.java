@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -119,6 +121,23 @@ class CompareCommandTest {
   }
 
   @Test
+  void aThresholdIsForEveryDetectionWithoutOneOfItsOwn() throws IOException {
+    String detections = "camsim-range,camsim-range@0.45,geometric@0.1";
+    Object[] words = words(folder, 10, 1, "--threshold", 0.2);
+    words[Arrays.asList(words).indexOf("--detections") + 1] = detections;
+    assertEquals(0, Cli.run(words).exit());
+    List<String> found = new ArrayList<>();
+    for (JsonNode plan : new ObjectMapper().readTree(folder.resolve("settings.json").toFile())) {
+      found.add(plan.get("detection").asText() + " " + plan.get("threshold").asDouble());
+    }
+    assertEquals(
+        List.of("camsim-range 0.2", "camsim-range@0.45 0.45", "geometric@0.1 0.1"),
+        found.stream().distinct().toList());
+    String rows = Files.readString(folder.resolve("results.csv"));
+    assertTrue(rows.contains("\ncluster-scripted,camsim-range@0.45,zoom-out,5,"), rows);
+  }
+
+  @Test
   void noPolicyBeatsTheOptimum() throws IOException {
     Cli.run(words(folder, 200, 4));
     for (String row : Files.readAllLines(folder.resolve("results.csv")).subList(1, 49)) {
@@ -187,6 +206,8 @@ class CompareCommandTest {
         "--policies zoom-out,zoom-out | 'zoom-out' twice",
         "--policies sarsa:gamma=2 | gamma is '2'",
         "--policies walk | unknown policy 'walk', expected one of zoom-out",
+        "--detections geometric@0.5,geometric@.5 | 'geometric@0.5' twice",
+        "--threshold 2 | threshold is 2.0, expected a number from 0 to 1",
         "--threads -1 | --threads is -1",
         "--repeat 0 | --repeat is 0",
         "--seed 9223372036854775779 | --seed is 9223372036854775779, expected at most",

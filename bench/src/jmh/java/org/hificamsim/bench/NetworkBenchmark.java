@@ -7,8 +7,9 @@ import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
@@ -72,16 +73,10 @@ public class NetworkBenchmark {
         ScenarioReader.read(Path.of(file), catalogue.movements().names()::contains, warning -> {})
             .withoutZooms();
     World world = new World(CamSimDialect.read(scenario, settings), catalogue.movements(), 0);
-    network =
-        new Network(world, Detection.of(catalogue.detection("camsim-visibility")), settings, 0);
-    simulation =
-        new Simulation(
-            world,
-            Detection.of(new GeometricDetection()),
-            catalogue.policies().create("zoom-out"),
-            network,
-            0,
-            List.of());
+    Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
+    network = new Network(world, detection, settings, 0);
+    ZoomPolicy zooms = catalogue.policies().create("zoom-out");
+    simulation = new Simulation(world, detection, zooms, network, 0, List.of(), Workers.CALLER);
   }
 
   /** One step. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Cooperation;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.WorldObserver;
@@ -14,6 +15,7 @@ import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.Receiver;
 import org.hificamsim.network.agent.Searches;
 import org.hificamsim.network.agent.Sightings;
+import org.hificamsim.network.bandit.ScheduleSwitch;
 import org.hificamsim.network.statistics.CameraFigures;
 import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.network.statistics.StepTally;
@@ -53,7 +55,7 @@ public final class Network implements Cooperation, WorldObserver {
   public Network(World world, Detection detection, NetworkSettings settings, long seed) {
     NetworkStreams streams = NetworkStreams.of(seed);
     cameras = world.cameras();
-    sightings = new Sightings(world, detection);
+    sightings = new Sightings(world, visibility(detection));
     errors = new CameraErrors(world, settings, streams.error());
     figures = new CameraFigures(world);
     tally = new StepTally(world, figures, sightings, queue);
@@ -83,13 +85,24 @@ public final class Network implements Cooperation, WorldObserver {
     errors.step(agents, added);
   }
 
-  /** Looks, auctions and statistics. */
+  @Override
+  public Visibility visibility(Detection detection) {
+    return Visibility.asInCamSim(detection);
+  }
+
+  @Override
+  public boolean observe(int[] detected, int[] coverage) {
+    sightings.look(detected, coverage);
+    return true;
+  }
+
+  /** Auctions and statistics. */
   @Override
   public void cooperate() {
     tally.begin();
     for (int camera = 0; camera < added; camera++) {
-      if (cameras.online(camera)) {
-        look(members[camera]);
+      if (cameras.online(camera) && members[camera].switching() != null) {
+        choose(camera, members[camera].switching());
       }
     }
     for (int camera = 0; camera < added; camera++) {
@@ -117,16 +130,11 @@ public final class Network implements Cooperation, WorldObserver {
     last = tally.end(step++);
   }
 
-  private void look(Member member) {
-    int camera = member.agent().camera();
-    sightings.look(camera);
-    if (member.switching() != null) {
-      if (member.switching().select()) {
-        tally.strategyChanged();
-      }
-      schedules[camera] =
-          member.switching().isActive() ? ScheduleKind.ACTIVE : ScheduleKind.PASSIVE;
+  private void choose(int camera, ScheduleSwitch switching) {
+    if (switching.select()) {
+      tally.strategyChanged();
     }
+    schedules[camera] = switching.isActive() ? ScheduleKind.ACTIVE : ScheduleKind.PASSIVE;
   }
 
   private void update(Member member) {

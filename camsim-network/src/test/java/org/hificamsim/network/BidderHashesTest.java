@@ -2,15 +2,13 @@ package org.hificamsim.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import org.hificamsim.core.Reference;
+import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
-import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
-import org.hificamsim.core.world.movement.Movements;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.NameLinks;
@@ -21,16 +19,10 @@ import org.junit.jupiter.api.Test;
 class BidderHashesTest {
   @Test
   void theHashCodesOfPublishedCamerasAreTheKnownOnes() {
-    World world =
-        new World(
-            ScenarioReader.read(
-                Reference.file("camsim/scenarios/SASO/scenario10.xml"),
-                anyMovement -> true,
-                new ArrayList<>()::add),
-            Movements.registry(),
-            0);
+    World world = grid().world();
     int count = world.cameras().count();
-    Sightings sightings = new Sightings(world, Detection.of(new CamSimVisibilityDetection()));
+    Detection detection = Detection.of(new CamSimVisibilityDetection());
+    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
     Agent[] agents = new Agent[count];
     ScheduleKind[] schedules = new ScheduleKind[count];
     Arrays.fill(schedules, ScheduleKind.PASSIVE);
@@ -48,5 +40,14 @@ class BidderHashesTest {
     }
     assertEquals(-417382511, hashes.of(0));
     assertEquals(-307410659, hashes.of(1));
+  }
+
+  /** Nine cameras of which two are those of the known hash codes (behaviour 4.5). */
+  private static TestScenario grid() {
+    TestScenario grid = new TestScenario().field(-20, 20, -20, 20);
+    for (int i = 0; i < 9; i++) {
+      grid.camera(TestScenario.camera("Cam_0" + (i + 1), -15 + 10 * i, 18, -180, 70, 16));
+    }
+    return grid;
   }
 }

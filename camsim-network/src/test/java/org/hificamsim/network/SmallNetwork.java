@@ -15,6 +15,7 @@ import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.WidestPolicy;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
@@ -152,7 +153,8 @@ final class SmallNetwork {
     network = new Network(world, detection, settings, 0);
     StepListener listener = (view, coverage) -> rows.add(network.figures());
     simulation =
-        new Simulation(world, detection, new WidestPolicy(), network, 0, List.of(listener));
+        new Simulation(
+            world, detection, new WidestPolicy(), network, 0, List.of(listener), Workers.CALLER);
   }
 
   private Scenario scenario() {

@@ -101,7 +101,7 @@ final class BatchRun {
           .printf(
               "warning: scenario %s, detection %s: '%s' is not proven to be the best in %s%n",
               plan.scenario().name(),
-              plan.detection().model().name(),
+              plan.detection().name(),
               plan.policy(),
               one.proof().missing((long) plan.steps() * plan.repeats()));
     }

@@ -10,11 +10,9 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
-import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
@@ -23,6 +21,8 @@ import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.files.CamSimScenario;
 import org.hificamsim.network.files.RunSums;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -83,17 +83,13 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Option(
       names = "--detection",
-      paramLabel = "NAME|FILE.json",
+      paramLabel = "NAME|FILE.json[@T]",
       defaultValue = "camsim-visibility",
       description =
           "Where confidences come from; default: ${DEFAULT-VALUE}. See 'list detections'.")
   private String detection;
 
-  @Option(
-      names = "--threshold",
-      paramLabel = "T",
-      description = "Detection threshold, 0 to 1; default: the scenario's, else the model's.")
-  private Double threshold;
+  @Mixin private ThresholdOption threshold;
 
   @Option(
       names = "--policy",
@@ -132,18 +128,12 @@ final class CamSimCommand implements Callable<Integer> {
             new Progress("camsim " + plan.scenario().name(), " steps", steps, err)) {
       List<StepListener> listeners = new ArrayList<>(files.listeners());
       listeners.add((view, measured) -> progress.advance());
-      new Simulation(world, observed(plan), zooms, network, seed, listeners).run(steps);
+      new Simulation(world, plan.detection(), zooms, network, seed, listeners, Workers.CALLER)
+          .run(steps);
       files.commit(spec.commandLine().getParent().getParseResult().originalArgs(), started);
       print(plan.scenario(), files.sums());
     }
     return 0;
-  }
-
-  /** The loop's own observation: where nobody reads its coverage, the cheapest will do. */
-  private Detection observed(RunPlan plan) {
-    return coverage == null && policy == null
-        ? Detection.of(new GeometricDetection())
-        : plan.detection();
   }
 
   private Optional<Path> extra() {
@@ -157,16 +147,13 @@ final class CamSimCommand implements Callable<Integer> {
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue, NetworkSettings settings, PrintWriter err) {
     Numbers.inRange("-t", steps, 0, MOST_STEPS);
-    if (threshold != null) {
-      Numbers.proportion("--threshold", threshold);
-    }
-    DetectionModel model = catalogue.detection(detection);
+    Overrides asked = Overrides.ofThreshold(threshold.value());
+    DetectionSpec spec = DetectionSpec.parse(detection, catalogue::detection);
     Scenario scenario =
         CamSimScenario.read(file, movement, policy != null, settings, catalogue, err);
-    double tau =
-        threshold != null ? threshold : scenario.threshold().orElse(model.defaultThreshold());
     String zooms = policy == null ? "zoom-out" : policy;
-    return new RunPlan(scenario, new Detection(model, tau), zooms, steps, seed, 1);
+    return new RunPlan(
+        scenario, asked.detection(spec, scenario.threshold()), zooms, steps, seed, 1);
   }
 
   private void print(Scenario scenario, RunSums sums) {

@@ -3,15 +3,16 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
+import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ComparisonRun;
@@ -36,7 +37,8 @@ final class CompareCommand implements Callable<Integer> {
       names = "--detections",
       paramLabel = "A,B",
       defaultValue = "camsim-range,hifi:orb-lin",
-      description = "Detection models or model files; differences are to the first.")
+      description =
+          "Detection models or model files, each perhaps with @T; differences are to the first.")
   private String detections;
 
   @Option(
@@ -83,11 +85,11 @@ final class CompareCommand implements Callable<Integer> {
 
   private List<RunPlan> plans(Catalogue catalogue) {
     batch.check(steps, repeats);
-    List<DetectionModel> models = new ArrayList<>();
-    for (String name : detections.split(",", -1)) {
-      models.add(catalogue.detection(name.strip()));
-    }
-    requireDistinct("--detections", models.stream().map(DetectionModel::name).toList());
+    List<DetectionSpec> asked =
+        Arrays.stream(detections.split(",", -1))
+            .map(name -> DetectionSpec.parse(name.strip(), catalogue::detection))
+            .toList();
+    requireDistinct("--detections", asked.stream().map(DetectionSpec::name).toList());
     List<String> specs = PolicyList.split(policies, catalogue.policies());
     requireDistinct("--policies", specs);
     List<Scenario> scenarios =
@@ -97,9 +99,8 @@ final class CompareCommand implements Callable<Integer> {
     requireDistinct("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     List<RunPlan> plans = new ArrayList<>();
     for (Scenario scenario : scenarios) {
-      for (DetectionModel model : models) {
-        double threshold = scenario.threshold().orElse(model.defaultThreshold());
-        Detection detection = new Detection(model, threshold);
+      for (DetectionSpec one : asked) {
+        Detection detection = scenarioOptions.detection(one, scenario);
         for (String policy : specs) {
           plans.add(new RunPlan(scenario, detection, policy, steps, batch.seed(), repeats));
         }

@@ -12,8 +12,6 @@ import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.scenario.Scenario;
@@ -21,6 +19,7 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.ReplayRecorder;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.Report;
+import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
@@ -49,7 +48,7 @@ final class RunCommand implements Callable<Integer> {
 
   @Option(
       names = "--detection",
-      paramLabel = "NAME|FILE.json",
+      paramLabel = "NAME|FILE.json[@T]",
       defaultValue = "hifi:orb-lin",
       description = "The detection model; see 'list detections'.")
   private String detection;
@@ -60,13 +59,6 @@ final class RunCommand implements Callable<Integer> {
       defaultValue = "epsilon-greedy",
       description = "The zoom policy; see 'list policies'.")
   private String policy;
-
-  @Option(
-      names = "--threshold",
-      paramLabel = "T",
-      showDefaultValue = picocli.CommandLine.Help.Visibility.NEVER,
-      description = "Detection threshold, 0 to 1; default: the scenario's, else the model's.")
-  private Double threshold;
 
   @Option(names = "--steps", paramLabel = "N", defaultValue = "1000", description = "Steps.")
   private int steps;
@@ -167,15 +159,11 @@ final class RunCommand implements Callable<Integer> {
     Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
     Numbers.seeds(seed, repeats);
     Threads.check(threads);
-    if (threshold != null) {
-      Numbers.proportion("--threshold", threshold);
-    }
     catalogue.policies().create(policy);
-    DetectionModel model = catalogue.detection(detection);
+    DetectionSpec asked = DetectionSpec.parse(detection, catalogue::detection);
     Scenario scenario = scenarioOptions.read(file, catalogue, stderr());
-    double tau =
-        threshold != null ? threshold : scenario.threshold().orElse(model.defaultThreshold());
-    return new RunPlan(scenario, new Detection(model, tau), policy, steps, seed, repeats);
+    return new RunPlan(
+        scenario, scenarioOptions.detection(asked, scenario), policy, steps, seed, repeats);
   }
 
   private List<RunResult> execute(

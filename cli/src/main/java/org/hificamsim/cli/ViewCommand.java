@@ -13,7 +13,6 @@ import org.hificamsim.presentation.view.LiveRun;
 import org.hificamsim.presentation.view.Session;
 import org.hificamsim.presentation.view.ViewServer;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Help.Visibility;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -39,7 +38,7 @@ final class ViewCommand implements Callable<Integer> {
 
   @Option(
       names = "--detection",
-      paramLabel = "NAME|FILE.json",
+      paramLabel = "NAME|FILE.json[@T]",
       defaultValue = "hifi:orb-lin",
       description = "The detection model at first; see 'list detections'.")
   private String detection;
@@ -50,13 +49,6 @@ final class ViewCommand implements Callable<Integer> {
       defaultValue = "epsilon-greedy",
       description = "The zoom policy at first; see 'list policies'.")
   private String policy;
-
-  @Option(
-      names = "--threshold",
-      paramLabel = "T",
-      showDefaultValue = Visibility.NEVER,
-      description = "Detection threshold, 0 to 1; default: the scenario's, else the model's.")
-  private Double threshold;
 
   @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "Seed at first.")
   private long seed;
@@ -78,12 +70,9 @@ final class ViewCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException, InterruptedException {
     Numbers.inRange("--port", port, 0, MOST_PORT);
-    if (threshold != null) {
-      Numbers.proportion("--threshold", threshold);
-    }
     Catalogue catalogue = Catalogue.load();
     Scenario scenario = scenarioOptions.read(file, catalogue, spec.commandLine().getErr());
-    Choice choice = new Choice(detection, threshold, policy);
+    Choice choice = new Choice(detection, scenarioOptions.threshold(), policy);
     LiveRun run = new LiveRun(catalogue, scenario, choice, seed);
     String page = LivePage.html(catalogue, scenario.name(), detection);
     try (Session session = new Session(run);

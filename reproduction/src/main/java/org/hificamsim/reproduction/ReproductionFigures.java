@@ -182,7 +182,7 @@ public final class ReproductionFigures {
   }
 
   private static Color color(CaseResult one) {
-    return MODELS.get(one.plan().detection().model().name());
+    return MODELS.get(one.plan().detection().name());
   }
 
   private List<CaseResult> both(int number, List<String> policies) {

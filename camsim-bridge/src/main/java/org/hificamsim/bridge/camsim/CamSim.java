@@ -157,7 +157,7 @@ public final class CamSim {
    *
    * @param metres 0 or more
    */
-  public void reach(Object camera, double metres) {
+  public void changeRange(Object camera, double metres) {
     try {
       change.invokeExact(camera, AS_IT_IS, AS_IT_IS, AS_IT_IS, AS_IT_IS, metres);
     } catch (Throwable e) {

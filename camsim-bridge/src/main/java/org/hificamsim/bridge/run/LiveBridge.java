@@ -19,7 +19,7 @@ import org.hificamsim.core.Place;
  * or with the JVM. Cores that step in turn, or in several threads, do not meet.
  */
 public final class LiveBridge implements Bridge {
-  private final Setup setup;
+  private final BridgeSettings settings;
   private final boolean strict;
   private final List<Run> runs = new ArrayList<>();
   private final List<Ended> ended = new ArrayList<>();
@@ -36,8 +36,8 @@ public final class LiveBridge implements Bridge {
   /**
    * @param strict whether the JVM stops when something goes wrong
    */
-  public LiveBridge(Setup setup, boolean strict) {
-    this.setup = setup;
+  public LiveBridge(BridgeSettings settings, boolean strict) {
+    this.settings = settings;
     this.strict = strict;
   }
 
@@ -151,7 +151,7 @@ public final class LiveBridge implements Bridge {
   /** A core that goes on after its end is steered still, but its files stay as they are. */
   private Run begin(Object core) {
     Optional<Ended> earlier = ended.stream().filter(end -> end.core().refersTo(core)).findFirst();
-    Setup its = earlier.isPresent() ? setup.with(Optional.empty()) : setup;
+    BridgeSettings its = earlier.isPresent() ? settings.with(Optional.empty()) : settings;
     try {
       Run run = new Run(its, earlier.map(Ended::number).orElseGet(() -> begun++), core);
       runs.add(run);

@@ -13,14 +13,14 @@ import org.hificamsim.runs.Proof;
  * were expected then, the policy begins anew and has to learn again, which is told.
  */
 final class Steering {
-  private final Setup.Policy given;
+  private final BridgeSettings.Policy given;
   private final long seed;
   private ZoomPolicy policy;
   private int[] levels;
   private long earlierMessages;
   private Proof earlierProof = Proof.OF_NOTHING;
 
-  Steering(Setup.Policy given, long seed) {
+  Steering(BridgeSettings.Policy given, long seed) {
     this.given = given;
     this.seed = seed;
   }

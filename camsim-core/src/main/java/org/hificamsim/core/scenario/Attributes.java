@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
-import java.util.function.DoublePredicate;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
@@ -34,25 +33,18 @@ final class Attributes {
 
   /** A finite number. */
   double number(String name) {
-    return number(name, "a finite number", value -> true);
+    return number(name, Range.FINITE);
   }
 
-  /** A finite number in a range. */
-  double number(String name, String expected, DoublePredicate valid) {
-    return parse(name, required(name, expected), expected, valid);
+  /** A number in a range. */
+  double number(String name, Range range) {
+    return parse(name, required(name, range.expected()), range);
   }
 
-  /** A finite number in a range, or the default where the attribute is missing. */
-  double number(String name, double defaultValue, String expected, DoublePredicate valid) {
+  /** A number in a range; empty where the attribute is missing. */
+  OptionalDouble optionalNumber(String name, Range range) {
     String text = rest.remove(name);
-    return text == null ? defaultValue : parse(name, text, expected, valid);
-  }
-
-  OptionalDouble optionalNumber(String name, String expected, DoublePredicate valid) {
-    String text = rest.remove(name);
-    return text == null
-        ? OptionalDouble.empty()
-        : OptionalDouble.of(parse(name, text, expected, valid));
+    return text == null ? OptionalDouble.empty() : OptionalDouble.of(parse(name, text, range));
   }
 
   int integer(String name, int least, int most) {
@@ -135,16 +127,16 @@ final class Attributes {
     return text;
   }
 
-  private double parse(String name, String text, String expected, DoublePredicate valid) {
+  private double parse(String name, String text, Range range) {
     try {
       double value = Double.parseDouble(text);
-      if (Double.isFinite(value) && valid.test(value)) {
+      if (range.contains(value)) {
         return value;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
-    throw invalid(name, expected);
+    throw invalid(name, range.expected());
   }
 
   private int parse(String name, String text, int least, int most) {
@@ -154,7 +146,7 @@ final class Attributes {
         return value;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
     throw invalid(name, wholeNumber(least, most));
   }

@@ -92,11 +92,8 @@ public final class ScenarioReader {
     StepOrder order =
         attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE);
     Headings headings = attributes.choice("headings", Headings.DEGREES);
-    OptionalDouble threshold =
-        attributes.optionalNumber(
-            "threshold", "a number from 0 to 1", value -> value >= 0 && value <= 1);
-    OptionalDouble mountHeight =
-        attributes.optionalNumber("mount_height", "a number above 0", value -> value > 0);
+    OptionalDouble threshold = attributes.optionalNumber("threshold", Range.PROPORTION);
+    OptionalDouble mountHeight = attributes.optionalNumber("mount_height", Range.POSITIVE_LENGTH);
     Scenario scenario =
         new Scenario(
             name(),
@@ -135,13 +132,10 @@ public final class ScenarioReader {
   private static Field field(XmlElement simulation, Attributes attributes) {
     Field field =
         new Field(
-            attributes.number("min_x"),
-            attributes.number("max_x"),
-            attributes.number("min_y"),
-            attributes.number("max_y"));
-    if (!Double.isFinite(field.width()) || !Double.isFinite(field.height())) {
-      throw simulation.place().error("the field is too big, expected a finite width and height");
-    }
+            attributes.number("min_x", Range.COORDINATE),
+            attributes.number("max_x", Range.COORDINATE),
+            attributes.number("min_y", Range.COORDINATE),
+            attributes.number("max_y", Range.COORDINATE));
     if (!(field.width() > 0)) {
       throw new Attributes(simulation).invalid("max_x", "more than min_x, " + field.minX());
     }

@@ -51,16 +51,16 @@ final class ZoomListReader {
   private static double radius(XmlElement list, String item) {
     try {
       double radius = Double.parseDouble(item);
-      if (Double.isFinite(radius) && radius > 0) {
+      if (Range.POSITIVE_LENGTH.contains(radius)) {
         return radius;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
     throw list.place()
         .error(
             "<zoom> has '"
                 + XmlText.shortened(item, Attributes.MOST_QUOTED)
-                + "', expected radii above 0 (m) between spaces");
+                + "', expected radii above 0 and at most 1e9 (m), between spaces");
   }
 }

@@ -84,7 +84,7 @@ public final class ZoomBandit {
   /** CamSim's rule for a range that changes (section 6.3, quirk Q10). */
   private void reach(int camera, double range, double change) {
     double changed = range + change;
-    world.reach(camera, changed >= MOST_RANGE ? MOST_RANGE - MOST_RANGE * 0.2 : changed);
+    world.changeRange(camera, changed >= MOST_RANGE ? MOST_RANGE - MOST_RANGE * 0.2 : changed);
   }
 
   private double range(int camera) {

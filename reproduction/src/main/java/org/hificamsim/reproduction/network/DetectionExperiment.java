@@ -1,4 +1,4 @@
-package org.hificamsim.network.files;
+package org.hificamsim.reproduction.network;
 
 import java.awt.Color;
 import java.io.IOException;
@@ -17,12 +17,16 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.GraphUse;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.files.CamSimScenario;
+import org.hificamsim.network.files.RunSums;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.LegendEntry;
@@ -127,8 +131,8 @@ public final class DetectionExperiment {
     Network network = new Network(world, model, settings, seed);
     RunSums sums = new RunSums();
     StepListener listener = (view, measured) -> sums.add(network.figures());
-    new Simulation(
-            world, model, catalogue.policies().create("zoom-out"), network, seed, List.of(listener))
+    ZoomPolicy zooms = catalogue.policies().create("zoom-out");
+    new Simulation(world, model, zooms, network, seed, List.of(listener), Workers.CALLER)
         .run(STEPS);
     return sums;
   }

@@ -94,7 +94,7 @@ final class ResultFiles {
         mean.mean(),
         mean.low(),
         mean.high(),
-        paired ? reference.plan().detection().model().name() : "",
+        paired ? reference.plan().detection().name() : "",
         difference.mean(),
         difference.low(),
         difference.high());
@@ -104,7 +104,7 @@ final class ResultFiles {
   private static void row(CsvTable table, CaseResult one, Object... values) {
     List<Object> row = new ArrayList<>();
     row.add(one.plan().scenario().name());
-    row.add(one.plan().detection().model().name());
+    row.add(one.plan().detection().name());
     row.add(one.plan().policy());
     row.addAll(Arrays.asList(values));
     table.row(row.toArray());

@@ -32,7 +32,7 @@ public final class Settings {
   static void write(JsonGenerator json, RunPlan plan) throws IOException {
     Scenario scenario = plan.scenario();
     json.writeStringField("scenario", scenario.name());
-    json.writeStringField("detection", plan.detection().model().name());
+    json.writeStringField("detection", plan.detection().name());
     json.writeNumberField("threshold", plan.detection().threshold());
     json.writeStringField("policy", plan.policy());
     json.writeNumberField("steps", plan.steps());

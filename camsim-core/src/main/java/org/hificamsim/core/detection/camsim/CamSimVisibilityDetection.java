@@ -37,4 +37,10 @@ public final class CamSimVisibilityDetection implements DetectionModel {
   public boolean dependsOnBearing() {
     return true;
   }
+
+  /** The value itself: it exceeds 1 close to cameras of a range below 1 m. */
+  @Override
+  public double reported(double value) {
+    return value;
+  }
 }

@@ -18,7 +18,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param seed of the first run's policy; run i uses seed + i
  * @param out folder of the result files
  */
-public record Setup(
+public record BridgeSettings(
     Optional<Detection> detection,
     double size,
     Optional<Policy> policy,
@@ -32,7 +32,7 @@ public record Setup(
    */
   public record Policy(String spec, Supplier<ZoomPolicy> maker) {}
 
-  public Setup {
+  public BridgeSettings {
     zooms = List.copyOf(zooms);
   }
 
@@ -47,7 +47,7 @@ public record Setup(
   }
 
   /** The same with result files elsewhere, or nowhere. */
-  Setup with(Optional<Path> newOut) {
-    return new Setup(detection, size, policy, zooms, seed, newOut);
+  BridgeSettings with(Optional<Path> newOut) {
+    return new BridgeSettings(detection, size, policy, zooms, seed, newOut);
   }
 }

@@ -1,6 +1,5 @@
 package org.hificamsim.core.engine;
 
-import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.world.Cameras;
@@ -9,26 +8,26 @@ import org.hificamsim.core.world.World;
 /**
  * Chooses how targets are looked up: all in one list, or by the cells of a grid where that pays.
  */
-final class Places {
+final class GridChoice {
   /** Pairs of cameras and targets below which looking at all takes no longer. */
-  private static final long FEW_PAIRS = 4_000;
+  private static final long MIN_PAIRS = 4_000;
 
   /** A cell's side, as a part of how far a camera detects. */
   private static final double SIDE = 1;
 
   /** With fewer cells most cameras would look at most targets anyway. */
-  private static final int FEW_CELLS = 40;
+  private static final int MIN_CELLS = 40;
 
-  private Places() {}
+  private GridChoice() {}
 
   /** An empty grid with room for all targets. */
-  static PointGrid of(World world, Detection detection) {
+  static PointGrid of(World world) {
     int targets = world.targets().count();
-    if ((long) world.cameras().count() * targets < FEW_PAIRS) {
+    if ((long) world.cameras().count() * targets < MIN_PAIRS) {
       return PointGrid.single(targets);
     }
     PointGrid grid = grid(world, SIDE * meanRadius(world.cameras()));
-    return grid.cells() < FEW_CELLS ? PointGrid.single(targets) : grid;
+    return grid.cells() < MIN_CELLS ? PointGrid.single(targets) : grid;
   }
 
   /**
