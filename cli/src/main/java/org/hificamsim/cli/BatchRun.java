@@ -6,6 +6,8 @@ import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.presentation.report.Report;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
@@ -15,7 +17,7 @@ import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.Shard;
 import org.hificamsim.runs.compare.ShardRun;
 import org.hificamsim.runs.output.ManifestFile;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Model.CommandSpec;
 
 /** The runs of a command that has many: with progress on standard error and a manifest. */
@@ -25,7 +27,10 @@ final class BatchRun {
   interface Writing {
     /** Runs all plans and writes what they gave, the extras among it. */
     List<CaseResult> execute(
-        ComparisonRun comparison, List<RunPlan> plans, Path out, ComparisonRun.Extras extras)
+        ComparisonRun comparison,
+        List<RunPlan> plans,
+        OutputFolder folder,
+        ComparisonRun.Extras extras)
         throws IOException;
   }
 
@@ -69,16 +74,20 @@ final class BatchRun {
       throws IOException {
     List<RunPlan> all = Comparison.withOptimum(plans);
     long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
-    try (Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
+    try (OutputFolder folder = new OutputFolder(out);
+        Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
       Comparison comparison = new Comparison(engine, progress::advance);
-      return writing.execute(
-          new ComparisonRun(comparison, options.resume()),
-          plans,
-          out,
-          (folder, results) -> {
-            extras.write(folder, results);
-            manifest(folder, steps);
-          });
+      List<CaseResult> cases =
+          writing.execute(
+              new ComparisonRun(comparison, options.resume()),
+              plans,
+              folder,
+              (files, results) -> {
+                extras.write(files, results);
+                manifest(files, steps);
+              });
+      Report.write(out, out.resolve(ResultFolder.REPORT));
+      return cases;
     }
   }
 
@@ -120,9 +129,6 @@ final class BatchRun {
 
   private void manifest(OutputFolder folder, long steps) throws IOException {
     ManifestFile.write(
-        folder.open("manifest.json"),
-        command.commandLine().getParent().getParseResult().originalArgs(),
-        started,
-        steps);
+        folder, command.commandLine().getParent().getParseResult().originalArgs(), started, steps);
   }
 }

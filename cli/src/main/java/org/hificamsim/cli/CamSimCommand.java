@@ -10,7 +10,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;

@@ -12,7 +12,6 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
-import org.hificamsim.presentation.report.Report;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
@@ -79,7 +78,6 @@ final class CompareCommand implements Callable<Integer> {
         new BatchRun(spec, batch, catalogue)
             .execute(plans(catalogue), out, ComparisonRun::execute, ComparisonFigures::write);
     if (cases.isPresent()) {
-      Report.write(out, out.resolve(Report.FILE));
       ComparisonTable.print(batch.quiet().out(spec), cases.get(), out);
     }
     return 0;

@@ -6,6 +6,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.ServiceConfigurationError;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.Unfinished;
 import org.hificamsim.runs.output.ManifestFile;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
@@ -48,6 +49,7 @@ public final class Main implements Runnable {
   public static void main(String[] args) {
     PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
     PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    Unfinished.deleteAtExit();
     System.exit(execute(out, err, args));
   }
 

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.presentation.report.Report;
 import org.hificamsim.reproduction.Judgement;
 import org.hificamsim.reproduction.Preset;
 import org.hificamsim.reproduction.ReproductionFiles;
@@ -59,7 +58,6 @@ final class ReproduceCommand implements Callable<Integer> {
                 ComparisonRun::execute,
                 (folder, results) -> judgement = ReproductionFiles.write(folder, results));
     if (cases.isPresent()) {
-      Report.write(out, out.resolve(Report.FILE));
       JudgementTable.print(batch.quiet().out(spec), judgement, out);
     }
     return 0;

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.presentation.report.Report;
 import org.hificamsim.reproduction.sensitivity.SensitivityFiles;
 import org.hificamsim.reproduction.sensitivity.Sweeps;
 import org.hificamsim.runs.compare.CaseResult;
@@ -57,7 +56,6 @@ final class SensitivityCommand implements Callable<Integer> {
                 ComparisonRun::executeWithoutTables,
                 (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results));
     if (cases.isPresent()) {
-      Report.write(out, out.resolve(Report.FILE));
       batch.quiet().out(spec).println(findings + "files: " + out);
     }
     return 0;
