@@ -14,52 +14,49 @@ import org.hificamsim.network.Quirk;
 import org.hificamsim.network.files.ParameterFile;
 import picocli.CommandLine.Option;
 
-/** CamSim's own options that say how the network is run (section 12.1). */
+/** CamSim's own options that say how the network is run (behaviour 12.1). */
 final class CamSimOptions {
-  private static final int MOST_COMM = 4;
+  private static final int MAX_COMM = 4;
 
   @Option(
       names = {"-a", "--algo"},
       paramLabel = "CLASS",
       description = "Auction schedule of all cameras: Active, Passive, HistActive, ...")
-  private String schedule;
+  private Optional<String> schedule;
 
   @Option(
       names = {"-c", "--comm"},
       paramLabel = "0..4",
       description = "Policy of all cameras: 0 Broadcast, 1 Smooth, 2 Step, 3 Fix, 4 see -u.")
-  private String comm;
+  private Optional<String> comm;
 
   @Option(
       names = {"-u", "--custom-comm"},
       paramLabel = "CLASS",
       description = "The policy where -c is 4.")
-  private String customComm;
+  private Optional<String> customComm;
 
   @Option(
       names = {"-b", "--bandit"},
       paramLabel = "CLASS",
       description = "Bandit of all cameras: EpsilonGreedy, UCB1, UCB2, UCBTuned, SoftMax, ...")
-  private String bandit;
+  private Optional<String> bandit;
 
   @Option(
       names = {"-v", "--vg"},
       paramLabel = "-1..2",
-      defaultValue = "-1",
       description = "Vision graph: -1 as in the file, 0 static, 1 ignored, 2 not static.")
   private int graph;
 
   @Option(
       names = {"-e", "--camerr"},
       paramLabel = "N",
-      defaultValue = "-1",
       description = "A camera fails in N + 1 percent of the steps.")
   private int errorLevel;
 
   @Option(
       names = {"-r", "--camreset"},
       paramLabel = "N",
-      defaultValue = "50",
       description = "A failing camera forgets its neighbours in 99 - N percent of the cases.")
   private int resetLevel;
 
@@ -73,23 +70,22 @@ final class CamSimOptions {
       names = {"-p", "--paramfile"},
       paramLabel = "FILE",
       description = "Properties file: Epsilon, Alpha, ObjectCategories, ...")
-  private Path parameters;
+  private Optional<Path> parameters;
 
   @Option(
       names = "--quirks",
       paramLabel = "all|none|Q3,...",
-      defaultValue = "all",
       description = "Which of CamSim's quirks Q3, Q5, Q6, Q14, Q17, Q19 are reproduced.")
   private String quirks;
 
-  /** Reads the options, telling what is odd on {@code err}. */
+  /** Reads the options, with warnings on {@code err}. */
   NetworkSettings settings(PrintWriter err) {
-    ParameterFile file = parameters == null ? ParameterFile.none() : ParameterFile.read(parameters);
+    ParameterFile file = parameters.map(ParameterFile::read).orElseGet(ParameterFile::none);
     return new NetworkSettings(
-        Optional.ofNullable(schedule),
+        schedule,
         comm(err),
-        Optional.ofNullable(customComm),
-        Optional.ofNullable(bandit),
+        customComm,
+        bandit,
         GraphUse.find(graph)
             .orElseThrow(
                 () -> new InputException("-v is " + graph + ", expected one of -1, 0, 1, 2")),
@@ -102,13 +98,15 @@ final class CamSimOptions {
 
   /** As in CamSim, what is no number leaves it to the file. */
   private OptionalInt comm(PrintWriter err) {
-    if (comm == null) {
+    if (comm.isEmpty()) {
       return OptionalInt.empty();
     }
     try {
-      return OptionalInt.of(Numbers.inRange("-c", Integer.parseInt(comm.strip()), 0, MOST_COMM));
+      return OptionalInt.of(
+          Numbers.inRange("-c", Integer.parseInt(comm.get().strip()), 0, MAX_COMM));
     } catch (NumberFormatException e) {
-      err.println("warning: -c '" + comm + "' is no number: each camera's own policy is taken");
+      err.println(
+          "warning: -c '" + comm.get() + "' is no number: each camera's own policy is taken");
       return OptionalInt.empty();
     }
   }
