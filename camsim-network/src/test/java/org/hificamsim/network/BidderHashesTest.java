@@ -2,18 +2,21 @@ package org.hificamsim.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
-import org.hificamsim.core.Reference;
+import java.util.Random;
+import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
-import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
-import org.hificamsim.core.world.movement.Movements;
 import org.hificamsim.network.agent.Agent;
+import org.hificamsim.network.agent.AuctionSchedule;
+import org.hificamsim.network.agent.BidderHashes;
+import org.hificamsim.network.agent.CommunicationPolicy;
+import org.hificamsim.network.agent.HistoricalParameters;
+import org.hificamsim.network.agent.Links;
 import org.hificamsim.network.agent.MessageQueue;
-import org.hificamsim.network.agent.NameLinks;
+import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.agent.Sightings;
 import org.junit.jupiter.api.Test;
 
@@ -21,32 +24,46 @@ import org.junit.jupiter.api.Test;
 class BidderHashesTest {
   @Test
   void theHashCodesOfPublishedCamerasAreTheKnownOnes() {
-    World world =
-        new World(
-            ScenarioReader.read(
-                Reference.file("camsim/scenarios/SASO/scenario10.xml"),
-                anyMovement -> true,
-                new ArrayList<>()::add),
-            Movements.registry(),
-            0);
+    World world = grid().world();
     int count = world.cameras().count();
-    Sightings sightings = new Sightings(world, Detection.of(new CamSimVisibilityDetection()));
+    Detection detection = Detection.of(new CamSimVisibilityDetection());
+    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
     Agent[] agents = new Agent[count];
-    ScheduleKind[] schedules = new ScheduleKind[count];
-    Arrays.fill(schedules, ScheduleKind.PASSIVE);
-    BidderHashes hashes = new BidderHashes(world.cameras(), sightings, agents, schedules);
-    Agent.Surroundings around =
-        new Agent.Surroundings(
-            world.cameras(), new double[0], sightings, new MessageQueue(), hashes::of, false);
+    BidderHashes hashes = new BidderHashes(world.cameras(), sightings, agents);
+    Agent.Shared shared =
+        new Agent.Shared(
+            world.cameras(),
+            new double[0],
+            sightings,
+            new MessageQueue(),
+            new Random(0),
+            hashes::of,
+            false);
     for (int camera = 0; camera < count; camera++) {
-      agents[camera] = new Agent(camera, 0, new NameLinks(0, List.of(), false), around);
+      agents[camera] = passive(camera, world, shared);
       for (int other = 0; other < count; other++) {
         if (other != camera) {
-          agents[camera].neighbours().add(other);
+          agents[camera].meet(other);
         }
       }
     }
     assertEquals(-417382511, hashes.of(0));
     assertEquals(-307410659, hashes.of(1));
+  }
+
+  /** Nine cameras of which two are those of the known hash codes (behaviour 4.5). */
+  private static TestScenario grid() {
+    TestScenario grid = new TestScenario().field(-20, 20, -20, 20);
+    for (int i = 0; i < 9; i++) {
+      grid.camera(TestScenario.camera("Cam_0" + (i + 1), -15 + 10 * i, 18, -180, 70, 16));
+    }
+    return grid;
+  }
+
+  private static Agent passive(int camera, World world, Agent.Shared shared) {
+    AuctionSchedule schedule =
+        new AuctionSchedule(ScheduleKind.PASSIVE, world.targets(), HistoricalParameters.DEFAULT);
+    Links links = Links.plain(0, List.of(), false);
+    return new Agent(camera, 0, schedule, CommunicationPolicy.BROADCAST, links, shared);
   }
 }

@@ -9,17 +9,16 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
+import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.files.CamSimFiles;
-import org.hificamsim.network.files.CamSimScenario;
 import org.hificamsim.network.files.RunSums;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
@@ -108,18 +107,12 @@ final class CamSimCommand implements Callable<Integer> {
         Progress progress = screen.progress(plan.scenario().name(), " steps", steps)) {
       List<StepListener> listeners = new ArrayList<>(files.listeners());
       listeners.add((view, measured) -> progress.advance());
-      new Simulation(world, observed(plan), zooms, network, seed, listeners).run(steps);
+      new Simulation(world, plan.detection(), zooms, network, seed, listeners, Workers.CALLER)
+          .run(steps);
       files.commit(screen.words(), started);
       print(plan.scenario(), files.sums());
     }
     return 0;
-  }
-
-  /** The loop's own observation: where nobody reads its coverage, the cheapest will do. */
-  private Detection observed(RunPlan plan) {
-    return coverage.isEmpty() && models.policy().isEmpty()
-        ? Detection.of(new GeometricDetection())
-        : plan.detection();
   }
 
   /** Checks every option before anything is written. */

@@ -5,19 +5,23 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.network.Comm;
 import org.hificamsim.network.GraphUse;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.Quirk;
+import org.hificamsim.network.agent.CommunicationPolicy;
+import org.hificamsim.network.agent.Named;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.files.ParameterFile;
 import picocli.CommandLine.Option;
 
 /** CamSim's own options that say how the network is run (behaviour 12.1). */
 final class CamSimOptions {
-  private static final int MAX_COMM = 4;
-
   @Option(
       names = {"-a", "--algo"},
       paramLabel = "CLASS",
@@ -74,18 +78,20 @@ final class CamSimOptions {
 
   @Option(
       names = "--quirks",
-      paramLabel = "all|none|Q3,...",
-      description = "Which of CamSim's quirks Q3, Q5, Q6, Q14, Q17, Q19 are reproduced.")
+      paramLabel = "all|none|NAME,...",
+      description =
+          "Which of CamSim's quirks are reproduced: waypoint-speed-is-heading,"
+              + " links-freeze-by-policy, failed-cameras-stay-offline, mispriced-sales,"
+              + " event-move-ignored, ties-by-hash-code.")
   private String quirks;
 
-  /** Reads the options, with warnings on {@code err}. */
+  /** Reads the options, and warns on {@code err} of what is odd. */
   NetworkSettings settings(PrintWriter err) {
-    ParameterFile file = parameters.map(ParameterFile::read).orElseGet(ParameterFile::none);
+    ParameterFile file = parameters.map(ParameterFile::read).orElse(ParameterFile.DEFAULT);
     return new NetworkSettings(
-        schedule,
+        named(ScheduleKind.class, "-a", schedule),
         comm(err),
-        customComm,
-        bandit,
+        named(BanditAlgorithm.class, "-b", bandit),
         GraphUse.find(graph)
             .orElseThrow(
                 () -> new InputException("-v is " + graph + ", expected one of -1, 0, 1, 2")),
@@ -96,43 +102,54 @@ final class CamSimOptions {
         quirks());
   }
 
+  private static <E extends Enum<E> & Named> Optional<E> named(
+      Class<E> type, String option, Optional<String> name) {
+    return name.map(
+        text ->
+            Named.find(type, text).orElseThrow(() -> invalid(option, text, Named.expected(type))));
+  }
+
+  private static InputException invalid(String option, String text, String expected) {
+    return new InputException("%s is '%s', expected %s".formatted(option, text, expected));
+  }
+
   /** As in CamSim, what is no number leaves it to the file. */
-  private OptionalInt comm(PrintWriter err) {
+  private Optional<Comm> comm(PrintWriter err) {
     if (comm.isEmpty()) {
-      return OptionalInt.empty();
+      return Optional.empty();
     }
     try {
-      return OptionalInt.of(
-          Numbers.inRange("-c", Integer.parseInt(comm.get().strip()), 0, MAX_COMM));
+      int number = Numbers.inRange("-c", Integer.parseInt(comm.get().strip()), 0, Comm.CUSTOM);
+      return Optional.of(Comm.of(number, customComm).orElseThrow(this::invalidPolicy));
     } catch (NumberFormatException e) {
       err.println(
           "warning: -c '" + comm.get() + "' is no number: each camera's own policy is taken");
-      return OptionalInt.empty();
+      return Optional.empty();
     }
+  }
+
+  private InputException invalidPolicy() {
+    return invalid(
+        "-u", customComm.orElse(""), Named.expected(CommunicationPolicy.class) + " where -c is 4");
   }
 
   private Set<Quirk> quirks() {
     return switch (quirks) {
       case "all" -> EnumSet.allOf(Quirk.class);
       case "none" -> EnumSet.noneOf(Quirk.class);
-      default -> {
-        Set<Quirk> some = EnumSet.noneOf(Quirk.class);
-        for (String name : quirks.split(",")) {
-          some.add(quirk(name.strip()));
-        }
-        yield some;
-      }
+      default ->
+          Arrays.stream(quirks.split(","))
+              .map(name -> quirk(name.strip()))
+              .collect(Collectors.toSet());
     };
   }
 
   private static Quirk quirk(String name) {
-    return Arrays.stream(Quirk.values())
-        .filter(quirk -> quirk.name().equalsIgnoreCase(name))
-        .findFirst()
+    return Quirk.find(name)
         .orElseThrow(
             () ->
                 new InputException(
                     "--quirks names '%s', expected all, none, or some of %s"
-                        .formatted(name, Arrays.toString(Quirk.values()))));
+                        .formatted(name, Spelling.all(Quirk.class))));
   }
 }

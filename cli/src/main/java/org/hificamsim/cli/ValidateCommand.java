@@ -9,6 +9,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.network.NetworkSettings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
@@ -42,6 +43,7 @@ final class ValidateCommand implements Callable<Integer> {
           ScenarioReader.read(
               file,
               catalogue.movements().names()::contains,
+              NetworkSettings.DEFAULT.check(),
               line -> err.println("warning: " + Place.printable(line)));
       out.println(file + ": ok, " + Descriptions.of(scenario));
       return 0;

@@ -16,21 +16,21 @@ import org.hificamsim.runs.output.RunRecorder;
 import org.hificamsim.runs.output.SummaryFile;
 
 /** The k-coverage of a run of CamSim's network, in the files that {@code run} writes. */
-public final class CoverageFiles implements Closeable {
+final class CoverageFiles implements Closeable {
   private final RunPlan plan;
   private final OutputFolder folder;
   private final RunRecorder recorder;
   private final RunCoverage coverage = new RunCoverage();
 
   /** Opens the files. */
-  public CoverageFiles(Path path, RunPlan plan) throws IOException {
+  CoverageFiles(Path path, RunPlan plan) throws IOException {
     this.plan = plan;
     folder = new OutputFolder(path);
     recorder = new RunRecorder(folder, false);
   }
 
   /** What has to watch the run. */
-  public List<StepListener> listeners() {
+  List<StepListener> listeners() {
     return List.of(coverage, recorder.listener(0));
   }
 
@@ -39,7 +39,7 @@ public final class CoverageFiles implements Closeable {
    *
    * @param messages how many StartSearch messages were delivered
    */
-  public void commit(List<String> command, Instant started, long messages) throws IOException {
+  void commit(List<String> command, Instant started, long messages) throws IOException {
     recorder.close();
     RunResult result = RunResult.of(0, plan.seed(), coverage, messages, Optional.empty());
     SummaryFile.write(folder.open("summary.json"), plan, List.of(result));

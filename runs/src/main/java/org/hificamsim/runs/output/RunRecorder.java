@@ -87,8 +87,8 @@ public final class RunRecorder implements Closeable {
             run,
             network.step(),
             network.targetName(target),
-            network.targetX(target),
-            network.targetY(target));
+            network.oracle().targetX(target),
+            network.oracle().targetY(target));
       }
     }
   }
