@@ -144,7 +144,7 @@ class CamSimCommandTest {
         "--quirks Q99 | names 'Q99'",
         "--detection nobody | unknown detection 'nobody'",
         "--policy nobody | unknown policy 'nobody'",
-        "--threshold 2 | --threshold is 2.0",
+        "--threshold 2 | threshold is 2.0",
         "-f /no/such/folder/s.csv | summary file",
         "--extra-out /no/such/folder/x.csv | --extra-out",
       })

@@ -1,7 +1,6 @@
 package org.hificamsim.network;
 
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import org.hificamsim.core.CamSimCommand;
 import org.hificamsim.core.detection.Detection;

@@ -26,44 +26,41 @@ final class CamSimOptions {
       names = {"-a", "--algo"},
       paramLabel = "CLASS",
       description = "Auction schedule of all cameras: Active, Passive, HistActive, ...")
-  private String schedule;
+  private Optional<String> schedule;
 
   @Option(
       names = {"-c", "--comm"},
       paramLabel = "0..4",
       description = "Policy of all cameras: 0 Broadcast, 1 Smooth, 2 Step, 3 Fix, 4 see -u.")
-  private String comm;
+  private Optional<String> comm;
 
   @Option(
       names = {"-u", "--custom-comm"},
       paramLabel = "CLASS",
       description = "The policy where -c is 4.")
-  private String customComm;
+  private Optional<String> customComm;
 
   @Option(
       names = {"-b", "--bandit"},
       paramLabel = "CLASS",
       description = "Bandit of all cameras: EpsilonGreedy, UCB1, UCB2, UCBTuned, SoftMax, ...")
-  private String bandit;
+  private Optional<String> bandit;
 
   @Option(
       names = {"-v", "--vg"},
       paramLabel = "-1..2",
-      defaultValue = "-1",
       description = "Vision graph: -1 as in the file, 0 static, 1 ignored, 2 not static.")
   private int graph;
 
   @Option(
       names = {"-e", "--camerr"},
       paramLabel = "N",
-      defaultValue = "-1",
       description = "A camera fails in N + 1 percent of the steps.")
   private int errorLevel;
 
   @Option(
       names = {"-r", "--camreset"},
       paramLabel = "N",
-      defaultValue = "50",
       description = "A failing camera forgets its neighbours in 99 - N percent of the cases.")
   private int resetLevel;
 
@@ -77,12 +74,11 @@ final class CamSimOptions {
       names = {"-p", "--paramfile"},
       paramLabel = "FILE",
       description = "Properties file: Epsilon, Alpha, ObjectCategories, ...")
-  private Path parameters;
+  private Optional<Path> parameters;
 
   @Option(
       names = "--quirks",
       paramLabel = "all|none|NAME,...",
-      defaultValue = "all",
       description =
           "Which of CamSim's quirks are reproduced: waypoint-speed-is-heading,"
               + " links-freeze-by-policy, failed-cameras-stay-offline, mispriced-sales,"
@@ -91,8 +87,7 @@ final class CamSimOptions {
 
   /** Reads the options, and warns on {@code err} of what is odd. */
   NetworkSettings settings(PrintWriter err) {
-    ParameterFile file =
-        parameters == null ? ParameterFile.DEFAULT : ParameterFile.read(parameters);
+    ParameterFile file = parameters.map(ParameterFile::read).orElse(ParameterFile.DEFAULT);
     return new NetworkSettings(
         named(ScheduleKind.class, "-a", schedule),
         comm(err),
@@ -108,12 +103,10 @@ final class CamSimOptions {
   }
 
   private static <E extends Enum<E> & Named> Optional<E> named(
-      Class<E> type, String option, String name) {
-    return Optional.ofNullable(name)
-        .map(
-            text ->
-                Named.find(type, text)
-                    .orElseThrow(() -> invalid(option, text, Named.expected(type))));
+      Class<E> type, String option, Optional<String> name) {
+    return name.map(
+        text ->
+            Named.find(type, text).orElseThrow(() -> invalid(option, text, Named.expected(type))));
   }
 
   private static InputException invalid(String option, String text, String expected) {
@@ -122,22 +115,22 @@ final class CamSimOptions {
 
   /** As in CamSim, what is no number leaves it to the file. */
   private Optional<Comm> comm(PrintWriter err) {
-    if (comm == null) {
+    if (comm.isEmpty()) {
       return Optional.empty();
     }
     try {
-      int number = Numbers.inRange("-c", Integer.parseInt(comm.strip()), 0, Comm.CUSTOM);
-      return Optional.of(
-          Comm.of(number, Optional.ofNullable(customComm)).orElseThrow(this::invalidPolicy));
+      int number = Numbers.inRange("-c", Integer.parseInt(comm.get().strip()), 0, Comm.CUSTOM);
+      return Optional.of(Comm.of(number, customComm).orElseThrow(this::invalidPolicy));
     } catch (NumberFormatException e) {
-      err.println("warning: -c '" + comm + "' is no number: each camera's own policy is taken");
+      err.println(
+          "warning: -c '" + comm.get() + "' is no number: each camera's own policy is taken");
       return Optional.empty();
     }
   }
 
   private InputException invalidPolicy() {
-    String given = customComm == null ? "" : customComm;
-    return invalid("-u", given, Named.expected(CommunicationPolicy.class) + " where -c is 4");
+    return invalid(
+        "-u", customComm.orElse(""), Named.expected(CommunicationPolicy.class) + " where -c is 4");
   }
 
   private Set<Quirk> quirks() {

@@ -18,11 +18,8 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim validate}: reads scenario files and tells all that is wrong or odd. */
 @Command(
     name = "validate",
-    description = "Checks scenario files: errors (exit code 2) and warnings, with their place.",
-    mixinStandardHelpOptions = true)
+    description = "Checks scenario files: errors (exit code 2) and warnings, with their place.")
 final class ValidateCommand implements Callable<Integer> {
-  private static final int BAD_INPUT = 2;
-
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
@@ -52,7 +49,7 @@ final class ValidateCommand implements Callable<Integer> {
       return 0;
     } catch (InputException e) {
       err.println("error: " + Place.printable(e.getMessage()));
-      return BAD_INPUT;
+      return Main.BAD_INPUT;
     }
   }
 }

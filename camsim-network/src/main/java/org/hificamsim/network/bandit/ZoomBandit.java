@@ -84,8 +84,7 @@ public final class ZoomBandit implements CameraBandit {
   /** CamSim's rule for a range that changes (behaviour 6.3, quirk Q10). */
   private void reach(double range, double change) {
     double changed = range + change;
-    world.changeRange(
-        agent.camera(), changed >= MAX_RANGE ? MAX_RANGE - MAX_RANGE * 0.2 : changed);
+    world.changeRange(agent.camera(), changed >= MAX_RANGE ? MAX_RANGE - MAX_RANGE * 0.2 : changed);
   }
 
   private double range() {
