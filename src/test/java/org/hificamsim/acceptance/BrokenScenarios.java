@@ -18,10 +18,12 @@ import java.util.stream.Stream;
 /** Every kind of broken scenario file, each with its error line. */
 final class BrokenScenarios {
   private static final String FINITE = "a finite number";
+  private static final String COORDINATE = "a number from -1e9 to 1e9 (m)";
+  private static final String SPEED = "a number from -1e9 to 1e9 (m a step)";
   private static final String IN_FIELD = "a number inside the field, -10.0 to 10.0";
   private static final String ANGLE = "degrees above 0 and at most 360";
-  private static final String RANGE = "a number of 0 or more (m)";
-  private static final String SIZE = "a number above 0 (m)";
+  private static final String RANGE = "a number from 0 to 1e9 (m)";
+  private static final String SIZE = "a number above 0 and at most 1e9 (m)";
   private static final String OR_LEAVE = ", or -1 to leave it";
   private static final String STEP = "a whole number of 0 or more";
   private static final String DURATION = "a whole number of -1 or more";
@@ -72,23 +74,27 @@ final class BrokenScenarios {
   private static List<BrokenScenario> missing() {
     List<BrokenScenario> all = new ArrayList<>();
     Stream.of("min_x", "max_x", "min_y", "max_y")
-        .forEach(name -> all.add(without(SIMULATION, name, FINITE)));
+        .forEach(name -> all.add(without(SIMULATION, name, COORDINATE)));
     all.add(without(NORTH, "name", "a name that no other camera has"));
     all.add(without(NORTH, "x", IN_FIELD));
     all.add(without(NORTH, "y", IN_FIELD));
     all.add(without(NORTH, "heading", FINITE));
     all.add(without(NORTH, "viewing_angle", ANGLE));
     all.add(without(NORTH, "range", RANGE));
-    Stream.of("features", "x", "y", "heading", "speed")
-        .forEach(name -> all.add(without(FIRST, name, FINITE)));
-    Stream.of("features", "speed").forEach(name -> all.add(without(WALKER, name, FINITE)));
+    Stream.of("features", "heading").forEach(name -> all.add(without(FIRST, name, FINITE)));
+    all.add(without(WALKER, "features", FINITE));
     Stream.of("x", "y")
-        .forEach(name -> all.add(without("<waypoint x=\"4\" y=\"4\"", name, FINITE)));
+        .forEach(
+            name -> {
+              all.add(without(FIRST, name, COORDINATE));
+              all.add(without("<waypoint x=\"4\" y=\"4\"", name, COORDINATE));
+              all.add(without(ADD_OBJECT, name, COORDINATE));
+            });
+    Stream.of(FIRST, WALKER, ADD_OBJECT).forEach(tag -> all.add(without(tag, "speed", SPEED)));
     all.add(without(ADD_OBJECT, "timestep", STEP));
     all.add(without(ADD_OBJECT, "participant", "camera, object or grc"));
     all.add(without(ADD_OBJECT, "event", "add, change or error"));
-    Stream.of("name", "x", "y", "heading", "speed")
-        .forEach(name -> all.add(without(ADD_OBJECT, name, FINITE)));
+    Stream.of("name", "heading").forEach(name -> all.add(without(ADD_OBJECT, name, FINITE)));
     all.add(without(ADD_CAMERA, "name", "a name that no other camera has"));
     all.add(without(ADD_CAMERA, "range", RANGE));
     all.add(without(CHANGE, "name", CAMERA));
@@ -110,23 +116,19 @@ final class BrokenScenarios {
     for (String rubbish :
         List.of(
             "", " ", "ten", "NaN", "-Infinity", "1e999", "0x1F", "1,5", "--1", "1 2", "\u0661")) {
-      all.add(value(SIMULATION, "min_x", rubbish, FINITE));
+      all.add(value(SIMULATION, "min_x", rubbish, COORDINATE));
     }
     all.add(value(SIMULATION, "max_x", "-10", "more than min_x, -10.0"));
     all.add(value(SIMULATION, "max_y", "-11.5", "more than min_y, -10.0"));
-    all.add(
-        change(
-            "a field without a finite width",
-            "<simulation min_x=\"-10\" max_x=\"10\"",
-            "@<simulation min_x=\"-1e308\" max_x=\"1e308\"",
-            "the field is too big, expected a finite width and height"));
+    all.add(value(SIMULATION, "min_x", "-1e308", COORDINATE));
+    all.add(value(SIMULATION, "max_y", "1.1e9", COORDINATE));
     all.add(value(SIMULATION, "order", "Coverage", "one of coverage, camsim"));
     all.add(value(SIMULATION, "headings", "radians", "one of degrees, as-radians"));
     for (String rubbish : List.of("-0.1", "1.5", "NaN", "high")) {
       all.add(value(SIMULATION, "threshold", rubbish, "a number from 0 to 1"));
     }
-    for (String rubbish : List.of("0", "-3", "Infinity")) {
-      all.add(value(SIMULATION, "mount_height", rubbish, "a number above 0"));
+    for (String rubbish : List.of("0", "-3", "Infinity", "1e10")) {
+      all.add(value(SIMULATION, "mount_height", rubbish, SIZE));
     }
     return all;
   }
@@ -145,6 +147,7 @@ final class BrokenScenarios {
         value(NORTH, "viewing_angle", "-90", ANGLE),
         value(NORTH, "viewing_angle", "NaN", ANGLE),
         value(NORTH, "range", "-1", RANGE),
+        value(NORTH, "range", "1e200", RANGE),
         value(NORTH, "range", "NaN", RANGE),
         value(NORTH, "range", "far", RANGE),
         value(NORTH, "comm", "5", "a whole number from 0 to 4"),
@@ -161,16 +164,21 @@ final class BrokenScenarios {
         value(WALKER, "features", "2.0", other),
         value(FIRST, "features", "one", FINITE),
         value(FIRST, "features", "NaN", FINITE),
-        value(FIRST, "x", "1e999", FINITE),
-        value(FIRST, "y", "", FINITE),
+        value(FIRST, "x", "1e999", COORDINATE),
+        value(FIRST, "x", "-1e10", COORDINATE),
+        value(FIRST, "y", "", COORDINATE),
         value(FIRST, "heading", "NaN", FINITE),
-        value(FIRST, "speed", "Infinity", FINITE),
+        value(FIRST, "speed", "Infinity", SPEED),
+        value(FIRST, "speed", "1e300", SPEED),
         value(FIRST, "size", "0", SIZE),
+        value(FIRST, "size", "2e9", SIZE),
         value(FIRST, "size", "-0.5", SIZE),
         value(FIRST, "size", "NaN", SIZE),
         value(WALKER, "size", "0", SIZE),
-        value(FIRST, "mean", "NaN", FINITE),
-        value(FIRST, "std", "-1", "a number of 0 or more"),
+        value(FIRST, "mean", "NaN", COORDINATE),
+        value(FIRST, "mean", "2e9", COORDINATE),
+        value(FIRST, "std", "-1", RANGE),
+        value(FIRST, "std", "2e9", RANGE),
         value(SECOND, "move", "epics.movement.Teleport", MOVEMENT),
         value(SECOND, "move", "waypoints", MOVEMENT),
         value(SECOND, "move", "Straight:speed=2", MOVEMENT));
@@ -178,7 +186,7 @@ final class BrokenScenarios {
 
   private static List<BrokenScenario> zooms() {
     String rising = ", expected rising radii, each once";
-    String above = ", expected radii above 0 (m) between spaces";
+    String above = ", expected radii above 0 and at most 1e9 (m), between spaces";
     String many =
         IntStream.range(1, 1002).mapToObj(String::valueOf).collect(Collectors.joining(" "));
     return List.of(
@@ -190,6 +198,7 @@ final class BrokenScenarios {
         zoom("-2.0 3.5", "<zoom> has '-2.0'" + above),
         zoom("0 3.5", "<zoom> has '0'" + above),
         zoom("2.0 NaN", "<zoom> has 'NaN'" + above),
+        zoom("2.0 2e9", "<zoom> has '2e9'" + above),
         zoom("2.0 Infinity", "<zoom> has 'Infinity'" + above),
         zoom("2.0,3.5,5.0", "<zoom> has '2.0,3.5,5.0'" + above),
         zoom("9".repeat(999), "<zoom> has '" + "9".repeat(60) + "...'" + above),
@@ -248,8 +257,9 @@ final class BrokenScenarios {
                 .replace("<waypoint x=\"5\" y=\"5\"/>", "")
                 .replace(WALKER, "@" + WALKER),
             "no <waypoint>, expected at least two"),
-        value("<waypoint x=\"2\"", "x", "NaN", FINITE),
-        value("<waypoint x=\"6\"", "y", "six", FINITE));
+        value("<waypoint x=\"2\"", "x", "NaN", COORDINATE),
+        value("<waypoint x=\"2\"", "x", "1e308", COORDINATE),
+        value("<waypoint x=\"6\"", "y", "six", COORDINATE));
   }
 
   private static List<BrokenScenario> events() {
@@ -265,6 +275,8 @@ final class BrokenScenarios {
         value(ADD_OBJECT, "name", "1.0", "features that no object present has"),
         value(ADD_OBJECT, "name", "four", FINITE),
         value(ADD_OBJECT, "size", "-1", SIZE),
+        value(ADD_OBJECT, "x", "1e308", COORDINATE),
+        value(ADD_OBJECT, "speed", "-1e300", SPEED),
         value(REMOVE, "name", "4.0;5.0", FINITE),
         value(ADD_CAMERA, "name", "north", NEW_NAME),
         value(ADD_CAMERA, "x", "-11", IN_FIELD),
@@ -274,6 +286,7 @@ final class BrokenScenarios {
         value(CHANGE, "y", "NaN", IN_FIELD + OR_LEAVE),
         value(CHANGE, "viewing_angle", "0", ANGLE + OR_LEAVE),
         value(CHANGE, "range", "-2", RANGE + OR_LEAVE),
+        value(CHANGE, "range", "1e200", RANGE + OR_LEAVE),
         value(FAIL, "name", "", CAMERA),
         value(FAIL, "duration", "-2", DURATION),
         value(FAIL, "duration", "long", DURATION),

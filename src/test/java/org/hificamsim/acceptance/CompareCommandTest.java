@@ -5,6 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -107,7 +109,7 @@ class CompareCommandTest {
     Cli second = Cli.run(words(folder, 10, 1));
     first.destroyForcibly().waitFor();
     assertEquals(2, second.exit(), second.err());
-    assertTrue(second.err().contains("another comparison writes there"), second.err());
+    assertTrue(second.err().contains("is in use by another run"), second.err());
   }
 
   @Test
@@ -116,6 +118,23 @@ class CompareCommandTest {
     String settings = Files.readString(folder.resolve("settings.json"));
     assertEquals(12 + 4, settings.split("\"threshold\"").length - 1);
     assertTrue(settings.contains("\"epsilon-greedy:epsilon=0.2\""), settings);
+  }
+
+  @Test
+  void aThresholdIsForEveryDetectionWithoutOneOfItsOwn() throws IOException {
+    String detections = "camsim-range,camsim-range@0.45,geometric@0.1";
+    Object[] words = words(folder, 10, 1, "--threshold", 0.2);
+    words[Arrays.asList(words).indexOf("--detections") + 1] = detections;
+    assertEquals(0, Cli.run(words).exit());
+    List<String> found = new ArrayList<>();
+    for (JsonNode plan : new ObjectMapper().readTree(folder.resolve("settings.json").toFile())) {
+      found.add(plan.get("detection").asText() + " " + plan.get("threshold").asDouble());
+    }
+    assertEquals(
+        List.of("camsim-range 0.2", "camsim-range@0.45 0.45", "geometric@0.1 0.1"),
+        found.stream().distinct().toList());
+    String rows = Files.readString(folder.resolve("results.csv"));
+    assertTrue(rows.contains("\ncluster-scripted,camsim-range@0.45,zoom-out,5,"), rows);
   }
 
   @Test
@@ -187,6 +206,8 @@ class CompareCommandTest {
         "--policies zoom-out,zoom-out | 'zoom-out' twice",
         "--policies sarsa:gamma=2 | gamma is '2'",
         "--policies walk | unknown policy 'walk', expected one of zoom-out",
+        "--detections geometric@0.5,geometric@.5 | 'geometric@0.5' twice",
+        "--threshold 2 | threshold is 2.0, expected a number from 0 to 1",
         "--threads -1 | --threads is -1",
         "--repeat 0 | --repeat is 0",
         "--seed 9223372036854775779 | --seed is 9223372036854775779, expected at most",

@@ -1,6 +1,6 @@
 package org.hificamsim.acceptance;
 
-import java.util.HashSet;
+import java.util.EnumSet;
 import java.util.Locale;
 import java.util.Set;
 
@@ -36,14 +36,14 @@ enum Module {
     return "org.hificamsim." + name().toLowerCase(Locale.ROOT) + "..";
   }
 
-  /** The folders of all modules that it may use. */
+  /** The folders of all modules that it may use, its own among them. */
   String[] reached() {
-    return reach(new HashSet<>()).stream().map(m -> m.folder).toArray(String[]::new);
+    return reach(EnumSet.noneOf(Module.class)).stream().map(m -> m.folder).toArray(String[]::new);
   }
 
   private Set<Module> reach(Set<Module> found) {
+    found.add(this);
     for (Module module : uses) {
-      found.add(module);
       module.reach(found);
     }
     return found;

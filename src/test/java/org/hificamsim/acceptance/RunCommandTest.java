@@ -141,10 +141,11 @@ class RunCommandTest {
         "--repeat 0 | --repeat is 0",
         "--seed x | 'x'",
         "--seed 9223372036854775807 --repeat 2 | --seed is 9223372036854775807, expected at most",
-        "--threshold 1.5 | --threshold is 1.5, expected a number from 0 to 1",
-        "--threshold NaN | --threshold is NaN",
+        "--threshold 1.5 | threshold is 1.5, expected a number from 0 to 1",
+        "--threshold NaN | threshold is NaN",
         "--detection hifi:orb-cubic | unknown detection 'hifi:orb-cubic', expected one of camsim",
         "--detection nothing.json | nothing.json",
+        "--detection geometric@2 | threshold is 2.0, expected a number from 0 to 1",
         "--policy greedy | unknown policy 'greedy', expected one of zoom-out",
         "--policy epsilon-greedy:epsilon=2 | epsilon is '2', expected a number from 0.0 to 1.0",
         "--policy epsilon-greedy:gamma=2 | unknown option 'gamma=2', expected one of epsilon",
@@ -215,7 +216,7 @@ class RunCommandTest {
   }
 
   @Test
-  void theScenariosThresholdYieldsToTheOption() throws IOException {
+  void theScenariosThresholdYieldsToTheOptionAndThatToTheDetectionsOwn() throws IOException {
     Path scenario = folder.resolve("own.xml");
     Files.writeString(
         scenario,
@@ -225,6 +226,11 @@ class RunCommandTest {
     assertEquals(0.2, summary(folder.resolve("a")).get("threshold").asDouble());
     Cli.run("run", scenario, "--steps", 1, "--threshold", "0.1", "--out", folder.resolve("b"));
     assertEquals(0.1, summary(folder.resolve("b")).get("threshold").asDouble());
+    String own = "geometric@0.3";
+    Object[] words = {"run", scenario, "--detection", own, "--threshold", 0.1, "--steps", 1};
+    Cli.run(Stream.concat(Arrays.stream(words), Stream.of("--out", folder.resolve("c"))).toArray());
+    assertEquals(0.3, summary(folder.resolve("c")).get("threshold").asDouble());
+    assertEquals(own, summary(folder.resolve("c")).get("detection").asText());
   }
 
   private static JsonNode summary(Path out) throws IOException {

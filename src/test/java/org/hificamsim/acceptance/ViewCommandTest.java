@@ -41,7 +41,7 @@ class ViewCommandTest {
       delimiter = '|',
       value = {
         "--port 70000 | --port is 70000, expected a whole number from 0 to 65535",
-        "--threshold 2 | --threshold is 2.0, expected a number from 0 to 1",
+        "--threshold 2 | threshold is 2.0, expected a number from 0 to 1",
         "--policy greedy | unknown policy 'greedy'",
         "--policy best-fixed | cannot be viewed live",
         "--policy fixed:9 | level of camera",

@@ -223,7 +223,7 @@ public class SimCore {
         given.number("range"));
   }
 
-  /** Waypoints by class name swap speed and heading: CamSim's quirk Q3. */
+  /** Waypoints by class name swap speed and heading (behaviour 11, Q3). */
   private static TraceableObject object(Attributes given) {
     Place start = new Place(given.number("x"), given.number("y"));
     double heading = Math.toRadians(given.number("heading"));

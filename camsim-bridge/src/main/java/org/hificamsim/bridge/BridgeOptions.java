@@ -4,19 +4,21 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.hificamsim.bridge.run.Setup;
+import java.util.OptionalDouble;
+import org.hificamsim.bridge.run.BridgeSettings;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
 
 /** Reads the text after {@code -javaagent:hificamsim-bridge.jar=}. */
 final class BridgeOptions {
-  private static final int MOST_LEVELS = 1000;
-  private static final double LARGEST = 1e6;
+  private static final int MAX_LEVELS = 1000;
+  private static final double MAX_METRES = 1e6;
 
   private final Catalogue catalogue;
   private final Options given;
@@ -27,15 +29,15 @@ final class BridgeOptions {
   }
 
   /**
-   * The setup that {@code text} asks for.
+   * The settings that {@code text} asks for.
    *
    * @throws InputException naming the option that is unknown, malformed or without effect
    */
-  static Setup parse(String text, Catalogue catalogue) {
-    return new BridgeOptions(text, catalogue).setup();
+  static BridgeSettings parse(String text, Catalogue catalogue) {
+    return new BridgeOptions(text, catalogue).settings();
   }
 
-  private Setup setup() {
+  private BridgeSettings settings() {
     Optional<String> model = text("detection", "name or file of the detection model");
     Optional<String> threshold = text("threshold", "what counts as detected, 0 to 1");
     Optional<String> size = text("size", "target size, m");
@@ -49,9 +51,9 @@ final class BridgeOptions {
     requireFor("size", size, model.isPresent(), "detection");
     requireFor("seed", seed, policy.isPresent(), "policy");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
-    return new Setup(
+    return new BridgeSettings(
         model.map(name -> detection(name, threshold)),
-        size.map(value -> number("size", value, Double.MIN_VALUE, LARGEST))
+        size.map(value -> number("size", value, Double.MIN_VALUE, MAX_METRES))
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),
         zooms.map(BridgeOptions::radii).orElse(List.of()),
@@ -73,14 +75,12 @@ final class BridgeOptions {
   }
 
   private Detection detection(String name, Optional<String> threshold) {
-    DetectionModel model = catalogue.detection(name);
-    return new Detection(
-        model,
-        threshold.map(value -> number("threshold", value, 0, 1)).orElse(model.defaultThreshold()));
+    return Overrides.ofThreshold(threshold.map(value -> number("threshold", value, 0, 1)))
+        .detection(DetectionSpec.parse(name, catalogue::detection), OptionalDouble.empty());
   }
 
   /** Commas separate the agent's own options: a policy's are separated by semicolons. */
-  private Setup.Policy policy(String given) {
+  private BridgeSettings.Policy policy(String given) {
     String spec = given.replace(';', ',');
     if (catalogue.policies().create(spec) instanceof HindsightZoomPolicy) {
       throw new InputException(
@@ -89,13 +89,13 @@ final class BridgeOptions {
               + "' has to see the run before it begins, expected one that learns"
               + " or decides as the run goes");
     }
-    return new Setup.Policy(spec, () -> catalogue.policies().create(spec));
+    return new BridgeSettings.Policy(spec, () -> catalogue.policies().create(spec));
   }
 
   private static List<Double> radii(String text) {
     List<Double> radii = new ArrayList<>();
     for (String item : text.strip().split("[;,\\s]+")) {
-      double radius = number("zooms", item, Double.MIN_VALUE, LARGEST);
+      double radius = number("zooms", item, Double.MIN_VALUE, MAX_METRES);
       if (!radii.isEmpty() && radius <= radii.get(radii.size() - 1)) {
         throw new InputException(
             "zooms has '"
@@ -106,9 +106,9 @@ final class BridgeOptions {
       }
       radii.add(radius);
     }
-    if (radii.size() > MOST_LEVELS) {
+    if (radii.size() > MAX_LEVELS) {
       throw new InputException(
-          "zooms has " + radii.size() + " radii, expected at most " + MOST_LEVELS);
+          "zooms has " + radii.size() + " radii, expected at most " + MAX_LEVELS);
     }
     return radii;
   }

@@ -10,12 +10,12 @@ import org.hificamsim.bridge.agent.Hooks;
 import org.hificamsim.bridge.agent.Trouble;
 import org.hificamsim.bridge.camsim.Shape;
 import org.hificamsim.bridge.camsim.Weaver;
+import org.hificamsim.bridge.run.BridgeSettings;
 import org.hificamsim.bridge.run.LiveBridge;
-import org.hificamsim.bridge.run.Setup;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.core.file.OutputFolder;
 
 /**
  * Reads the options, makes sure that this CamSim has what they need, and has the hooks woven into
@@ -26,10 +26,10 @@ public final class Installer implements BiConsumer<String, Instrumentation> {
   public void accept(String options, Instrumentation instrumentation) {
     boolean strict = Trouble.strict(options);
     try {
-      Setup setup = BridgeOptions.parse(options, catalogue());
-      if (setup.asksForAnything()) {
-        check(setup);
-        install(setup, instrumentation, strict);
+      BridgeSettings settings = BridgeOptions.parse(options, catalogue());
+      if (settings.asksForAnything()) {
+        check(settings);
+        install(settings, instrumentation, strict);
       }
     } catch (InputException e) {
       Trouble.tell(Place.printable(e.getMessage()), strict);
@@ -50,22 +50,25 @@ public final class Installer implements BiConsumer<String, Instrumentation> {
     }
   }
 
-  private static void check(Setup setup) throws IOException {
+  private static void check(BridgeSettings settings) throws IOException {
     Shape shape =
         new Shape(
-            setup.detection().isPresent(), setup.policy().isPresent(), setup.out().isPresent());
+            settings.detection().isPresent(),
+            settings.policy().isPresent(),
+            settings.out().isPresent());
     List<String> missing = shape.missing(ClassLoader.getSystemClassLoader());
     if (!missing.isEmpty()) {
       throw new InputException("not found in CamSim: " + String.join(", ", missing));
     }
-    Optional<Path> out = setup.out();
+    Optional<Path> out = settings.out();
     if (out.isPresent()) {
       new OutputFolder(out.get()).close();
     }
   }
 
-  private static void install(Setup setup, Instrumentation instrumentation, boolean strict) {
-    LiveBridge bridge = new LiveBridge(setup, strict);
+  private static void install(
+      BridgeSettings settings, Instrumentation instrumentation, boolean strict) {
+    LiveBridge bridge = new LiveBridge(settings, strict);
     Hooks.connect(bridge);
     Runtime.getRuntime().addShutdownHook(new Thread(bridge::close, "hificamsim-bridge"));
     Weaver.weave(instrumentation, bridge::fail);

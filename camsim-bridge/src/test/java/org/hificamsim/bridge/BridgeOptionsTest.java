@@ -10,7 +10,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.hificamsim.bridge.run.Setup;
+import org.hificamsim.bridge.run.BridgeSettings;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -21,29 +21,36 @@ import org.junit.jupiter.params.provider.ValueSource;
 class BridgeOptionsTest {
   @Test
   void readsAll() {
-    Setup setup =
+    BridgeSettings settings =
         parse(
             "detection=hifi:orb-lin,policy=sarsa:gamma=0.9;epsilon=0.1,threshold=0.0441,size=1.5,"
                 + "seed=-3,zooms=2.5;5;7.5,out=results/one,strict=true");
-    assertEquals("hifi:orb-lin", setup.detection().orElseThrow().model().name());
-    assertEquals(0.0441, setup.detection().orElseThrow().threshold());
-    assertEquals("sarsa:gamma=0.9,epsilon=0.1", setup.policy().orElseThrow().spec());
-    assertEquals("sarsa", setup.policy().orElseThrow().maker().get().name());
-    assertEquals(1.5, setup.size());
-    assertEquals(-3, setup.seed());
-    assertEquals(List.of(2.5, 5.0, 7.5), setup.zooms());
-    assertEquals(Optional.of(Path.of("results/one")), setup.out());
+    assertEquals("hifi:orb-lin", settings.detection().orElseThrow().model().name());
+    assertEquals(0.0441, settings.detection().orElseThrow().threshold());
+    assertEquals("sarsa:gamma=0.9,epsilon=0.1", settings.policy().orElseThrow().spec());
+    assertEquals("sarsa", settings.policy().orElseThrow().maker().get().name());
+    assertEquals(1.5, settings.size());
+    assertEquals(-3, settings.seed());
+    assertEquals(List.of(2.5, 5.0, 7.5), settings.zooms());
+    assertEquals(Optional.of(Path.of("results/one")), settings.out());
+  }
+
+  @Test
+  void aDetectionsOwnThresholdGoesBeforeTheOption() {
+    BridgeSettings settings = parse("detection=hifi:orb-lin@0.06,threshold=0.0441");
+    assertEquals(0.06, settings.detection().orElseThrow().threshold());
+    assertEquals("hifi:orb-lin@0.06", settings.detection().orElseThrow().name());
   }
 
   @Test
   void defaultsAreTheModelsThresholdAndTheLargestTargetOfTheLab() {
-    Setup setup = parse("detection=hifi:orb-lin");
+    BridgeSettings settings = parse("detection=hifi:orb-lin");
     double own = Engine.detection("hifi:orb-lin").threshold();
-    assertEquals(own, setup.detection().orElseThrow().threshold());
-    assertEquals(0.66, setup.size());
-    assertEquals(0, setup.seed());
-    assertEquals(Optional.empty(), setup.policy());
-    assertEquals(Optional.empty(), setup.out());
+    assertEquals(own, settings.detection().orElseThrow().threshold());
+    assertEquals(0.66, settings.size());
+    assertEquals(0, settings.seed());
+    assertEquals(Optional.empty(), settings.policy());
+    assertEquals(Optional.empty(), settings.out());
   }
 
   @ParameterizedTest
@@ -103,7 +110,7 @@ class BridgeOptionsTest {
             "options: option 'policy=zoom-in', expected key=value with each key once"));
   }
 
-  private static Setup parse(String options) {
+  private static BridgeSettings parse(String options) {
     return BridgeOptions.parse(options, Engine.CATALOGUE);
   }
 }

@@ -78,12 +78,12 @@ class PolicyTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"dense.xml", "so-that-the-policy-begins-anew.scenario"})
+  @ValueSource(strings = {"dense.xml", "so-that-the-policy-starts-over.scenario"})
   void theSummaryTellsWhatTheOptimumCouldNotProve(String name) throws IOException {
     Path file = Files.writeString(folder.resolve(name), dense());
     String options = "detection=hifi:orb-power,policy=one-hop:nodes=0," + ZOOMS + ",out=results";
     CamSimRun with = CamSimRun.of(folder.resolve("with"), options, file, 10);
-    assertEquals(!name.equals("dense.xml"), with.err().contains("begins anew"), with.err());
+    assertEquals(!name.equals("dense.xml"), with.err().contains("starts over"), with.err());
     ProvingZoomPolicy policy =
         (ProvingZoomPolicy) Engine.CATALOGUE.policies().create("one-hop:nodes=0");
     Detection detection = Engine.detection("hifi:orb-power");

@@ -28,9 +28,7 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim profile fit}: models and a report from measurements. */
 @Command(
     name = "fit",
-    description = "Fits f and g to measurements.csv; writes models/*.json and report.html.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
   @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
   private Path folder;
@@ -38,54 +36,40 @@ final class FitCommand implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      defaultValue = "lab",
       description = "Prefix of the models' names, as in NAME:orb-lin.")
   private String name;
 
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "Of the folds and of symbolic regression.")
-  private long seed;
-
-  @Option(names = "--folds", paramLabel = "K", defaultValue = "5", description = "Folds.")
+  @Option(names = "--folds", paramLabel = "K", description = "Folds.")
   private int folds;
 
   @Option(
       names = "--population",
       paramLabel = "N",
-      defaultValue = "1000",
       description = "Programs per generation of symbolic regression.")
   private int population;
 
   @Option(
       names = "--generations",
       paramLabel = "N",
-      defaultValue = "30",
       description = "Generations of symbolic regression.")
   private int generations;
 
   @Option(
       names = "--parsimony",
       paramLabel = "X",
-      defaultValue = "0.001",
       description = "What each node of a formula costs, in squared error.")
   private double parsimony;
 
   @Option(
       names = "--epsilon",
       paramLabel = "X",
-      defaultValue = "0.1",
       description = "Errors below this cost support vectors nothing.")
   private double epsilon;
 
-  @Option(
-      names = "--penalty",
-      paramLabel = "C",
-      defaultValue = "1",
-      description = "What larger errors cost them.")
+  @Option(names = "--penalty", paramLabel = "C", description = "What larger errors cost them.")
   private double penalty;
+
+  @Mixin private SeedOption seed;
 
   @Mixin private ThreadsOption threads;
 
@@ -139,8 +123,8 @@ final class FitCommand implements Callable<Integer> {
     Numbers.within("--penalty", penalty, 1e-6, 1e6);
     return new FitSettings(
         folds,
-        seed,
-        new SymbolicSettings(population, generations, parsimony, seed),
+        seed.value(),
+        new SymbolicSettings(population, generations, parsimony, seed.value()),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()));
   }
 }

@@ -1,16 +1,16 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.generate.RandomField;
-import org.hificamsim.runs.output.OutputFolder;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -19,9 +19,7 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim generate}: writes a random scenario of any size. */
 @Command(
     name = "generate",
-    description = "Writes a scenario of cameras and targets strewn over a field at random.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    description = "Writes a scenario of cameras and targets strewn over a field at random.")
 final class GenerateCommand implements Callable<Integer> {
   private static final int MOST = 200_000;
   private static final double LARGE = 1e9;
@@ -29,25 +27,22 @@ final class GenerateCommand implements Callable<Integer> {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The file to write.")
   private Path file;
 
-  @Option(names = "--cameras", paramLabel = "N", defaultValue = "100", description = "Cameras.")
+  @Option(names = "--cameras", paramLabel = "N", description = "Cameras.")
   private int cameras;
 
   @Option(
       names = "--targets",
       paramLabel = "N",
-      showDefaultValue = picocli.CommandLine.Help.Visibility.NEVER,
       description = "Targets; default: 0.6 for each camera.")
   private Integer targets;
 
   @Option(
       names = "--area",
       paramLabel = "A",
-      showDefaultValue = picocli.CommandLine.Help.Visibility.NEVER,
       description = "Square metres for each camera; default: 42.9, as in the cluster scenarios.")
   private Double area;
 
-  @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "Seed.")
-  private long seed;
+  @Mixin private SeedOption seed;
 
   @Spec private CommandSpec spec;
 
@@ -58,12 +53,8 @@ final class GenerateCommand implements Callable<Integer> {
     if (Files.isDirectory(absolute) || absolute.getFileName() == null) {
       throw new InputException("'" + file + "' is a folder, expected the name of a file");
     }
-    try (OutputFolder output = new OutputFolder(absolute.getParent())) {
-      try (Writer writer = output.open(absolute.getFileName().toString())) {
-        writer.write(ScenarioWriter.write(field.scenario()));
-      }
-      output.commit(List.of());
-    }
+    OutputFolder.made(absolute.getParent());
+    new OutputFile(absolute).write(ScenarioWriter.write(field.scenario()));
     spec.commandLine()
         .getOut()
         .printf("%s: %d cameras, %d targets%n", file, field.cameras(), field.targets());
@@ -72,7 +63,7 @@ final class GenerateCommand implements Callable<Integer> {
 
   private RandomField field() {
     Numbers.inRange("--cameras", cameras, 1, MOST);
-    RandomField usual = RandomField.ofCameras(cameras, seed);
+    RandomField usual = RandomField.ofCameras(cameras, seed.value());
     if (targets != null) {
       Numbers.inRange("--targets", targets, 1, MOST);
     }
@@ -84,6 +75,6 @@ final class GenerateCommand implements Callable<Integer> {
         cameras,
         targets != null ? targets : usual.targets(),
         area != null ? area : usual.area(),
-        seed);
+        seed.value());
   }
 }

@@ -1,17 +1,16 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.presentation.picture.Animation;
 import org.hificamsim.presentation.picture.RunFrames;
 import org.hificamsim.presentation.picture.StepPicture;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.replay.Recording;
 import org.hificamsim.presentation.replay.Replay;
-import org.hificamsim.runs.output.OutputFile;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 
@@ -19,10 +18,10 @@ import picocli.CommandLine.ParseResult;
 final class PictureOptions {
   private static final int PNG_WIDTH = 1600;
   private static final int GIF_WIDTH = 640;
-  private static final int LEAST_WIDTH = 200;
-  private static final int MOST_WIDTH = 8000;
-  private static final int MOST_GIF_WIDTH = 2000;
-  private static final int MOST_PER_SECOND = 50;
+  private static final int MIN_WIDTH = 200;
+  private static final int MAX_WIDTH = 8000;
+  private static final int MAX_GIF_WIDTH = 2000;
+  private static final int MAX_PER_SECOND = 50;
 
   @Option(names = "--png", paramLabel = "FILE", description = "A picture of one step.")
   private Path png;
@@ -33,11 +32,7 @@ final class PictureOptions {
   @Option(names = "--gif", paramLabel = "FILE", description = "An animation of the steps.")
   private Path gif;
 
-  @Option(
-      names = "--run",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "Which repeat pictures show, from 0; default: ${DEFAULT-VALUE}.")
+  @Option(names = "--run", paramLabel = "N", description = "Which repeat pictures show, from 0.")
   private int repeat;
 
   @Option(
@@ -46,11 +41,7 @@ final class PictureOptions {
       description = "Which step --png and --svg show; default: the last one.")
   private Long step;
 
-  @Option(
-      names = "--from",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "First step of --gif; default: ${DEFAULT-VALUE}.")
+  @Option(names = "--from", paramLabel = "N", description = "First step of --gif.")
   private long from;
 
   @Option(
@@ -68,8 +59,7 @@ final class PictureOptions {
   @Option(
       names = "--per-second",
       paramLabel = "N",
-      defaultValue = "10",
-      description = "Pictures of --gif per second, 1 to 50; default: ${DEFAULT-VALUE}.")
+      description = "Pictures of --gif per second, 1 to 50.")
   private int perSecond;
 
   @Option(
@@ -106,25 +96,25 @@ final class PictureOptions {
 
   /** Draws what is asked for, telling each file on {@code out}. */
   void write(Path folder, PrintWriter out) throws IOException {
-    Numbers.inRange("--per-second", perSecond, 1, MOST_PER_SECOND);
+    Numbers.inRange("--per-second", perSecond, 1, MAX_PER_SECOND);
     if (width != null) {
-      Numbers.inRange("--width", width, LEAST_WIDTH, gif == null ? MOST_WIDTH : MOST_GIF_WIDTH);
+      Numbers.inRange("--width", width, MIN_WIDTH, gif == null ? MAX_WIDTH : MAX_GIF_WIDTH);
     }
     RunFrames run = frames(folder);
     StepPicture still = new StepPicture(run, run.at("--step", step == null ? run.last() : step));
     Animation animation = animation(run);
     if (png != null) {
       int pixels = width == null ? PNG_WIDTH : width;
-      write("--png", png, stream -> FigureFile.png(stream, still, pixels));
+      OutputFile.of("--png", png).write(stream -> FigureFile.png(stream, still, pixels));
       out.println(png);
     }
     if (svg != null) {
-      write("--svg", svg, stream -> FigureFile.svg(stream, still));
+      OutputFile.of("--svg", svg).write(stream -> FigureFile.svg(stream, still));
       out.println(svg);
     }
     if (gif != null) {
       int pixels = width == null ? GIF_WIDTH : width;
-      write("--gif", gif, stream -> animation.write(stream, pixels, perSecond));
+      OutputFile.of("--gif", gif).write(stream -> animation.write(stream, pixels, perSecond));
       out.printf(
           "%s (%d pictures, one for %s)%n",
           gif,
@@ -161,20 +151,5 @@ final class PictureOptions {
           "--every is %d, expected a multiple of %d, above 0".formatted(every, recorded));
     }
     return new Animation(run, first, last, (int) (every / recorded));
-  }
-
-  /** What fills a file. */
-  @FunctionalInterface
-  private interface Filling {
-    void fill(OutputStream out) throws IOException;
-  }
-
-  private static void write(String option, Path path, Filling filling) throws IOException {
-    try (OutputFile file = new OutputFile(option, path)) {
-      try (OutputStream stream = file.stream()) {
-        filling.fill(stream);
-      }
-      file.commit();
-    }
   }
 }

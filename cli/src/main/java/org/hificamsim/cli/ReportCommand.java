@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.hificamsim.presentation.report.Report;
+import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -17,8 +18,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Makes one HTML file, for any browser, of what run --record or compare wrote.",
       "Asked for pictures of a run, it makes those; and the page too, if --out says where."
-    },
-    mixinStandardHelpOptions = true)
+    })
 final class ReportCommand implements Callable<Integer> {
   @Parameters(paramLabel = "DIR", description = "The folder that the command wrote.")
   private Path folder;
@@ -26,7 +26,7 @@ final class ReportCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "FILE.html",
-      description = "The page; default: DIR/" + Report.FILE + ".")
+      description = "The page; default: DIR/" + ResultFolder.REPORT + ".")
   private Path out;
 
   @Mixin private PictureOptions pictures;
@@ -42,7 +42,7 @@ final class ReportCommand implements Callable<Integer> {
         return 0;
       }
     }
-    Path page = out != null ? out : folder.resolve(Report.FILE);
+    Path page = out != null ? out : folder.resolve(ResultFolder.REPORT);
     Report.write(folder, page);
     spec.commandLine().getOut().println(page);
     return 0;

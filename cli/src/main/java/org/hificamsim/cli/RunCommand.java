@@ -1,7 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -12,8 +11,6 @@ import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.scenario.Scenario;
@@ -21,73 +18,40 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.ReplayRecorder;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.Report;
+import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
-import org.hificamsim.runs.output.ManifestFile;
-import org.hificamsim.runs.output.OutputFolder;
-import org.hificamsim.runs.output.RunRecorder;
-import org.hificamsim.runs.output.SummaryFile;
+import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.RunFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code hificamsim run}: simulates one scenario and writes what was covered. */
 @Command(
     name = "run",
-    description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.")
 final class RunCommand implements Callable<Integer> {
-  private static final int MOST_STEPS = 1_000_000_000;
-  private static final int MOST_REPEATS = 1_000_000;
-  private static final int MOST_MEGABYTES = 5; // of a page
+  private static final int MAX_MEGABYTES = 5; // of a page
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Option(
-      names = "--detection",
-      paramLabel = "NAME|FILE.json",
-      defaultValue = "hifi:orb-lin",
-      description = "The detection model; see 'list detections'.")
-  private String detection;
+  @Mixin private ModelOptions models;
 
-  @Option(
-      names = "--policy",
-      paramLabel = "NAME[:key=value,...]",
-      defaultValue = "epsilon-greedy",
-      description = "The zoom policy; see 'list policies'.")
-  private String policy;
+  @Mixin private ScenarioOptions scenarioOptions;
 
-  @Option(
-      names = "--threshold",
-      paramLabel = "T",
-      showDefaultValue = picocli.CommandLine.Help.Visibility.NEVER,
-      description = "Detection threshold, 0 to 1; default: the scenario's, else the model's.")
-  private Double threshold;
+  @Mixin private RepeatOptions repeats;
 
-  @Option(names = "--steps", paramLabel = "N", defaultValue = "1000", description = "Steps.")
-  private int steps;
-
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "Seed of the first repeat; repeat i uses seed + i.")
-  private long seed;
-
-  @Option(names = "--repeat", paramLabel = "N", defaultValue = "1", description = "Repeats.")
-  private int repeats;
+  @Mixin private ThreadsOption threads;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
       description = "Where the files go; default: out/<scenario>/.")
-  private Path out;
+  private Optional<Path> out;
 
   @Option(
       names = "--record",
@@ -95,25 +59,12 @@ final class RunCommand implements Callable<Integer> {
   private boolean record;
 
   @Option(
-      names = "--threads",
-      paramLabel = "N",
-      defaultValue = "1",
-      description =
-          "Threads that share each step, worth it from some thousand cameras; 0 for one per"
-              + " processor. Results do not depend on it.")
-  private int threads;
-
-  @Option(
       names = "--listener",
       paramLabel = "NAME",
       description = "A step listener from a jar on the class path; may be repeated.")
   private List<String> listeners = new ArrayList<>();
 
-  @Mixin private QuietOption quiet;
-
-  @Mixin private ScenarioOptions scenarioOptions;
-
-  @Spec private CommandSpec spec;
+  @Mixin private Screen screen;
 
   @Override
   public Integer call() throws IOException {
@@ -122,9 +73,9 @@ final class RunCommand implements Callable<Integer> {
     RunPlan plan = plan(catalogue);
     new RunExecutor(catalogue).check(plan);
     listeners.forEach(catalogue.listeners()::create);
-    Path folder = out != null ? out : Path.of("out", plan.scenario().name());
-    try (OutputFolder output = new OutputFolder(folder);
-        Workers workers = Workers.of(Threads.number(threads))) {
+    Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
+    try (RunFolder output = new RunFolder(folder, record);
+        Workers workers = Workers.of(threads.count())) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
       Optional<ReplayRecorder> replay =
           record ? Optional.of(replay(plan, catalogue)) : Optional.empty();
@@ -134,70 +85,58 @@ final class RunCommand implements Callable<Integer> {
                   Stream.of(kMin.listener()), replay.map(film -> film.listener(run)).stream());
       List<RunResult> results =
           execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
-      SummaryFile.write(output.open("summary.json"), plan, results);
-      ManifestFile.write(
-          output.open("manifest.json"),
-          spec.commandLine().getParent().getParseResult().originalArgs(),
+      output.manifest(
+          screen.words(),
           started,
           (long) plan.steps() * plan.repeats());
       if (replay.isPresent()) {
-        replay.get().write(output.stream(ReplayRecorder.FILE));
+        replay.get().write(output.replay());
       }
-      output.commit(RunRecorder.RECORDS);
+      output.commit(plan, results);
       if (replay.isPresent()) {
         report(folder);
       }
-      SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
+      SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
     }
     return 0;
   }
 
   private void report(Path folder) throws IOException {
-    Path page = folder.resolve(Report.FILE);
+    Path page = folder.resolve(ResultFolder.REPORT);
     Report.write(folder, page);
     double megabytes = Files.size(page) / 1e6;
-    if (megabytes >= MOST_MEGABYTES) {
-      stderr()
+    if (megabytes >= MAX_MEGABYTES) {
+      screen
+          .err()
           .printf(
               "warning: %s has %.1f MB: where the cameras of this network stand, and what they see"
                   + " at each zoom level, does not fit into %d MB%n",
-              page, megabytes, MOST_MEGABYTES);
+              page, megabytes, MAX_MEGABYTES);
     }
   }
 
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue) {
-    Numbers.inRange("--steps", steps, 1, MOST_STEPS);
-    Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
-    Numbers.seeds(seed, repeats);
-    Threads.check(threads);
-    if (threshold != null) {
-      Numbers.proportion("--threshold", threshold);
-    }
-    catalogue.policies().create(policy);
-    DetectionModel model = catalogue.detection(detection);
-    Scenario scenario = scenarioOptions.read(file, catalogue, stderr());
-    double tau =
-        threshold != null ? threshold : scenario.threshold().orElse(model.defaultThreshold());
-    return new RunPlan(scenario, new Detection(model, tau), policy, steps, seed, repeats);
+    DetectionSpec detection = models.detection(catalogue);
+    Scenario scenario = scenarioOptions.read(file, catalogue, screen.err());
+    return repeats.plan(
+        scenario, scenarioOptions.detection(detection, scenario), models.policy().orElseThrow());
   }
 
   private List<RunResult> execute(
       RunPlan plan,
       RunExecutor executor,
       Catalogue catalogue,
-      OutputFolder output,
+      RunFolder output,
       IntFunction<Stream<StepListener>> own)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
-    try (RunRecorder recorder = new RunRecorder(output, record);
-        Progress progress =
-            quiet.progress(spec, "run " + plan.scenario().name(), " steps", total)) {
+    try (Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {
       return executor.execute(
           plan,
           run -> {
             List<StepListener> all = new ArrayList<>();
-            all.add(recorder.listener(run));
+            all.add(output.listener(run));
             own.apply(run).forEach(all::add);
             all.add((network, coverage) -> progress.advance());
             listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
@@ -212,13 +151,5 @@ final class RunCommand implements Callable<Integer> {
         Setup.of(world, plan.detection(), plan.policy(), plan.seed()),
         plan.detection(),
         plan.repeats());
-  }
-
-  private PrintWriter stdout() {
-    return quiet.out(spec);
-  }
-
-  private PrintWriter stderr() {
-    return quiet.err(spec);
   }
 }

@@ -3,48 +3,65 @@ package org.hificamsim.cli;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** The options that override what a scenario file says. */
 final class ScenarioOptions {
+  @Mixin private ThresholdOption threshold;
+
   @Option(
       names = "--order",
       paramLabel = "coverage|camsim",
       description = "Whether targets move after (coverage) or before (camsim) the observation.")
-  private String order;
+  private Optional<String> order;
 
   @Option(
       names = "--headings",
       paramLabel = "degrees|as-radians",
       description = "How targets' headings are read; as-radians is the coverage study's way.")
-  private String headings;
+  private Optional<String> headings;
 
-  /** Reads a scenario, telling warnings on {@code err}. */
+  /** Reads a scenario, with warnings on {@code err}. */
   Scenario read(Path file, Catalogue catalogue, PrintWriter err) {
-    StepOrder newOrder = choice(StepOrder.class, "--order", order);
-    Headings newHeadings = choice(Headings.class, "--headings", headings);
+    Overrides asked = overrides();
     Scenario scenario =
         ScenarioReader.read(
             file,
             catalogue.movements().names()::contains,
             warning -> err.println("warning: " + Place.printable(warning)));
     warnAboutNetwork(file, scenario, err);
-    if (newOrder != null) {
-      scenario = scenario.withOrder(newOrder);
-    }
-    if (newHeadings != null) {
-      scenario = scenario.withHeadings(newHeadings);
-    }
-    return scenario;
+    return asked.scenario(scenario);
+  }
+
+  /** What a scenario is detected by. */
+  Detection detection(DetectionSpec spec, Scenario scenario) {
+    return overrides().detection(spec, scenario.threshold());
+  }
+
+  /** The threshold that was asked for; null for none. */
+  Double threshold() {
+    return overrides().threshold().orElse(null);
+  }
+
+  private Overrides overrides() {
+    return new Overrides(
+        threshold.value(),
+        order.map(text -> choice(StepOrder.class, "--order", text)),
+        headings.map(text -> choice(Headings.class, "--headings", text)));
   }
 
   private static void warnAboutNetwork(Path file, Scenario scenario, PrintWriter err) {
@@ -57,9 +74,6 @@ final class ScenarioOptions {
   }
 
   private static <E extends Enum<E>> E choice(Class<E> type, String option, String text) {
-    if (text == null) {
-      return null;
-    }
     return Spelling.find(type, text)
         .orElseThrow(
             () ->

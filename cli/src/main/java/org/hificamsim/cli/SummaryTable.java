@@ -25,8 +25,7 @@ final class SummaryTable {
     SummaryTable table = new SummaryTable(out, results);
     table.line("scenario", plan.scenario().name());
     table.line(
-        "detection",
-        plan.detection().model().name() + ", threshold " + plan.detection().threshold());
+        "detection", plan.detection().name() + ", threshold " + plan.detection().threshold());
     table.line("policy", plan.policy());
     table.line(
         "steps",

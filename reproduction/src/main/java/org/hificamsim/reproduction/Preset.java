@@ -4,12 +4,16 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.runs.RenamedDetection;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
 
 /**
@@ -38,8 +42,6 @@ public record Preset(Map<String, Scenario> scenarios, int steps, long seed, int 
   /** The readings of SARSA and QB-SARSA that know no state. */
   static final String STATELESS = ":state=none";
 
-  private static final double THRESHOLD_45 = 0.45;
-
   /** A combination by its names. */
   private record Case(String scenario, String detection, String policy) {}
 
@@ -53,11 +55,8 @@ public record Preset(Map<String, Scenario> scenarios, int steps, long seed, int 
   /** The plans, each once, the optima among them. */
   public List<RunPlan> plans(Function<String, DetectionModel> models) {
     Map<String, Detection> detections =
-        Map.of(
-            HIFI, Detection.of(models.apply(HIFI)),
-            CAMSIM, Detection.of(models.apply(CAMSIM)),
-            CAMSIM_45,
-                new Detection(new RenamedDetection(models.apply(CAMSIM), CAMSIM_45), THRESHOLD_45));
+        Stream.of(HIFI, CAMSIM, CAMSIM_45)
+            .collect(Collectors.toMap(name -> name, name -> detection(name, models)));
     return cases().stream()
         .map(
             one ->
@@ -69,6 +68,11 @@ public record Preset(Map<String, Scenario> scenarios, int steps, long seed, int 
                     seed,
                     repeats))
         .toList();
+  }
+
+  /** The detection of a name, at its own threshold or the model's default. */
+  public static Detection detection(String name, Function<String, DetectionModel> models) {
+    return Overrides.NONE.detection(DetectionSpec.parse(name, models), OptionalDouble.empty());
   }
 
   private static Set<Case> cases() {

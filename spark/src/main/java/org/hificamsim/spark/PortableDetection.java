@@ -10,7 +10,6 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
-import org.hificamsim.runs.RenamedDetection;
 
 /**
  * A detection model and its threshold as text.
@@ -23,12 +22,9 @@ record PortableDetection(String name, String model, boolean isFile, double thres
     implements Serializable {
   static PortableDetection of(Detection detection, Catalogue catalogue) {
     DetectionModel model = detection.model();
-    if (model instanceof RenamedDetection renamed) {
-      model = renamed.model();
-    }
     boolean isFile = model instanceof HiFiDetection && !isOf(catalogue, model);
     return new PortableDetection(
-        detection.model().name(),
+        detection.name(),
         isFile ? write((HiFiDetection) model) : model.name(),
         isFile,
         detection.threshold());
@@ -37,8 +33,7 @@ record PortableDetection(String name, String model, boolean isFile, double thres
   /** The detection with the same values. */
   Detection detection(Catalogue catalogue) {
     DetectionModel made = isFile ? read() : catalogue.detections().create(model);
-    return new Detection(
-        made.name().equals(name) ? made : new RenamedDetection(made, name), threshold);
+    return new Detection(name, made, threshold);
   }
 
   private static boolean isOf(Catalogue catalogue, DetectionModel model) {

@@ -33,8 +33,7 @@ class PortablePlanTest {
     int models = 0;
     for (String name : CATALOGUE.detections().names()) {
       RunPlan plan = plan(CATALOGUE.detection(name));
-      assertEquals(
-          name, PortablePlan.of(plan, CATALOGUE).plan(CATALOGUE).detection().model().name());
+      assertEquals(name, PortablePlan.of(plan, CATALOGUE).plan(CATALOGUE).detection().name());
       models++;
     }
     assertTrue(models > 20, models + " models");

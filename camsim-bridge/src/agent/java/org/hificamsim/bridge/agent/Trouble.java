@@ -1,13 +1,13 @@
 package org.hificamsim.bridge.agent;
 
-/** Says what keeps the bridge from working: one line on standard error. */
+/** Reports problems of the bridge: one line each on standard error. */
 public final class Trouble {
   private static final int STOPPED = 2;
 
   private Trouble() {}
 
   /**
-   * Tells a problem.
+   * Reports a problem.
    *
    * @param strict whether the JVM stops, with exit code 2; else CamSim runs on without the bridge
    */
@@ -19,7 +19,7 @@ public final class Trouble {
     }
   }
 
-  /** Tells what is worth knowing: one line on standard error. */
+  /** Reports something worth knowing. */
   public static void note(String text) {
     System.err.println("hificamsim-bridge: " + text);
   }

@@ -101,6 +101,7 @@ public final class CamSim {
     return number(range, camera);
   }
 
+  /** Whether the camera has failed. */
   public boolean offline(Object camera) {
     try {
       return (boolean) offline.invokeExact(camera);
@@ -109,7 +110,7 @@ public final class CamSim {
     }
   }
 
-  /** The camera's name; {@code Offline} while it is (CamSim's quirk Q7). */
+  /** The camera's name; {@code Offline} while it is (behaviour 11, Q7). */
   public String cameraName(Object camera) {
     return String.valueOf(any(cameraName, camera));
   }
@@ -157,7 +158,7 @@ public final class CamSim {
    *
    * @param metres 0 or more
    */
-  public void reach(Object camera, double metres) {
+  public void changeRange(Object camera, double metres) {
     try {
       change.invokeExact(camera, AS_IT_IS, AS_IT_IS, AS_IT_IS, AS_IT_IS, metres);
     } catch (Throwable e) {

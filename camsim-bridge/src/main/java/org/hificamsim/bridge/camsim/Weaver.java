@@ -38,7 +38,7 @@ public final class Weaver implements ClassFileTransformer {
   /**
    * Has the hooks woven from now on.
    *
-   * @param onFailure told when a class cannot be changed; CamSim then gets it as it was
+   * @param onFailure called when a class cannot be changed; CamSim then gets it as it was
    */
   public static void weave(Instrumentation instrumentation, Consumer<Throwable> onFailure) {
     instrumentation.addTransformer(new Weaver(onFailure));

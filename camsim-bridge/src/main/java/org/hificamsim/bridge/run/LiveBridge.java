@@ -13,13 +13,13 @@ import org.hificamsim.core.Place;
 
 /**
  * The bridge at work: finds the run that a call from CamSim belongs to, and keeps CamSim from harm.
- * Whatever goes wrong here is told in one line, and from then on CamSim is on its own.
+ * A failure is reported in one line, and from then on CamSim runs on its own.
  *
  * <p>A run begins with the first step of a {@code SimCore} and ends with its {@code close_files()},
  * or with the JVM. Cores that step in turn, or in several threads, do not meet.
  */
 public final class LiveBridge implements Bridge {
-  private final Setup setup;
+  private final BridgeSettings settings;
   private final boolean strict;
   private final List<Run> runs = new ArrayList<>();
   private final List<Ended> ended = new ArrayList<>();
@@ -36,8 +36,8 @@ public final class LiveBridge implements Bridge {
   /**
    * @param strict whether the JVM stops when something goes wrong
    */
-  public LiveBridge(Setup setup, boolean strict) {
-    this.setup = setup;
+  public LiveBridge(BridgeSettings settings, boolean strict) {
+    this.settings = settings;
     this.strict = strict;
   }
 
@@ -91,7 +91,7 @@ public final class LiveBridge implements Bridge {
     }
   }
 
-  /** Tells what went wrong, and leaves CamSim alone from now on. */
+  /** Reports what failed, and leaves CamSim alone from now on. */
   public void fail(Throwable fault) {
     fail(fault, strict);
   }
@@ -120,7 +120,7 @@ public final class LiveBridge implements Bridge {
         run.letGo();
         run.end();
       } catch (IOException | RuntimeException e) {
-        // What went wrong first is told.
+        // What failed first is reported.
       }
     }
   }
@@ -151,7 +151,7 @@ public final class LiveBridge implements Bridge {
   /** A core that goes on after its end is steered still, but its files stay as they are. */
   private Run begin(Object core) {
     Optional<Ended> earlier = ended.stream().filter(end -> end.core().refersTo(core)).findFirst();
-    Setup its = earlier.isPresent() ? setup.with(Optional.empty()) : setup;
+    BridgeSettings its = earlier.isPresent() ? settings.with(Optional.empty()) : settings;
     try {
       Run run = new Run(its, earlier.map(Ended::number).orElseGet(() -> begun++), core);
       runs.add(run);

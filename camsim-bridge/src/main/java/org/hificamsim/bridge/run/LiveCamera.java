@@ -6,6 +6,7 @@ import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.visibility.Pose;
 
 /** A camera of CamSim's as it was at the last {@link #refresh}, with its zoom levels. */
 final class LiveCamera {
@@ -16,11 +17,7 @@ final class LiveCamera {
   private final BitSet seen = new BitSet();
   private String name = UNNAMED;
   private boolean online;
-  private double x;
-  private double y;
-  private double heading;
-  private double headingX;
-  private double headingY = 1;
+  private Pose pose = Pose.of(0, 0, 0);
   private double angle;
   private double range;
   private double ownRange;
@@ -68,14 +65,10 @@ final class LiveCamera {
   }
 
   private boolean place(double newX, double newY, double newHeading) {
-    if (newX == x && newY == y && newHeading == heading) {
+    if (newX == pose.x() && newY == pose.y() && newHeading == pose.heading()) {
       return false;
     }
-    x = newX;
-    y = newY;
-    heading = newHeading;
-    headingX = Math.sin(heading);
-    headingY = Math.cos(heading);
+    pose = Pose.of(newX, newY, newHeading);
     return true;
   }
 
@@ -99,38 +92,33 @@ final class LiveCamera {
   /** Sets the zoom level, and CamSim's range by it. */
   void zoomTo(int newLevel, CamSim camsim) {
     level = newLevel;
-    reach(levels[level].radius(), camsim);
+    changeRange(levels[level].radius(), camsim);
   }
 
   /** Gives the camera back the range it had before any policy. */
   void restore(CamSim camsim) {
-    reach(ownRange, camsim);
+    changeRange(ownRange, camsim);
   }
 
-  private void reach(double radius, CamSim camsim) {
+  private void changeRange(double radius, CamSim camsim) {
     if (radius != range) {
-      camsim.reach(handle, radius);
+      camsim.changeRange(handle, radius);
       range = radius;
     }
   }
 
-  /** Radians, 0 is +y and pi/2 is +x; not normalised. */
-  double heading() {
-    return heading;
-  }
-
-  /** The angle between heading and an offset, radians; NaN without any, or by rounding. */
-  double offAxis(double dx, double dy, double distance) {
-    return Math.acos(headingX * (dx / distance) + headingY * (dy / distance));
+  /** Where the camera stands and which way it looks. */
+  Pose pose() {
+    return pose;
   }
 
   /** The camera as a scenario describes one. */
   CameraSpec spec() {
     return new CameraSpec(
         name,
-        x,
-        y,
-        Math.toDegrees(heading),
+        pose.x(),
+        pose.y(),
+        Math.toDegrees(pose.heading()),
         Math.toDegrees(angle),
         range,
         AgentSpec.NONE,
@@ -148,14 +136,6 @@ final class LiveCamera {
 
   boolean online() {
     return online;
-  }
-
-  double x() {
-    return x;
-  }
-
-  double y() {
-    return y;
   }
 
   int level() {

@@ -4,8 +4,9 @@ import java.util.List;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.visibility.Visibility;
 
 /**
  * The cameras and objects of a running CamSim, as policies and listeners know a network.
@@ -13,12 +14,13 @@ import org.hificamsim.core.scenario.CameraSpec;
  * <p>CamSim does not say who is to come: the counts hold room for some that are not online (not
  * present) yet, see {@link #expect}.
  */
-final class LiveNetwork implements NetworkView {
-  private static final int LEAST_ROOM = 8;
+final class LiveNetwork implements OracleView {
+  private static final int MIN_ROOM = 8;
 
   private final CamSim camsim;
   private final Object core;
-  private final Sight sight;
+  private final Visibility visibility;
+  private final double size;
   private final Zooms zooms;
   private final Roster<LiveCamera> cameras;
   private final Roster<LiveTarget> targets = new Roster<>(LiveTarget.TO_COME);
@@ -27,11 +29,13 @@ final class LiveNetwork implements NetworkView {
 
   /**
    * @param core CamSim's {@code SimCore}
+   * @param size of every object, metres
    */
-  LiveNetwork(CamSim camsim, Object core, Sight sight, Zooms zooms) {
+  LiveNetwork(CamSim camsim, Object core, Visibility visibility, double size, Zooms zooms) {
     this.camsim = camsim;
     this.core = core;
-    this.sight = sight;
+    this.visibility = visibility;
+    this.size = size;
     this.zooms = zooms;
     this.cameras = new Roster<>(LiveCamera.toCome(zooms));
   }
@@ -72,7 +76,7 @@ final class LiveNetwork implements NetworkView {
 
   /** Counts the cameras there are, and twice the targets, which come more often. */
   void makeRoom() {
-    expect(cameras.all().size(), 2 * targets.all().size() + LEAST_ROOM);
+    expect(cameras.all().size(), 2 * targets.all().size() + MIN_ROOM);
   }
 
   /** Sets a camera's level, and CamSim's range by it. */
@@ -111,9 +115,13 @@ final class LiveNetwork implements NetworkView {
     }
     targets.get(target).refresh(camsim, true);
     LiveCamera looking = cameras.get(eye);
-    double confidence = sight.confidence(looking, looking.zoom(), targetX(target), targetY(target));
+    double confidence = confidence(looking, looking.zoom(), target);
     saw(camera, object, confidence > 0);
     return confidence;
+  }
+
+  private double confidence(LiveCamera camera, ZoomLevel zoom, int target) {
+    return visibility.confidence(camera.pose(), zoom, targetX(target), targetY(target), size);
   }
 
   /** Records what came of a camera's look at an object in this step. */
@@ -153,17 +161,17 @@ final class LiveNetwork implements NetworkView {
 
   @Override
   public double cameraX(int camera) {
-    return cameras.get(camera).x();
+    return cameras.get(camera).pose().x();
   }
 
   @Override
   public double cameraY(int camera) {
-    return cameras.get(camera).y();
+    return cameras.get(camera).pose().y();
   }
 
   @Override
   public double cameraHeading(int camera) {
-    return cameras.get(camera).heading();
+    return cameras.get(camera).pose().heading();
   }
 
   @Override
@@ -220,21 +228,22 @@ final class LiveNetwork implements NetworkView {
   @Override
   public double confidence(int camera, int target) {
     LiveCamera eye = cameras.get(camera);
-    return present(target)
-        ? DetectionModel.clamp(sight.value(eye, eye.zoom(), targetX(target), targetY(target)))
-        : 0;
+    if (!present(target)) {
+      return 0;
+    }
+    return DetectionModel.clamp(
+        visibility.value(eye.pose(), eye.zoom(), targetX(target), targetY(target), size));
   }
 
   @Override
   public boolean detects(int camera, int level, int target) {
     LiveCamera eye = cameras.get(camera);
-    return present(target)
-        && sight.confidence(eye, eye.zoom(level), targetX(target), targetY(target)) > 0;
+    return present(target) && confidence(eye, eye.zoom(level), target) > 0;
   }
 
   @Override
   public boolean dominates(int camera, int level, int other) {
     LiveCamera eye = cameras.get(camera);
-    return sight.dominates(eye.zoom(level), eye.zoom(other));
+    return visibility.dominates(eye.zoom(level), eye.zoom(other), size);
   }
 }

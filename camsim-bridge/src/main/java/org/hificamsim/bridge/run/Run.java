@@ -12,7 +12,9 @@ import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.SingleRun;
 
 /**
  * One run of CamSim, from the first step of a {@code SimCore} to its end.
@@ -25,13 +27,13 @@ final class Run {
   private static final String NO_POLICY = "none";
   private static final String NO_SCENARIO = "camsim";
 
-  private final Setup setup;
+  private final BridgeSettings settings;
   private final int number;
   private final Object core;
   private final CamSim camsim;
   private final LiveNetwork network;
   private final Optional<Steering> steering;
-  private final Optional<Recording> recording;
+  private final Optional<SingleRun> files;
   private final StepCoverage coverage = new StepCoverage();
   private Optional<ScenarioFile> scenario = Optional.empty();
   private long step;
@@ -41,8 +43,8 @@ final class Run {
   /**
    * @param number counts the runs of this JVM, from 0
    */
-  Run(Setup setup, int number, Object core) throws IOException {
-    this.setup = setup;
+  Run(BridgeSettings settings, int number, Object core) throws IOException {
+    this.settings = settings;
     this.number = number;
     this.core = core;
     this.camsim = new CamSim(core);
@@ -50,12 +52,13 @@ final class Run {
         new LiveNetwork(
             camsim,
             core,
-            new Sight(setup.seen(), setup.size()),
-            new Zooms(setup.policy().isPresent(), setup.zooms()));
-    this.steering = setup.policy().map(policy -> new Steering(policy, seed()));
-    this.recording =
-        setup.out().isPresent()
-            ? Optional.of(new Recording(folder(setup.out().get(), number), number))
+            Visibility.asInCamSim(settings.seen()),
+            settings.size(),
+            new Zooms(settings.policy().isPresent(), settings.zooms()));
+    this.steering = settings.policy().map(policy -> new Steering(policy, seed()));
+    this.files =
+        settings.out().isPresent()
+            ? Optional.of(new SingleRun(folder(settings.out().get(), number), number, true))
             : Optional.empty();
   }
 
@@ -86,7 +89,7 @@ final class Run {
    */
   double look(Object camera, Object object) {
     prepare();
-    if (setup.detection().isEmpty()) {
+    if (settings.detection().isEmpty()) {
       return Double.NaN;
     }
     double confidence = network.look(camera, object);
@@ -107,7 +110,7 @@ final class Run {
     steering.ifPresent(policy -> policy.learn(network));
     coverage.measure(network);
     if (!ended) {
-      recording.ifPresent(files -> files.stepped(network, coverage));
+      files.ifPresent(open -> open.stepped(network, coverage));
     }
     step++;
   }
@@ -116,12 +119,13 @@ final class Run {
   synchronized void end() throws IOException {
     if (!ended) {
       ended = true;
-      if (recording.isPresent()) {
-        Recording files = recording.get();
-        files.commit(
-            plan(files.steps()),
-            steering.map(Steering::messages).orElse(0L),
-            steering.flatMap(Steering::proof));
+      if (files.isPresent()) {
+        try (SingleRun run = files.get()) {
+          run.commit(
+              plan(run.steps()),
+              steering.map(Steering::messages).orElse(0L),
+              steering.flatMap(Steering::proof));
+        }
       }
     }
   }
@@ -153,8 +157,8 @@ final class Run {
   private RunPlan plan(int steps) {
     return new RunPlan(
         described(),
-        setup.seen(),
-        setup.policy().map(Setup.Policy::spec).orElse(NO_POLICY),
+        settings.seen(),
+        settings.policy().map(BridgeSettings.Policy::spec).orElse(NO_POLICY),
         steps,
         seed(),
         1);
@@ -169,7 +173,7 @@ final class Run {
         Headings.DEGREES,
         OptionalDouble.empty(),
         OptionalDouble.empty(),
-        setup.zooms(),
+        settings.zooms(),
         network.cameraSpecs(),
         List.of(),
         List.of(),
@@ -178,7 +182,7 @@ final class Run {
   }
 
   private long seed() {
-    return (long) setup.seed() + number;
+    return (long) settings.seed() + number;
   }
 
   /** The first run's files go into the folder itself, those of run i into {@code run-i} in it. */

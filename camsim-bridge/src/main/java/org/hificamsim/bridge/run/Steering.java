@@ -10,17 +10,17 @@ import org.hificamsim.runs.Proof;
  * A zoom policy that sets the ranges of CamSim's cameras.
  *
  * <p>Policies size their tables when they begin. Where events bring more cameras or targets than
- * were expected then, the policy begins anew and has to learn again, which is told.
+ * were expected then, the policy starts over and has to learn again, which is reported.
  */
 final class Steering {
-  private final Setup.Policy given;
+  private final BridgeSettings.Policy given;
   private final long seed;
   private ZoomPolicy policy;
   private int[] levels;
   private long earlierMessages;
   private Proof earlierProof = Proof.OF_NOTHING;
 
-  Steering(Setup.Policy given, long seed) {
+  Steering(BridgeSettings.Policy given, long seed) {
     this.given = given;
     this.seed = seed;
   }
@@ -63,7 +63,7 @@ final class Steering {
   private void begin(LiveNetwork network) {
     if (policy != null) {
       Trouble.note(
-          "step %d: more cameras or objects than expected: policy %s begins anew"
+          "step %d: more cameras or objects than expected: policy %s starts over"
               .formatted(network.step(), given.spec()));
     }
     if (network.outgrown()) {

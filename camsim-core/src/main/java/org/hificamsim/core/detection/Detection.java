@@ -8,17 +8,25 @@ import java.util.concurrent.ConcurrentHashMap;
  * one: what it has found out about a zoom level is remembered for all of them.
  */
 public final class Detection {
+  private final String name;
   private final DetectionModel model;
   private final double threshold;
   private final Map<Pair, DetectedDistances> found = new ConcurrentHashMap<>();
 
+  /** Of a model and a threshold, under the model's name. */
+  public Detection(DetectionModel model, double threshold) {
+    this(model.name(), model, threshold);
+  }
+
   /**
    * Of a model and a threshold.
    *
+   * @param name in result files, where it tells one model with two thresholds apart
    * @param threshold a target inside the field of view is detected when the model's value is at
    *     least this
    */
-  public Detection(DetectionModel model, double threshold) {
+  public Detection(String name, DetectionModel model, double threshold) {
+    this.name = name;
     this.model = model;
     this.threshold = threshold;
   }
@@ -26,6 +34,11 @@ public final class Detection {
   /** The model with its own default threshold. */
   public static Detection of(DetectionModel model) {
     return new Detection(model, model.defaultThreshold());
+  }
+
+  /** The name in result files. */
+  public String name() {
+    return name;
   }
 
   /** The detection model. */

@@ -4,9 +4,9 @@ package org.hificamsim.core.detection;
  * How confident a camera is that it detects a target: an extension point, found by {@link #name}.
  *
  * <p>An implementer writes {@link #name} and {@link #confidence}; a model whose default threshold
- * is not one half, or that looks at the bearing, says so. The detected distances per zoom level,
- * the field of view and the threshold rule come free. Models hold no state: one instance serves any
- * number of threads.
+ * is not one half, that looks at the bearing, or whose values are no proportions, says so. The
+ * detected distances per zoom level, the field of view and the threshold rule come free. Models
+ * hold no state: one instance serves any number of threads.
  */
 public interface DetectionModel {
   /** The name on the command line and in result files. */
@@ -21,7 +21,7 @@ public interface DetectionModel {
    * @param offAxis angle between heading and target, radians, [0, pi]; NaN where the target stands
    *     on the camera or rounding leaves no angle
    * @param zoom the camera's zoom level
-   * @return the value as the formula gives it, not clamped; see {@link #clamp}
+   * @return the value as the formula gives it, not clamped; see {@link #reported}
    */
   double confidence(double size, double distance, double offAxis, ZoomLevel zoom);
 
@@ -39,7 +39,15 @@ public interface DetectionModel {
     return false;
   }
 
-  /** A value as a reported confidence in [0, 1]; NaN counts as 0. */
+  /**
+   * The confidence that a camera reports to others for a value that reaches the threshold, 0 or
+   * more; in [0, 1] but for models whose values are no proportions.
+   */
+  default double reported(double value) {
+    return clamp(value);
+  }
+
+  /** A value as a proportion in [0, 1]; NaN counts as 0. */
   static double clamp(double value) {
     return value >= 1 ? 1 : value > 0 ? value : 0;
   }

@@ -15,4 +15,9 @@ public record ZoomLevel(
     double narrowestRadius,
     double widestRadius,
     double mountHeight,
-    double viewingAngle) {}
+    double viewingAngle) {
+  /** Whether the camera sees all round. */
+  public boolean allRound() {
+    return viewingAngle >= 2 * Math.PI;
+  }
+}

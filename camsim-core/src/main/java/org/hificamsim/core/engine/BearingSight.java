@@ -3,7 +3,10 @@ package org.hificamsim.core.engine;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Pose;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
@@ -14,16 +17,16 @@ import org.hificamsim.core.world.World;
  * that is the decision; a beam thinner than this is not seen.
  */
 final class BearingSight implements Sight {
-  private final World world;
   private final Cameras cameras;
-  private final FieldOfView view;
+  private final Targets targets;
+  private final Visibility visibility;
   private final Detection detection;
 
-  BearingSight(World world, Detection detection) {
-    this.world = world;
+  BearingSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
-    this.view = new FieldOfView(world.cameras(), world.targets());
-    this.detection = detection;
+    this.targets = world.targets();
+    this.visibility = visibility;
+    this.detection = visibility.detection();
   }
 
   @Override
@@ -31,13 +34,16 @@ final class BearingSight implements Sight {
 
   @Override
   public boolean detects(int camera, int level, int target) {
-    if (!view.contains(camera, level, target)) {
+    Pose pose = cameras.pose(camera);
+    ZoomLevel zoom = cameras.zoom(camera, level);
+    double x = targets.x(target);
+    double y = targets.y(target);
+    double distance = pose.distance(x, y);
+    if (!(distance <= zoom.radius()) || !visibility.isInAngle(pose, zoom, x, y)) {
       return false;
     }
-    double distance = Math.sqrt(view.squaredDistance(camera, target));
-    double cosine = view.cosine(camera, target);
-    return detects(
-        target, distance, cosine, AngleBracket.near(cosine), cameras.zoom(camera, level));
+    double cosine = pose.cosine(x, y);
+    return detects(targets.size(target), distance, cosine, AngleBracket.about(cosine), zoom);
   }
 
   @Override
@@ -47,37 +53,41 @@ final class BearingSight implements Sight {
 
   @Override
   public double reach(int camera, int level) {
-    return Reach.of(cameras.zoom(camera, level).radius());
+    return Sight.roundedUp(cameras.zoom(camera, level).radius());
   }
 
   /** Distance and cosine are computed once for all levels. */
   @Override
   public void mark(
-      int camera, int levels, PointGrid targets, int from, int to, long[] masks, int words) {
+      int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words) {
+    Pose pose = cameras.pose(camera);
     double widest = cameras.zoom(camera, 0).widestRadius();
     for (int i = from; i < to; i++) {
-      int target = targets.point(i);
-      double distance = Math.sqrt(view.squaredDistance(camera, target));
+      double x = grid.x(i);
+      double y = grid.y(i);
+      double distance = pose.distance(x, y);
       if (!(distance <= widest)) {
         continue;
       }
-      double cosine = view.cosine(camera, target);
-      double near = AngleBracket.near(cosine);
+      int target = grid.point(i);
+      double size = targets.size(target);
+      double cosine = pose.cosine(x, y);
+      double about = AngleBracket.about(cosine);
       for (int level = 0; level < levels; level++) {
         ZoomLevel zoom = cameras.zoom(camera, level);
         if (distance <= zoom.radius()
-            && view.withinAngle(camera, level, target)
-            && detects(target, distance, cosine, near, zoom)) {
+            && visibility.isInAngle(pose, zoom, x, y)
+            && detects(size, distance, cosine, about, zoom)) {
           masks[level * words + (target >> 6)] |= 1L << target;
         }
       }
     }
   }
 
-  private boolean detects(int target, double distance, double cosine, double near, ZoomLevel zoom) {
-    double size = world.targets().size(target);
-    boolean detects = decides(size, distance, AngleBracket.least(near), zoom);
-    return detects == decides(size, distance, AngleBracket.most(near), zoom)
+  private boolean detects(
+      double size, double distance, double cosine, double about, ZoomLevel zoom) {
+    boolean detects = decides(size, distance, AngleBracket.lower(about), zoom);
+    return detects == decides(size, distance, AngleBracket.upper(about), zoom)
         ? detects
         : decides(size, distance, Math.acos(cosine), zoom);
   }

@@ -4,9 +4,10 @@ import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.hificamsim.core.detection.DetectedDistances;
-import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Pose;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
@@ -22,8 +23,8 @@ import org.hificamsim.core.world.World;
  */
 final class DistanceSight implements Sight {
   private final Cameras cameras;
-  private final FieldOfView view;
-  private final Detection detection;
+  private final Targets targets;
+  private final Visibility visibility;
   private final double[] sizes;
   private final int[] sizeClass;
   private final Map<ZoomLevel, Integer> known = new HashMap<>();
@@ -38,13 +39,13 @@ final class DistanceSight implements Sight {
   private double[] disc = new double[1];
   private int revision = -1;
 
-  DistanceSight(World world, Detection detection) {
+  DistanceSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
-    this.view = new FieldOfView(cameras, world.targets());
-    this.detection = detection;
-    this.sizes = distinctSizes(world.targets());
-    this.sizeClass = new int[world.targets().count()];
-    Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, world.targets().size(target)));
+    this.targets = world.targets();
+    this.visibility = visibility;
+    this.sizes = distinctSizes(targets);
+    this.sizeClass = new int[targets.count()];
+    Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, targets.size(target)));
     this.firstLevel = new int[cameras.count()];
     int levels = 0;
     for (int camera = 0; camera < firstLevel.length; camera++) {
@@ -64,7 +65,7 @@ final class DistanceSight implements Sight {
     }
     revision = cameras.revision();
     for (int camera = 0; camera < cameras.count(); camera++) {
-      allRound[camera] = cameras.zoom(camera, 0).viewingAngle() >= 2 * Math.PI;
+      allRound[camera] = cameras.zoom(camera, 0).allRound();
       for (int level = 0; level < cameras.levels(camera); level++) {
         refresh(firstLevel[camera] + level, cameras.zoom(camera, level));
       }
@@ -83,7 +84,7 @@ final class DistanceSight implements Sight {
     int row = known.size() * sizes.length;
     makeRoom(row + sizes.length);
     for (int size = 0; size < sizes.length; size++) {
-      fill(row + size, detection.distances(sizes[size], zoom));
+      fill(row + size, visibility.detection().distances(sizes[size], zoom));
     }
     return row;
   }
@@ -114,7 +115,8 @@ final class DistanceSight implements Sight {
 
   @Override
   public boolean detects(int camera, int level, int target) {
-    return detects(camera, level, target, view.squaredDistance(camera, target));
+    double squared = cameras.pose(camera).squaredDistance(targets.x(target), targets.y(target));
+    return detects(camera, level, target, squared);
   }
 
   private boolean detects(int camera, int level, int target, double squared) {
@@ -123,7 +125,12 @@ final class DistanceSight implements Sight {
       return false;
     }
     return (single[at] || reach[at].contains(squared))
-        && (allRound[camera] || view.withinAngle(camera, level, target));
+        && (allRound[camera] || isInAngle(camera, level, target));
+  }
+
+  private boolean isInAngle(int camera, int level, int target) {
+    return visibility.isInAngle(
+        cameras.pose(camera), cameras.zoom(camera, level), targets.x(target), targets.y(target));
   }
 
   @Override
@@ -133,32 +140,29 @@ final class DistanceSight implements Sight {
     for (int size = 1; size < sizes.length; size++) {
       squared = Math.max(squared, to[row + size]);
     }
-    return Reach.ofSquared(squared);
+    return squared < 0 ? 0 : Sight.roundedUp(Math.sqrt(squared));
   }
 
   @Override
-  public int look(int camera, int level, PointGrid targets, int begin, int end, int[] counts) {
+  public int look(int camera, int level, PointGrid grid, int begin, int end, int[] counts) {
     double below = disc[row(camera, level)];
     return below > 0 && allRound[camera]
-        ? lookAllRound(camera, below, targets, begin, end, counts)
-        : Sight.super.look(camera, level, targets, begin, end, counts);
+        ? lookAllRound(cameras.pose(camera), below, grid, begin, end, counts)
+        : Sight.super.look(camera, level, grid, begin, end, counts);
   }
 
   /**
    * Looks at a whole disc without branches, which would be guessed wrong half of the time: a target
    * is seen where a difference is negative, and the sign bit of the difference says that.
    *
-   * @param below the least squared distance that is out of sight, square metres
+   * @param below the smallest squared distance that is out of sight, square metres
    */
-  private int lookAllRound(
-      int camera, double below, PointGrid targets, int begin, int end, int[] counts) {
-    double x = cameras.x(camera);
-    double y = cameras.y(camera);
+  private static int lookAllRound(
+      Pose camera, double below, PointGrid grid, int begin, int end, int[] counts) {
     int seen = 0;
     for (int i = begin; i < end; i++) {
-      double dx = targets.x(i) - x;
-      double dy = targets.y(i) - y;
-      int hit = (int) (Double.doubleToRawLongBits(dx * dx + dy * dy - below) >>> 63);
+      double difference = camera.squaredDistance(grid.x(i), grid.y(i)) - below;
+      int hit = (int) (Double.doubleToRawLongBits(difference) >>> 63);
       counts[i] += hit;
       seen += hit;
     }
@@ -167,14 +171,11 @@ final class DistanceSight implements Sight {
 
   @Override
   public void mark(
-      int camera, int levels, PointGrid targets, int begin, int end, long[] masks, int words) {
-    double x = cameras.x(camera);
-    double y = cameras.y(camera);
+      int camera, int levels, PointGrid grid, int begin, int end, long[] masks, int words) {
+    Pose pose = cameras.pose(camera);
     for (int i = begin; i < end; i++) {
-      double dx = targets.x(i) - x;
-      double dy = targets.y(i) - y;
-      double squared = dx * dx + dy * dy;
-      int target = targets.point(i);
+      double squared = pose.squaredDistance(grid.x(i), grid.y(i));
+      int target = grid.point(i);
       for (int level = 0; level < levels; level++) {
         if (detects(camera, level, target, squared)) {
           masks[level * words + (target >> 6)] |= 1L << target;

@@ -1,49 +1,47 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
-import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.CameraTask;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /** The cameras' observations of a world, and all that policies and listeners may know of it. */
-final class ObservedNetwork implements NetworkView {
+final class ObservedNetwork implements OracleView {
   private final Cameras cameras;
   private final Targets targets;
-  private final Detection detection;
+  private final Visibility visibility;
   private final Sight sight;
-  private final FieldOfView view;
   private final int[] detected;
   private final int[] coverage;
-  private final PointGrid places;
+  private final PointGrid grid;
   private final Workers workers;
-  private final int[][] counts; // of each worker, in the order of places
+  private final int[][] counts; // of each worker, in the order of the grid
   private final Workers.Share looking = this::look;
   private final Workers.Share adding = this::addUp;
   private final Division division = new Division();
   private long step;
 
-  ObservedNetwork(World world, Detection detection, Workers workers) {
-    this(world, detection, workers, Places.of(world, detection));
+  ObservedNetwork(World world, Visibility visibility, Workers workers) {
+    this(world, visibility, workers, GridChoice.of(world));
   }
 
   /**
-   * @param places an empty grid with room for all targets
+   * @param grid empty, with room for all targets
    */
-  ObservedNetwork(World world, Detection detection, Workers workers, PointGrid places) {
+  ObservedNetwork(World world, Visibility visibility, Workers workers, PointGrid grid) {
     this.cameras = world.cameras();
     this.targets = world.targets();
-    this.detection = detection;
-    this.sight = Sight.of(world, detection);
-    this.view = new FieldOfView(cameras, targets);
+    this.visibility = visibility;
+    this.sight = Sight.of(world, visibility);
     this.detected = new int[cameras.count()];
     this.coverage = new int[targets.count()];
-    this.places = places;
+    this.grid = grid;
     this.workers = workers;
     this.counts = new int[workers.count()][];
     Arrays.setAll(counts, worker -> new int[coverage.length]);
@@ -60,15 +58,22 @@ final class ObservedNetwork implements NetworkView {
    * whose place is no number is nowhere: no camera detects it.
    */
   void locate() {
-    places.clear();
+    grid.clear();
     for (int target = 0; target < coverage.length; target++) {
       double x = targets.x(target);
       double y = targets.y(target);
       if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
-        places.add(target, x, y);
+        grid.add(target, x, y);
       }
     }
-    places.sort();
+    grid.sort();
+  }
+
+  /** Every online camera looks at the targets, or has done so. */
+  void observe(Cooperation cooperation) {
+    if (!cooperation.observe(detected, coverage)) {
+      observe();
+    }
   }
 
   /** Every online camera looks at the targets, each at its current level. */
@@ -88,28 +93,27 @@ final class ObservedNetwork implements NetworkView {
   }
 
   private int look(int camera, int level, int[] count) {
-    if (places.cells() == 1) {
-      return sight.look(camera, level, places, 0, places.count(), count);
+    if (grid.cells() == 1) {
+      return sight.look(camera, level, grid, 0, grid.count(), count);
     }
     double reach = sight.reach(camera, level);
-    int left = places.column(cameras.x(camera) - reach);
-    int right = places.column(cameras.x(camera) + reach);
-    int top = places.row(cameras.y(camera) + reach);
+    int left = grid.column(cameras.x(camera) - reach);
+    int right = grid.column(cameras.x(camera) + reach);
+    int top = grid.row(cameras.y(camera) + reach);
     int seen = 0;
-    for (int row = places.row(cameras.y(camera) - reach); row <= top; row++) {
-      seen +=
-          sight.look(camera, level, places, places.start(row, left), places.end(row, right), count);
+    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
+      seen += sight.look(camera, level, grid, grid.start(row, left), grid.end(row, right), count);
     }
     return seen;
   }
 
-  /** Adds up what all workers counted, each worker for some of the places. */
+  /** Adds up what all workers counted, each worker for some of the targets. */
   private void addUp(int worker) {
-    int first = workers.first(worker, places.count());
-    int end = workers.first(worker + 1, places.count());
+    int first = workers.first(worker, grid.count());
+    int end = workers.first(worker + 1, grid.count());
     for (int[] count : counts) {
       for (int i = first; i < end; i++) {
-        coverage[places.point(i)] += count[i];
+        coverage[grid.point(i)] += count[i];
       }
     }
   }
@@ -206,19 +210,16 @@ final class ObservedNetwork implements NetworkView {
 
   @Override
   public double confidence(int camera, int target) {
-    int level = cameras.level(camera);
-    if (!targets.present(target) || !view.contains(camera, level, target)) {
+    if (!targets.present(target)) {
       return 0;
     }
-    double distance = Math.sqrt(view.squaredDistance(camera, target));
     return DetectionModel.clamp(
-        detection
-            .model()
-            .confidence(
-                targets.size(target),
-                distance,
-                view.offAxis(camera, target),
-                cameras.zoom(camera, level)));
+        visibility.value(
+            cameras.pose(camera),
+            cameras.zoom(camera, cameras.level(camera)),
+            targets.x(target),
+            targets.y(target),
+            targets.size(target)));
   }
 
   @Override
@@ -235,20 +236,19 @@ final class ObservedNetwork implements NetworkView {
   public void detections(int camera, long[] masks, int words) {
     int levels = cameras.levels(camera);
     Arrays.fill(masks, 0, levels * words, 0);
-    if (places.cells() == 1) {
-      sight.mark(camera, levels, places, 0, places.count(), masks, words);
+    if (grid.cells() == 1) {
+      sight.mark(camera, levels, grid, 0, grid.count(), masks, words);
       return;
     }
     double reach = 0;
     for (int level = 0; level < levels; level++) {
       reach = Math.max(reach, sight.reach(camera, level));
     }
-    int left = places.column(cameras.x(camera) - reach);
-    int right = places.column(cameras.x(camera) + reach);
-    int top = places.row(cameras.y(camera) + reach);
-    for (int row = places.row(cameras.y(camera) - reach); row <= top; row++) {
-      sight.mark(
-          camera, levels, places, places.start(row, left), places.end(row, right), masks, words);
+    int left = grid.column(cameras.x(camera) - reach);
+    int right = grid.column(cameras.x(camera) + reach);
+    int top = grid.row(cameras.y(camera) + reach);
+    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
+      sight.mark(camera, levels, grid, grid.start(row, left), grid.end(row, right), masks, words);
     }
   }
 

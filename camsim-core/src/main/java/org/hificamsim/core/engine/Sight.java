@@ -1,19 +1,29 @@
 package org.hificamsim.core.engine;
 
-import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 
 /**
- * What cameras can see, where everything is now: a short pipeline of tests (reach, angle,
- * confidence). Between two refreshes any number of threads may ask.
+ * What cameras can see, where everything is now: the pipeline of {@link Visibility}, asked of many
+ * targets at a time. Between two refreshes any number of threads may ask.
  */
 interface Sight {
-  /** Chooses the cheapest sight that is exact for the detection model. */
-  static Sight of(World world, Detection detection) {
-    return detection.model().dependsOnBearing()
-        ? new BearingSight(world, detection)
-        : new DistanceSight(world, detection);
+  /** Chooses the fastest sight that is exact for the detection model. */
+  static Sight of(World world, Visibility visibility) {
+    return visibility.detection().model().dependsOnBearing()
+        ? new BearingSight(world, visibility)
+        : new DistanceSight(world, visibility);
+  }
+
+  /**
+   * A little more than a distance that a computed one, the root of a sum of squares, is at most: no
+   * coordinate of the two points differs by more, whatever was rounded.
+   *
+   * @param distance metres
+   */
+  static double roundedUp(double distance) {
+    return distance * (1 + 1e-9) + 1e-150; // squares of less may be 0
   }
 
   /** Takes note of cameras that changed since the last call. */
@@ -31,13 +41,13 @@ interface Sight {
   /**
    * Counts the targets that the camera would detect at this level, among some that are near.
    *
-   * @param targets where they are; those from index {@code from} up to {@code to} are looked at
+   * @param grid where they are; those from index {@code from} up to {@code to} are looked at
    * @param counts one is added to the entry of each index whose target is detected
    */
-  default int look(int camera, int level, PointGrid targets, int from, int to, int[] counts) {
+  default int look(int camera, int level, PointGrid grid, int from, int to, int[] counts) {
     int count = 0;
     for (int i = from; i < to; i++) {
-      if (detects(camera, level, targets.point(i))) {
+      if (detects(camera, level, grid.point(i))) {
         counts[i]++;
         count++;
       }
@@ -48,17 +58,7 @@ interface Sight {
   /**
    * Marks the targets that the camera would detect at each of its levels, among some that are near.
    *
-   * @param masks as {@link org.hificamsim.core.policy.NetworkView#detections} has them
+   * @param masks as {@link org.hificamsim.core.policy.OracleView#detections} has them
    */
-  default void mark(
-      int camera, int levels, PointGrid targets, int from, int to, long[] masks, int words) {
-    for (int i = from; i < to; i++) {
-      int target = targets.point(i);
-      for (int level = 0; level < levels; level++) {
-        if (detects(camera, level, target)) {
-          masks[level * words + (target >> 6)] |= 1L << target;
-        }
-      }
-    }
-  }
+  void mark(int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words);
 }

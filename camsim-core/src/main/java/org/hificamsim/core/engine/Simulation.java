@@ -28,25 +28,14 @@ public final class Simulation {
   private boolean started;
   private long step;
 
-  /** A run of cameras that work each for itself. */
+  /** A run of cameras that work each for itself, in the caller's thread alone. */
   public Simulation(
       World world,
       Detection detection,
       ZoomPolicy policy,
       long seed,
       List<? extends StepListener> listeners) {
-    this(world, detection, policy, Cooperation.NONE, seed, listeners);
-  }
-
-  /** A run in the caller's thread alone. */
-  public Simulation(
-      World world,
-      Detection detection,
-      ZoomPolicy policy,
-      Cooperation cooperation,
-      long seed,
-      List<? extends StepListener> listeners) {
-    this(world, detection, policy, cooperation, seed, listeners, Workers.CALLER);
+    this(world, detection, policy, Cooperation.NONE, seed, listeners, Workers.CALLER);
   }
 
   /**
@@ -68,7 +57,7 @@ public final class Simulation {
     this.order = world.scenario().order();
     this.policy = policy;
     this.listeners = listeners.toArray(StepListener[]::new);
-    this.network = new ObservedNetwork(world, detection, workers);
+    this.network = new ObservedNetwork(world, cooperation.visibility(detection), workers);
     this.levels = new int[world.cameras().count()];
     policy.begin(network, new SplittableRandom(seed));
   }
@@ -83,7 +72,7 @@ public final class Simulation {
     return this;
   }
 
-  /** Runs this many steps, and tells the listeners that the run has ended. */
+  /** Runs this many steps, and then calls the listeners' {@code ended}. */
   public void run(long steps) {
     for (long i = 0; i < steps; i++) {
       step();
@@ -93,7 +82,7 @@ public final class Simulation {
     }
   }
 
-  /** Runs one step; the first one tells the listeners that the run has started. */
+  /** Runs one step; the first one calls the listeners' {@code started}. */
   public void step() {
     if (!started) {
       start();
@@ -106,7 +95,7 @@ public final class Simulation {
     cooperation.prepare();
     network.locate();
     decide();
-    network.observe();
+    network.observe(cooperation);
     cooperation.cooperate();
     policy.learn(network);
     coverage.measure(network);

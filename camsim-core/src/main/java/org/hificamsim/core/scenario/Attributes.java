@@ -7,20 +7,19 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
-import java.util.function.DoublePredicate;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 
 /**
- * The attributes of one element, read by name, type and range; what nobody read is left over.
+ * The attributes of one element, read by name, type and range; what was not read is left over.
  *
  * <p>Each getter that finds something wrong throws an {@link InputException} that names the place,
  * the value and what was expected.
  */
 final class Attributes {
   /** Characters of a value that an error line shows. */
-  static final int MOST_QUOTED = 60;
+  static final int MAX_QUOTED = 60;
 
   private static final Pattern XML_OWN = Pattern.compile("xmlns(:.*)?|xml:.*|xsi:.*");
 
@@ -34,35 +33,28 @@ final class Attributes {
 
   /** A finite number. */
   double number(String name) {
-    return number(name, "a finite number", value -> true);
+    return number(name, Range.FINITE);
   }
 
-  /** A finite number in a range. */
-  double number(String name, String expected, DoublePredicate valid) {
-    return parse(name, required(name, expected), expected, valid);
+  /** A number in a range. */
+  double number(String name, Range range) {
+    return parse(name, required(name, range.expected()), range);
   }
 
-  /** A finite number in a range, or the default where the attribute is missing. */
-  double number(String name, double defaultValue, String expected, DoublePredicate valid) {
+  /** A number in a range; empty where the attribute is missing. */
+  OptionalDouble optionalNumber(String name, Range range) {
     String text = rest.remove(name);
-    return text == null ? defaultValue : parse(name, text, expected, valid);
+    return text == null ? OptionalDouble.empty() : OptionalDouble.of(parse(name, text, range));
   }
 
-  OptionalDouble optionalNumber(String name, String expected, DoublePredicate valid) {
+  int integer(String name, int min, int max) {
+    String expected = wholeNumber(min, max);
+    return parse(name, required(name, expected), min, max);
+  }
+
+  OptionalInt optionalInteger(String name, int min, int max) {
     String text = rest.remove(name);
-    return text == null
-        ? OptionalDouble.empty()
-        : OptionalDouble.of(parse(name, text, expected, valid));
-  }
-
-  int integer(String name, int least, int most) {
-    String expected = wholeNumber(least, most);
-    return parse(name, required(name, expected), least, most);
-  }
-
-  OptionalInt optionalInteger(String name, int least, int most) {
-    String text = rest.remove(name);
-    return text == null ? OptionalInt.empty() : OptionalInt.of(parse(name, text, least, most));
+    return text == null ? OptionalInt.empty() : OptionalInt.of(parse(name, text, min, max));
   }
 
   /** Any text, even none. */
@@ -86,8 +78,8 @@ final class Attributes {
   }
 
   /**
-   * What nobody read; each is a warning but for those that are {@code known} to be of no use, and
-   * for XML's own: names with a prefix belong to others and are left out.
+   * What was not read; each is a warning, except for those that are {@code known} to have no
+   * effect, and for XML's own: names with a prefix belong to others and are left out.
    */
   Map<String, String> leftOver(Consumer<String> warnings, String... known) {
     rest.keySet().removeIf(XML_OWN.asMatchPredicate());
@@ -98,7 +90,7 @@ final class Attributes {
                 + ": unknown attribute "
                 + one.getKey()
                 + "=\""
-                + XmlText.shortened(one.getValue(), MOST_QUOTED)
+                + XmlText.shortened(one.getValue(), MAX_QUOTED)
                 + "\" of <"
                 + element.name()
                 + ">, ignored");
@@ -110,8 +102,13 @@ final class Attributes {
     return kept;
   }
 
-  /** An error about one attribute's value. */
+  /** An error about one attribute's value, or that it has none. */
   InputException invalid(String name, String expected) {
+    if (!element.attributes().containsKey(name)) {
+      return element
+          .place()
+          .error("<" + element.name() + "> has no " + name + ", expected " + expected);
+    }
     return element
         .place(name)
         .error(
@@ -120,7 +117,7 @@ final class Attributes {
                 + "> "
                 + name
                 + " is '"
-                + XmlText.shortened(element.attributes().getOrDefault(name, ""), MOST_QUOTED)
+                + XmlText.shortened(element.attributes().get(name), MAX_QUOTED)
                 + "', expected "
                 + expected);
   }
@@ -128,40 +125,38 @@ final class Attributes {
   private String required(String name, String expected) {
     String text = rest.remove(name);
     if (text == null) {
-      throw element
-          .place()
-          .error("<" + element.name() + "> has no " + name + ", expected " + expected);
+      throw invalid(name, expected);
     }
     return text;
   }
 
-  private double parse(String name, String text, String expected, DoublePredicate valid) {
+  private double parse(String name, String text, Range range) {
     try {
       double value = Double.parseDouble(text);
-      if (Double.isFinite(value) && valid.test(value)) {
+      if (range.contains(value)) {
         return value;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
-    throw invalid(name, expected);
+    throw invalid(name, range.expected());
   }
 
-  private int parse(String name, String text, int least, int most) {
+  private int parse(String name, String text, int min, int max) {
     try {
       int value = Integer.parseInt(text);
-      if (value >= least && value <= most) {
+      if (value >= min && value <= max) {
         return value;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
-    throw invalid(name, wholeNumber(least, most));
+    throw invalid(name, wholeNumber(min, max));
   }
 
-  private static String wholeNumber(int least, int most) {
-    return most == Integer.MAX_VALUE
-        ? "a whole number of " + least + " or more"
-        : "a whole number from " + least + " to " + most;
+  private static String wholeNumber(int min, int max) {
+    return max == Integer.MAX_VALUE
+        ? "a whole number of " + min + " or more"
+        : "a whole number from " + min + " to " + max;
   }
 }

@@ -5,38 +5,43 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
-import java.util.function.DoublePredicate;
 
 /** Reads cameras, from their own element or from an event that adds one. */
 final class CameraReader {
-  private static final String ANGLE = "degrees above 0 and at most 360";
-  private static final String RANGE = "a number of 0 or more (m)";
-
-  private final Field field;
+  private final Range across;
+  private final Range along;
+  private final AgentCheck agents;
   private final Consumer<String> warnings;
   private final Set<String> names = new HashSet<>();
 
-  CameraReader(Field field, Consumer<String> warnings) {
-    this.field = field;
+  CameraReader(Field field, AgentCheck agents, Consumer<String> warnings) {
+    across = inField(field.minX(), field.maxX());
+    along = inField(field.minY(), field.maxY());
+    this.agents = agents;
     this.warnings = warnings;
   }
 
   CameraSpec camera(XmlElement element) {
-    return camera(element, new Attributes(element));
+    return camera(new Attributes(element), false);
   }
 
-  /** The camera of an element, some of whose attributes have been read already. */
-  CameraSpec camera(XmlElement element, Attributes attributes) {
+  /** The camera that an event adds; the event's own attributes have been read already. */
+  CameraSpec added(Attributes attributes) {
+    return camera(attributes, true);
+  }
+
+  private CameraSpec camera(Attributes attributes, boolean added) {
     String name = attributes.text("name", "a name that no other camera has");
     if (!names.add(name)) {
       throw attributes.invalid("name", "a camera name that is not taken");
     }
-    double x = attributes.number("x", inField(field.minX(), field.maxX()), field::containsX);
-    double y = attributes.number("y", inField(field.minY(), field.maxY()), field::containsY);
+    double x = attributes.number("x", across);
+    double y = attributes.number("y", along);
     double heading = attributes.number("heading");
-    double angle = attributes.number("viewing_angle", ANGLE, value -> value > 0 && value <= 360);
-    double range = attributes.number("range", RANGE, value -> value >= 0);
+    double angle = attributes.number("viewing_angle", Range.OPENING_ANGLE);
+    double range = attributes.number("range", Range.LENGTH);
     AgentSpec agent = agent(attributes);
+    agents.check(agent, added, attributes::invalid);
     return new CameraSpec(
         name,
         x,
@@ -53,17 +58,11 @@ final class CameraReader {
     return new ScenarioEvent.ChangeCamera(
         step,
         attributes.text("name", "the name of a camera"),
-        changed(attributes, "x", inField(field.minX(), field.maxX()), field::containsX),
-        changed(attributes, "y", inField(field.minY(), field.maxY()), field::containsY),
+        attributes.number("x", across.orUnchanged()),
+        attributes.number("y", along.orUnchanged()),
         attributes.number("heading"),
-        changed(attributes, "viewing_angle", ANGLE, value -> value > 0 && value <= 360),
-        changed(attributes, "range", RANGE, value -> value >= 0));
-  }
-
-  private static double changed(
-      Attributes attributes, String name, String expected, DoublePredicate valid) {
-    return attributes.number(
-        name, expected + ", or -1 to leave it", value -> value == -1 || valid.test(value));
+        attributes.number("viewing_angle", Range.OPENING_ANGLE.orUnchanged()),
+        attributes.number("range", Range.LENGTH.orUnchanged()));
   }
 
   /** The names read so far. */
@@ -76,8 +75,9 @@ final class CameraReader {
     return names.contains(name);
   }
 
-  private static String inField(double least, double most) {
-    return "a number inside the field, " + least + " to " + most;
+  private static Range inField(double min, double max) {
+    return new Range(
+        "a number inside the field, " + min + " to " + max, value -> value >= min && value <= max);
   }
 
   private static AgentSpec agent(Attributes attributes) {

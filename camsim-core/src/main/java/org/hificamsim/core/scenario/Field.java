@@ -7,16 +7,6 @@ public record Field(double minX, double maxX, double minY, double maxY) {
     return !(x > maxX || x < minX || y > maxY || y < minY);
   }
 
-  /** Whether a number lies between the left and the right border, or on one. */
-  boolean containsX(double x) {
-    return x >= minX && x <= maxX;
-  }
-
-  /** Whether a number lies between the lower and the upper border, or on one. */
-  boolean containsY(double y) {
-    return y >= minY && y <= maxY;
-  }
-
   /** Metres. */
   public double width() {
     return maxX - minX;

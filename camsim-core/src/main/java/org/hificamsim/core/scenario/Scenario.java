@@ -44,60 +44,29 @@ public record Scenario(
     extras = Map.copyOf(extras);
   }
 
-  /** Whether the file is in the coverage study's dialect, told by its zoom list. */
+  /** Whether the file is in the coverage study's dialect, recognised by its zoom list. */
   public boolean inCoverageDialect() {
     return !zooms.isEmpty();
   }
 
   /** The same scenario with targets moving at another time within the step. */
   public Scenario withOrder(StepOrder newOrder) {
-    return new Scenario(
-        name,
-        field,
-        newOrder,
-        headings,
-        threshold,
-        mountHeight,
-        zooms,
-        cameras,
-        targets,
-        events,
-        visionGraph,
-        extras);
+    return copy(name, newOrder, headings, zooms, targets, events);
   }
 
   /** The same scenario with another reading of the targets' headings. */
   public Scenario withHeadings(Headings newHeadings) {
-    return new Scenario(
-        name,
-        field,
-        order,
-        newHeadings,
-        threshold,
-        mountHeight,
-        zooms,
-        cameras,
-        targets,
-        events,
-        visionGraph,
-        extras);
+    return copy(name, order, newHeadings, zooms, targets, events);
   }
 
   /** The same world under another name with other targets and events. */
   public Scenario with(String newName, List<TargetSpec> newTargets, List<ScenarioEvent> newEvents) {
-    return new Scenario(
-        newName,
-        field,
-        order,
-        headings,
-        threshold,
-        mountHeight,
-        zooms,
-        cameras,
-        newTargets,
-        newEvents,
-        visionGraph,
-        extras);
+    return copy(newName, order, headings, zooms, newTargets, newEvents);
+  }
+
+  /** The same scenario without its zoom list: each camera has its range alone, as in CamSim. */
+  public Scenario withoutZooms() {
+    return copy(name, order, headings, List.of(), targets, events);
   }
 
   /** The same scenario with every target, now or later, under one movement. */
@@ -107,34 +76,30 @@ public record Scenario(
 
   /** The same scenario with every target, now or later, changed. */
   public Scenario withTargets(UnaryOperator<TargetSpec> change) {
-    return new Scenario(
+    return with(
         name,
-        field,
-        order,
-        headings,
-        threshold,
-        mountHeight,
-        zooms,
-        cameras,
         targets.stream().map(change).toList(),
-        events.stream().map(event -> withTarget(event, change)).toList(),
-        visionGraph,
-        extras);
+        events.stream().map(event -> withTarget(event, change)).toList());
   }
 
-  /** The same scenario without its zoom list: each camera has its range alone, as in CamSim. */
-  public Scenario withoutZooms() {
+  private Scenario copy(
+      String newName,
+      StepOrder newOrder,
+      Headings newHeadings,
+      List<Double> newZooms,
+      List<TargetSpec> newTargets,
+      List<ScenarioEvent> newEvents) {
     return new Scenario(
-        name,
+        newName,
         field,
-        order,
-        headings,
+        newOrder,
+        newHeadings,
         threshold,
         mountHeight,
-        List.of(),
+        newZooms,
         cameras,
-        targets,
-        events,
+        newTargets,
+        newEvents,
         visionGraph,
         extras);
   }

@@ -43,12 +43,15 @@ public final class ScenarioReader {
   private final Path path;
   private final XmlElement root;
   private final Predicate<String> movements;
+  private final AgentCheck agents;
   private final Consumer<String> warnings;
 
-  private ScenarioReader(Path path, Predicate<String> movements, Consumer<String> warnings) {
+  private ScenarioReader(
+      Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
     this.path = path;
     this.root = XmlParser.parse(path);
     this.movements = movements;
+    this.agents = agents;
     this.warnings = warnings;
   }
 
@@ -60,7 +63,19 @@ public final class ScenarioReader {
    * @throws org.hificamsim.core.InputException when the file is missing or wrong
    */
   public static Scenario read(Path path, Predicate<String> movements, Consumer<String> warnings) {
-    return new ScenarioReader(path, movements, warnings).scenario();
+    return read(path, movements, AgentCheck.NONE, warnings);
+  }
+
+  /**
+   * Reads one file, and checks what its cameras ask of the network.
+   *
+   * @param movements tells whether a movement of this short name exists
+   * @param warnings takes one line for each thing that is odd, with its place
+   * @throws org.hificamsim.core.InputException when the file is missing or wrong
+   */
+  public static Scenario read(
+      Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
+    return new ScenarioReader(path, movements, agents, warnings).scenario();
   }
 
   private Scenario scenario() {
@@ -72,7 +87,7 @@ public final class ScenarioReader {
     Attributes attributes = new Attributes(simulation);
     Field field = field(simulation, attributes);
     List<Double> zooms = new ZoomListReader(root).zooms();
-    CameraReader cameraReader = new CameraReader(field, warnings);
+    CameraReader cameraReader = new CameraReader(field, agents, warnings);
     TargetReader targetReader = new TargetReader(field, !zooms.isEmpty(), movements, warnings);
     List<CameraSpec> cameras = root.all("camera").stream().map(cameraReader::camera).toList();
     List<TargetSpec> targets = new ArrayList<>();
@@ -92,11 +107,8 @@ public final class ScenarioReader {
     StepOrder order =
         attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE);
     Headings headings = attributes.choice("headings", Headings.DEGREES);
-    OptionalDouble threshold =
-        attributes.optionalNumber(
-            "threshold", "a number from 0 to 1", value -> value >= 0 && value <= 1);
-    OptionalDouble mountHeight =
-        attributes.optionalNumber("mount_height", "a number above 0", value -> value > 0);
+    OptionalDouble threshold = attributes.optionalNumber("threshold", Range.PROPORTION);
+    OptionalDouble mountHeight = attributes.optionalNumber("mount_height", Range.POSITIVE_LENGTH);
     Scenario scenario =
         new Scenario(
             name(),
@@ -135,13 +147,10 @@ public final class ScenarioReader {
   private static Field field(XmlElement simulation, Attributes attributes) {
     Field field =
         new Field(
-            attributes.number("min_x"),
-            attributes.number("max_x"),
-            attributes.number("min_y"),
-            attributes.number("max_y"));
-    if (!Double.isFinite(field.width()) || !Double.isFinite(field.height())) {
-      throw simulation.place().error("the field is too big, expected a finite width and height");
-    }
+            attributes.number("min_x", Range.COORDINATE),
+            attributes.number("max_x", Range.COORDINATE),
+            attributes.number("min_y", Range.COORDINATE),
+            attributes.number("max_y", Range.COORDINATE));
     if (!(field.width() > 0)) {
       throw new Attributes(simulation).invalid("max_x", "more than min_x, " + field.minX());
     }
@@ -164,7 +173,7 @@ public final class ScenarioReader {
         warnings.accept(
             node.place("name")
                 + ": a second <graphnode> for '"
-                + XmlText.shortened(camera, Attributes.MOST_QUOTED)
+                + XmlText.shortened(camera, Attributes.MAX_QUOTED)
                 + "', the last one counts");
         neighbours.remove(camera);
       }

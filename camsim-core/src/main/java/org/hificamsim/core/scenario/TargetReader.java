@@ -38,7 +38,7 @@ final class TargetReader {
   TargetSpec objectWithWaypoints(XmlElement element) {
     Attributes attributes = new Attributes(element);
     double identity = identity(attributes);
-    double speed = attributes.number("speed");
+    double speed = attributes.number("speed", Range.SPEED);
     double size = size(attributes);
     List<Waypoint> waypoints = waypoints(element);
     if (waypoints.isEmpty()) {
@@ -68,13 +68,13 @@ final class TargetReader {
       TargetSpec.Origin origin,
       double identity,
       String movement) {
-    double x = attributes.number("x");
-    double y = attributes.number("y");
+    double x = attributes.number("x", Range.COORDINATE);
+    double y = attributes.number("y", Range.COORDINATE);
     double heading = attributes.number("heading");
-    double speed = attributes.number("speed");
+    double speed = attributes.number("speed", Range.SPEED);
     double size = size(attributes);
-    double mean = attributes.number("mean", 0, "a finite number", value -> true);
-    double std = attributes.number("std", 1, "a number of 0 or more", value -> value >= 0);
+    double mean = attributes.optionalNumber("mean", Range.COORDINATE).orElse(0);
+    double std = attributes.optionalNumber("std", Range.LENGTH).orElse(1);
     MovementSpec spec = new MovementSpec(movement, mean, std, waypoints(element));
     if (!movements.test(spec.shortName())) {
       throw attributes.invalid(
@@ -115,8 +115,7 @@ final class TargetReader {
   }
 
   private static double size(Attributes attributes) {
-    return attributes.number(
-        "size", TargetSpec.DEFAULT_SIZE, "a number above 0 (m)", value -> value > 0);
+    return attributes.optionalNumber("size", Range.POSITIVE_LENGTH).orElse(TargetSpec.DEFAULT_SIZE);
   }
 
   private List<Waypoint> waypoints(XmlElement element) {
@@ -129,7 +128,9 @@ final class TargetReader {
 
   private Waypoint waypoint(XmlElement element) {
     Attributes attributes = new Attributes(element);
-    Waypoint waypoint = new Waypoint(attributes.number("x"), attributes.number("y"));
+    Waypoint waypoint =
+        new Waypoint(
+            attributes.number("x", Range.COORDINATE), attributes.number("y", Range.COORDINATE));
     attributes.leftOver(warnings);
     if (!field.contains(waypoint.x(), waypoint.y()) && !coverageDialect) {
       warnings.accept(element.place() + ": <waypoint> lies outside the field, out of reach");

@@ -1,6 +1,8 @@
 package org.hificamsim.core.world;
 
+import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.visibility.Pose;
 
 /**
  * The cameras' state, one array a quantity, sized once for all cameras that will ever be added.
@@ -9,11 +11,7 @@ import org.hificamsim.core.detection.ZoomLevel;
  */
 public final class Cameras {
   private final String[] names;
-  private final double[] x;
-  private final double[] y;
-  private final double[] heading;
-  private final double[] headingX;
-  private final double[] headingY;
+  private final Pose[] poses;
   private final ZoomLevel[][] zooms;
   private final int[] level;
   private final boolean[] online;
@@ -21,11 +19,8 @@ public final class Cameras {
 
   Cameras(int count) {
     names = new String[count];
-    x = new double[count];
-    y = new double[count];
-    heading = new double[count];
-    headingX = new double[count];
-    headingY = new double[count];
+    poses = new Pose[count];
+    Arrays.fill(poses, Pose.of(0, 0, 0));
     zooms = new ZoomLevel[count][];
     level = new int[count];
     online = new boolean[count];
@@ -37,19 +32,8 @@ public final class Cameras {
     level[camera] = levels.length - 1;
   }
 
-  void place(int camera, double atX, double atY) {
-    x[camera] = atX;
-    y[camera] = atY;
-    revision++;
-  }
-
-  /**
-   * @param newHeading radians
-   */
-  void face(int camera, double newHeading) {
-    heading[camera] = newHeading;
-    headingX[camera] = Math.sin(newHeading);
-    headingY[camera] = Math.cos(newHeading);
+  void place(int camera, Pose pose) {
+    poses[camera] = pose;
     revision++;
   }
 
@@ -70,7 +54,7 @@ public final class Cameras {
 
   /** How many cameras there will ever be. */
   public int count() {
-    return x.length;
+    return poses.length;
   }
 
   /** The name in the scenario file. */
@@ -83,29 +67,24 @@ public final class Cameras {
     return online[camera];
   }
 
+  /** Where the camera stands and which way it looks. */
+  public Pose pose(int camera) {
+    return poses[camera];
+  }
+
   /** Metres. */
   public double x(int camera) {
-    return x[camera];
+    return poses[camera].x();
   }
 
   /** Metres. */
   public double y(int camera) {
-    return y[camera];
+    return poses[camera].y();
   }
 
   /** Radians, 0 is +y and pi/2 is +x; not normalised. */
   public double heading(int camera) {
-    return heading[camera];
-  }
-
-  /** The x component of the unit vector along the heading. */
-  public double headingX(int camera) {
-    return headingX[camera];
-  }
-
-  /** The y component of the unit vector along the heading. */
-  public double headingY(int camera) {
-    return headingY[camera];
+    return poses[camera].heading();
   }
 
   /** The number of zoom levels, 1 or more. */

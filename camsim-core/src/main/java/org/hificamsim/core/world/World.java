@@ -11,6 +11,7 @@ import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.visibility.Pose;
 
 /**
  * The state of a scenario as it runs: cameras and targets in flat arrays, and the events to come.
@@ -81,7 +82,7 @@ public final class World {
     return targetSpecs.get(target);
   }
 
-  /** Has the events of the steps to come told to one observer, as they fire. */
+  /** Sets the one observer of the events that fire from now on. */
   public void observe(WorldObserver newObserver) {
     observer = newObserver;
   }
@@ -93,7 +94,7 @@ public final class World {
 
   /** Puts a camera elsewhere, outside any event; metres. */
   public void moveCamera(int camera, double x, double y) {
-    cameras.place(camera, x, y);
+    cameras.place(camera, Pose.of(x, y, cameras.heading(camera)));
   }
 
   /**
@@ -101,7 +102,7 @@ public final class World {
    *
    * @param range metres
    */
-  public void reach(int camera, double range) {
+  public void changeRange(int camera, double range) {
     double angle = cameras.zoom(camera, 0).viewingAngle();
     cameras.refit(camera, zoomLevels.of(range, angle));
   }
@@ -138,8 +139,7 @@ public final class World {
 
   private int addCamera() {
     CameraSpec spec = cameraSpecs.get(nextCamera);
-    cameras.place(nextCamera, spec.x(), spec.y());
-    cameras.face(nextCamera, Math.toRadians(spec.heading()));
+    cameras.place(nextCamera, Pose.of(spec.x(), spec.y(), Math.toRadians(spec.heading())));
     cameras.switchTo(nextCamera, true);
     return nextCamera++;
   }
@@ -150,10 +150,11 @@ public final class World {
       return;
     }
     cameras.place(
-        camera, changed(change.x(), cameras.x(camera)), changed(change.y(), cameras.y(camera)));
-    if (change.heading() != -1) {
-      cameras.face(camera, Math.toRadians(change.heading()));
-    }
+        camera,
+        Pose.of(
+            changed(change.x(), cameras.x(camera)),
+            changed(change.y(), cameras.y(camera)),
+            change.heading() == -1 ? cameras.heading(camera) : Math.toRadians(change.heading())));
     double angle =
         change.viewingAngle() == -1
             ? cameras.zoom(camera, 0).viewingAngle()

@@ -24,6 +24,7 @@ import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.RemoveTarget;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
@@ -55,11 +56,13 @@ class BigNetworkTest {
     World plain = scenario.world(seed);
     World binned = scenario.world(seed);
     PointGrid one = PointGrid.single(plain.targets().count());
-    PointGrid grid = Places.grid(binned, side);
+    PointGrid grid = GridChoice.grid(binned, side);
     assertTrue(grid.cells() > 1);
-    ObservedNetwork expected = new ObservedNetwork(plain, detection, Workers.CALLER, one);
+    ObservedNetwork expected =
+        new ObservedNetwork(plain, Visibility.of(detection), Workers.CALLER, one);
     try (Workers workers = Workers.of(1 + random.nextInt(3))) {
-      ObservedNetwork observed = new ObservedNetwork(binned, detection, workers, grid);
+      ObservedNetwork observed =
+          new ObservedNetwork(binned, Visibility.of(detection), workers, grid);
       for (int step = 0; step < STEPS; step++) {
         long drawn = random.nextLong();
         advance(plain, expected, step, new SplittableRandom(drawn));
@@ -98,9 +101,10 @@ class BigNetworkTest {
     PointGrid grid =
         random.nextBoolean()
             ? PointGrid.single(world.targets().count())
-            : Places.grid(world, random.nextDouble(0.3, 12));
+            : GridChoice.grid(world, random.nextDouble(0.3, 12));
     Detection detection = Detection.of(model(which, random));
-    ObservedNetwork network = new ObservedNetwork(world, detection, Workers.CALLER, grid);
+    ObservedNetwork network =
+        new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER, grid);
     world.fireEvents(STEPS);
     network.beginStep(STEPS);
     network.locate();
@@ -119,10 +123,9 @@ class BigNetworkTest {
 
   @Test
   void bigWorldsHaveAGridAndSmallOnesDoNot() {
-    Detection detection = Detection.of(new GeometricDetection());
-    assertEquals(1, Places.of(strewn(20, 20, 100).world(), detection).cells());
-    assertTrue(Places.of(strewn(300, 200, 100).world(), detection).cells() > 100);
-    assertEquals(1, Places.of(strewn(300, 200, 5).world(), detection).cells());
+    assertEquals(1, GridChoice.of(strewn(20, 20, 100).world()).cells());
+    assertTrue(GridChoice.of(strewn(300, 200, 100).world()).cells() > 100);
+    assertEquals(1, GridChoice.of(strewn(300, 200, 5).world()).cells());
   }
 
   @Property(tries = 10, edgeCases = EdgeCasesMode.NONE)

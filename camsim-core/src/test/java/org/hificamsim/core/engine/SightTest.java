@@ -22,6 +22,7 @@ import org.hificamsim.core.detection.camsim.CamSimStandardDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
@@ -66,9 +67,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight once = Sight.of(world, detection);
-    Sight full =
-        Sight.of(world, new Detection(new InFull(detection.model()), detection.threshold()));
+    Sight once = Sight.of(world, Visibility.of(detection));
+    Sight full = Sight.of(world, inFull(detection));
     assertInstanceOf(DistanceSight.class, once);
     assertInstanceOf(BearingSight.class, full);
     assertSame(world, once, full);
@@ -80,10 +80,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    assertLooksAsItDetects(world, Sight.of(world, detection));
-    assertLooksAsItDetects(
-        world,
-        Sight.of(world, new Detection(new InFull(detection.model()), detection.threshold())));
+    assertLooksAsItDetects(world, Sight.of(world, Visibility.of(detection)));
+    assertLooksAsItDetects(world, Sight.of(world, inFull(detection)));
   }
 
   @Test
@@ -96,7 +94,7 @@ class SightTest {
       scenario.target(place[0], place[1]);
     }
     World world = scenario.zooms(5).world();
-    Sight sight = Sight.of(world, Detection.of(new GeometricDetection()));
+    Sight sight = Sight.of(world, Visibility.of(Detection.of(new GeometricDetection())));
     int[] counts = new int[places.length];
     assertEquals(3, sight.look(0, 0, places(world), 0, places.length, counts));
     assertArrayEquals(new int[] {1, 1, 1, 0}, counts);
@@ -117,8 +115,8 @@ class SightTest {
                 new ChangeCamera(3, "b", 5, 5, -1, 10, 8))
             .world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight once = Sight.of(world, detection);
-    Sight full = Sight.of(world, new Detection(new InFull(detection.model()), 0.5));
+    Sight once = Sight.of(world, Visibility.of(detection));
+    Sight full = Sight.of(world, inFull(detection));
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
@@ -131,6 +129,10 @@ class SightTest {
       }
       assertEquals(seenByA[step], seen, "step " + step);
     }
+  }
+
+  private static Visibility inFull(Detection detection) {
+    return Visibility.of(new Detection(new InFull(detection.model()), detection.threshold()));
   }
 
   private static void assertSame(World world, Sight once, Sight full) {
@@ -181,8 +183,8 @@ class SightTest {
       @ForAll @IntRange(max = 4) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
-    Sight sight =
-        Sight.of(world, new Detection(model(which, random), random.nextDouble(0.05, 0.7)));
+    Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
+    Sight sight = Sight.of(world, Visibility.of(detection));
     for (int camera = 0; camera < CAMERAS; camera++) {
       for (int level = 0; level < 3; level++) {
         assertTrue(sight.dominates(camera, level, level));
@@ -201,7 +203,7 @@ class SightTest {
   @Test
   void widerLevelsOfACertainModelDominateNarrowerOnes() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = Sight.of(world, Detection.of(new GeometricDetection()));
+    Sight sight = Sight.of(world, Visibility.of(Detection.of(new GeometricDetection())));
     assertTrue(sight.dominates(0, 2, 0));
     assertTrue(sight.dominates(0, 2, 1));
     assertFalse(sight.dominates(0, 0, 1));
@@ -210,7 +212,7 @@ class SightTest {
   @Test
   void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = Sight.of(world, Detection.of(new CamSimVisibilityDetection()));
+    Sight sight = Sight.of(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
     assertTrue(sight.dominates(0, 1, 1));
     assertFalse(sight.dominates(0, 2, 0));
   }

@@ -210,6 +210,61 @@ class ScenarioReaderTest {
     assertEquals(List.of(1.0, 2.0, 3.0, 4.0, 5.0), scenario.zooms());
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "min_x='-9',    min_x='-1e308', a number from -1e9 to 1e9 (m)",
+    "max_y='9',     max_y='1.1e9',  a number from -1e9 to 1e9 (m)",
+    "max_x='9',     max_x='-9',     'more than min_x, -9.0'",
+    "max_y='9',     max_y='-9.5',   'more than min_y, -9.0'",
+    "mount_height='3', mount_height='1e10', a number above 0 and at most 1e9 (m)",
+    "range='5',     range='1e200',  a number from 0 to 1e9 (m)",
+    "x='7',         x='-1e308',     a number from -1e9 to 1e9 (m)",
+    "speed='1',     speed='1e300',  a number from -1e9 to 1e9 (m a step)",
+    "size='2',      size='1e10',    a number above 0 and at most 1e9 (m)",
+    "mean='0',      mean='-2e9',    a number from -1e9 to 1e9 (m)",
+    "std='1',       std='2e9',      a number from 0 to 1e9 (m)",
+    "y='4',         y='1e308',      a number from -1e9 to 1e9 (m)",
+    "speed='2',     speed='-1e300', a number from -1e9 to 1e9 (m a step)",
+    "range='6',     range='1e200',  'a number from 0 to 1e9 (m), or -1 to leave it'",
+  })
+  void lengthsAndSpeedsAreBounded(String part, String beyond, String expected) {
+    String text =
+        scenario(
+            "mount_height='3'",
+            CAMERA,
+            "<object features='1' x='7' y='0' heading='0' speed='1' size='2' mean='0' std='1'/>"
+                + "<object_with_waypoints features='2' speed='2'><waypoint x='2' y='2'/>"
+                + "<waypoint x='3' y='4'/></object_with_waypoints>"
+                + "<event timestep='1' participant='camera' event='change' name='a' x='-1' y='-1'"
+                + " heading='-1' viewing_angle='-1' range='6'/>");
+    int at = text.indexOf(part);
+    InputException error =
+        assertThrows(
+            InputException.class,
+            () -> read(text.substring(0, at) + beyond + text.substring(at + part.length())));
+    String[] sides = beyond.split("=");
+    assertEquals(
+        "%s:1:%d: %s %s is %s, expected %s"
+            .formatted(
+                folder.resolve("test.xml"),
+                at + 1,
+                text.substring(text.lastIndexOf('<', at)).split(" ")[0] + ">",
+                sides[0],
+                sides[1],
+                expected),
+        error.getMessage());
+  }
+
+  @Test
+  void aBillionMetresAreStillRead() {
+    Scenario scenario =
+        read(
+            scenario("", CAMERA.replaceFirst("range='[^']*'", "range='1e9'"), OBJECT)
+                .replace("max_x='9'", "max_x='1e9'"));
+    assertEquals(1e9, scenario.field().maxX());
+    assertEquals(1e9, scenario.cameras().get(0).range());
+  }
+
   @Test
   void oddThingsAreWarningsWithTheirPlace() {
     read(

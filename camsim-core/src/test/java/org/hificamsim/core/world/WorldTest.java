@@ -143,13 +143,13 @@ class WorldTest {
     world.fireEvents(1);
     assertEquals(3, cameras.x(0));
     assertEquals(2, cameras.y(0));
-    assertEquals(-1, cameras.headingY(0), EXACT);
+    assertEquals(-1, cameras.pose(0).headingY(), EXACT);
     assertEquals(Math.toRadians(120), cameras.zoom(0, 0).viewingAngle());
     assertEquals(9, cameras.zoom(0, 0).radius());
     world.fireEvents(2);
     assertEquals(3, cameras.x(0));
     assertEquals(4, cameras.y(0));
-    assertEquals(-1, cameras.headingY(0), EXACT);
+    assertEquals(-1, cameras.pose(0).headingY(), EXACT);
     assertEquals(Math.toRadians(60), cameras.zoom(0, 0).viewingAngle());
     assertEquals(9, cameras.zoom(0, 0).radius());
     assertEquals(1, cameras.x(1), "the other camera stays");

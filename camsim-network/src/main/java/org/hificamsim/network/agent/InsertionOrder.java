@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * A set of small numbers that is walked through in the order of insertion; inserting a member again
- * keeps its place (section 4.6). Nothing is allocated after construction.
+ * keeps its place (behaviour 4.6). Nothing is allocated after construction.
  */
 public final class InsertionOrder {
   /** No member: the end of a walk. */
@@ -62,10 +62,19 @@ public final class InsertionOrder {
     }
   }
 
+  /** Removes all members. */
+  public void clear() {
+    while (first != END) {
+      remove(first);
+    }
+  }
+
+  /** Whether the number is a member. */
   public boolean contains(int number) {
     return member[number];
   }
 
+  /** The number of members. */
   public int size() {
     return size;
   }

@@ -1,36 +1,29 @@
 package org.hificamsim.network.agent;
 
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
+import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.visibility.Pose;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
- * What each camera saw at its last look, and with what confidence (sections 6.1 and 6.2). The
- * targets that a camera sees are walked through in the order in which they became visible to it.
- *
- * <p>A target is visible when it is within reach and opening angle and the detection model's value
- * is above 0 and reaches the threshold. Values are clamped to [0, 1] but for CamSim's own
- * visibility, which exceeds 1 close to cameras of a range below 1 m.
+ * What each camera saw at its last look, and with what confidence (behaviour 6.1 and 6.2). The
+ * targets that a camera sees are kept in the order in which they became visible to it.
  */
 public final class Sightings {
   private final Cameras cameras;
   private final Targets targets;
-  private final DetectionModel model;
-  private final double threshold;
-  private final boolean clamped;
+  private final Visibility visibility;
   private final double[] confidence;
   private final InsertionOrder[] visible;
 
-  public Sightings(World world, Detection detection) {
+  /** What cameras will see, nothing so far. */
+  public Sightings(World world, Visibility visibility) {
     cameras = world.cameras();
     targets = world.targets();
-    model = detection.model();
-    threshold = detection.threshold();
-    clamped = !(model instanceof CamSimVisibilityDetection);
+    this.visibility = visibility;
     confidence = new double[cameras.count() * targets.count()];
     visible = new InsertionOrder[cameras.count()];
     for (int camera = 0; camera < visible.length; camera++) {
@@ -38,30 +31,48 @@ public final class Sightings {
     }
   }
 
-  /** The camera looks at every target present. */
-  public void look(int camera) {
+  /**
+   * Every online camera looks at every target present.
+   *
+   * @param detected one entry per camera, receives how many targets it sees, 0 while offline
+   * @param coverage one entry per target, receives how many cameras see it
+   */
+  public void look(int[] detected, int[] coverage) {
+    Arrays.fill(coverage, 0);
+    for (int camera = 0; camera < detected.length; camera++) {
+      detected[camera] = cameras.online(camera) ? look(camera, coverage) : 0;
+    }
+  }
+
+  private int look(int camera, int[] coverage) {
+    Pose pose = cameras.pose(camera);
     ZoomLevel zoom = cameras.zoom(camera, cameras.level(camera));
-    InsertionOrder seen = visible[camera];
-    int row = camera * targets.count();
-    for (int target = 0; target < targets.count(); target++) {
-      if (!targets.present(target)) {
-        continue;
-      }
-      double value = value(camera, target, zoom);
-      if (value > 0) {
-        seen.add(target);
-        confidence[row + target] = value;
-      } else {
-        seen.remove(target);
-        confidence[row + target] = 0;
+    int seen = 0;
+    for (int target = 0; target < coverage.length; target++) {
+      if (targets.present(target)) {
+        double x = targets.x(target);
+        double y = targets.y(target);
+        double sure = visibility.confidence(pose, zoom, x, y, targets.size(target));
+        note(camera, target, sure);
+        seen += sure > 0 ? 1 : 0;
+        coverage[target] += sure > 0 ? 1 : 0;
       }
     }
+    return seen;
   }
 
   /** A camera loses sight of a target, whatever its next look brings. */
   public void forget(int camera, int target) {
-    visible[camera].remove(target);
-    confidence[camera * targets.count() + target] = 0;
+    note(camera, target, 0);
+  }
+
+  private void note(int camera, int target, double sure) {
+    confidence[camera * targets.count() + target] = sure;
+    if (sure > 0) {
+      visible[camera].add(target);
+    } else {
+      visible[camera].remove(target);
+    }
   }
 
   /** How sure the camera is of the target; 0 where it does not see it. */
@@ -69,6 +80,7 @@ public final class Sightings {
     return confidence[camera * targets.count() + target];
   }
 
+  /** Whether the camera sees the target. */
   public boolean sees(int camera, int target) {
     return visible[camera].contains(target);
   }
@@ -76,30 +88,5 @@ public final class Sightings {
   /** The targets that the camera sees. */
   public InsertionOrder visible(int camera) {
     return visible[camera];
-  }
-
-  private double value(int camera, int target, ZoomLevel zoom) {
-    double dx = targets.x(target) - cameras.x(camera);
-    double dy = targets.y(target) - cameras.y(camera);
-    double distance = Math.sqrt(dx * dx + dy * dy);
-    if (distance > zoom.radius()) {
-      return 0;
-    }
-    boolean allRound = zoom.viewingAngle() >= 2 * Math.PI;
-    double offAxis = allRound && !model.dependsOnBearing() ? 0 : offAxis(camera, dx, dy, distance);
-    if (!allRound && !(offAxis < zoom.viewingAngle() / 2)) {
-      return 0;
-    }
-    double value = model.confidence(targets.size(target), distance, offAxis, zoom);
-    if (!(value >= threshold)) {
-      return 0;
-    }
-    return clamped ? DetectionModel.clamp(value) : value;
-  }
-
-  /** NaN on the camera's own position, or where rounding takes the cosine past 1 (quirk Q9). */
-  private double offAxis(int camera, double dx, double dy, double distance) {
-    return Math.acos(
-        cameras.headingX(camera) * (dx / distance) + cameras.headingY(camera) * (dy / distance));
   }
 }

@@ -37,7 +37,7 @@ final class SeenRun {
   private void look(NetworkView network, int target, int moment) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       for (int level = 0; network.online(camera) && level < network.levels(camera); level++) {
-        seen.get(camera)[level].set(moment, network.detects(camera, level, target));
+        seen.get(camera)[level].set(moment, network.oracle().detects(camera, level, target));
       }
     }
   }

@@ -89,7 +89,7 @@ final class DetectionSets {
   }
 
   private void add(NetworkView network, int camera, CandidateLevels candidates) {
-    network.detections(camera, seen, allWords);
+    network.oracle().detections(camera, seen, allWords);
     int whole = firstThatSeesAll(camera, candidates);
     if (whole == 0 || (whole > 0 && preference.mostTargets())) {
       look(camera, candidates, whole, 0);

@@ -16,7 +16,7 @@ final class CaseGroups {
   }
 
   static Map<String, List<CaseResult>> byDetection(List<CaseResult> cases) {
-    return by(cases, one -> one.plan().detection().model().name());
+    return by(cases, one -> one.plan().detection().name());
   }
 
   static Map<String, List<CaseResult>> byPolicy(List<CaseResult> cases) {

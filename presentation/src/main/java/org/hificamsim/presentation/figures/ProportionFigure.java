@@ -69,7 +69,7 @@ final class ProportionFigure {
     int row = policies.indexOf(one.plan().policy());
     Estimate estimate = Bootstrap.mean(one.figures(Score.PROPORTION_OF_OPTIMAL));
     if (row >= 0 && !Double.isNaN(estimate.mean())) {
-      int detection = detections.indexOf(one.plan().detection().model().name());
+      int detection = detections.indexOf(one.plan().detection().name());
       double y = row + 1 + APART * ((detections.size() - 1) / 2.0 - detection);
       panel.dot(estimate, y, Palette.line(detection));
     }

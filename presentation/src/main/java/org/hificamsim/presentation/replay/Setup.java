@@ -50,7 +50,7 @@ public record Setup(
         world.scenario().name(),
         world.scenario().field(),
         Spelling.of(world.scenario().order()),
-        detection.model().name(),
+        detection.name(),
         detection.threshold(),
         policy,
         seed,

@@ -49,8 +49,8 @@ public final class Snapshots {
     }
     for (int target = 0; target < network.targets(); target++) {
       frame.present()[target] = network.present(target);
-      frame.x()[target] = network.targetX(target);
-      frame.y()[target] = network.targetY(target);
+      frame.x()[target] = network.oracle().targetX(target);
+      frame.y()[target] = network.oracle().targetY(target);
       frame.coverage()[target] = network.coverage(target);
     }
     for (int camera = 0; camera < frame.estimates().length; camera++) {

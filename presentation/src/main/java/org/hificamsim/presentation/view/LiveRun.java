@@ -3,14 +3,17 @@ package org.hificamsim.presentation.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.TreeMap;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
 
 /**
  * One or two simulations of the same targets, in step. The targets are the same because each world
@@ -23,7 +26,8 @@ public final class LiveRun {
 
   private final Catalogue catalogue;
   private final Scenario scenario;
-  private final Map<String, DetectionModel> files = new TreeMap<>();
+  private final String firstName;
+  private final DetectionSpec first;
   private final Map<Integer, Place> dragged = new TreeMap<>();
   private final List<Choice> choices = new ArrayList<>();
   private List<LiveSide> sides = new ArrayList<>();
@@ -37,9 +41,8 @@ public final class LiveRun {
   public LiveRun(Catalogue catalogue, Scenario scenario, Choice choice, long seed) {
     this.catalogue = catalogue;
     this.scenario = scenario;
-    if (!catalogue.detections().knows(choice.detection())) {
-      files.put(choice.detection(), catalogue.detection(choice.detection()));
-    }
+    this.firstName = choice.detection();
+    this.first = DetectionSpec.parse(firstName, catalogue::detection);
     choices.add(choice);
     restart(seed);
   }
@@ -148,14 +151,17 @@ public final class LiveRun {
   }
 
   private LiveSide side(World world, Choice choice, long ofSeed, long at) {
-    Double threshold = choice.threshold();
-    if (threshold != null && !(threshold >= 0 && threshold <= 1)) {
-      throw new InputException(
-          "threshold is %s, expected a number from 0 to 1".formatted(threshold));
-    }
-    DetectionModel file = files.get(choice.detection());
-    DetectionModel model = file != null ? file : catalogue.detections().create(choice.detection());
-    return new LiveSide(world, catalogue, model, choice, ofSeed, at);
+    Detection detection =
+        Overrides.ofThreshold(Optional.ofNullable(choice.threshold()))
+            .detection(spec(choice.detection()), scenario.threshold());
+    return new LiveSide(world, catalogue, detection, choice.policy(), ofSeed, at);
+  }
+
+  /** A page may name what the catalogue has, and the file that the session began with. */
+  private DetectionSpec spec(String name) {
+    return name.equals(firstName)
+        ? first
+        : DetectionSpec.parse(name, catalogue.detections()::create);
   }
 
   List<LiveSide> sides() {

@@ -5,7 +5,6 @@ import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
@@ -30,29 +29,26 @@ final class LiveSide {
    * @param world as the steps before {@code next} have left it
    * @param seed of the world, and of the policy
    * @param next the step that comes next
-   * @param detection the model of that name
-   * @throws InputException when the choice is wrong or does not suit the scenario
+   * @param policySpec name and options
+   * @throws InputException when the policy is unknown or does not suit the scenario
    */
   LiveSide(
       World world,
       Catalogue catalogue,
-      DetectionModel detection,
-      Choice choice,
+      Detection detection,
+      String policySpec,
       long seed,
       long next) {
     this.world = world;
-    ZoomPolicy policy = catalogue.policies().create(choice.policy());
+    ZoomPolicy policy = catalogue.policies().create(policySpec);
     if (policy instanceof HindsightZoomPolicy) {
       throw new InputException(
           "policy '" + policy.name() + "' looks at the whole run first: it cannot be viewed live");
     }
-    double usual = world.scenario().threshold().orElse(detection.defaultThreshold());
-    Detection detects =
-        new Detection(detection, choice.threshold() == null ? usual : choice.threshold());
-    this.setup = Setup.of(world, detects, choice.policy(), seed);
-    this.snapshots = new Snapshots(setup, detects, policy);
+    this.setup = Setup.of(world, detection, policySpec, seed);
+    this.snapshots = new Snapshots(setup, detection, policy);
     this.simulation =
-        new Simulation(world, detects, policy, seed, List.of(this::record)).continuingAt(next);
+        new Simulation(world, detection, policy, seed, List.of(this::record)).continuingAt(next);
   }
 
   /** Runs one step. */

@@ -153,6 +153,14 @@ class LiveRunTest {
   }
 
   @Test
+  void aDetectionMayBringAThresholdOfItsOwn() {
+    LiveRun live = live("cluster-random", 0);
+    live.choose(0, new Choice("geometric@0.25", 0.5, "zoom-out"));
+    assertEquals(0.25, live.sides().get(0).setup().threshold());
+    assertEquals("geometric@0.25", live.sides().get(0).setup().detection());
+  }
+
+  @Test
   void equalCommandsAtEqualStepsGiveEqualFrames() {
     Consumer<LiveRun> commands =
         live -> {

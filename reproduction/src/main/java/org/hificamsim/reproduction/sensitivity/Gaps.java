@@ -70,7 +70,7 @@ final class Gaps {
                 name ->
                     cases.find(
                         variant.scenarios().get(name).name(),
-                        detection.model().name(),
+                        detection.name(),
                         variant.policies().get(policy)))
             .toList());
   }

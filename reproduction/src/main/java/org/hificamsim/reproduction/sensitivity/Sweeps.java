@@ -12,7 +12,6 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.Preset;
-import org.hificamsim.runs.RenamedDetection;
 import org.hificamsim.runs.RunPlan;
 
 /** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
@@ -27,16 +26,18 @@ public final class Sweeps {
   private static final int TARGETS = 3;
 
   private final Map<String, Scenario> scenarios;
-  private final DetectionModel hifi;
-  private final DetectionModel camsim;
+  private final Function<String, DetectionModel> models;
+  private final Detection hifi;
+  private final Detection camsim;
 
   /**
    * @param scenarios those of Table 7.1, by name
    */
   public Sweeps(Map<String, Scenario> scenarios, Function<String, DetectionModel> models) {
     this.scenarios = scenarios;
-    this.hifi = models.apply(Preset.HIFI);
-    this.camsim = models.apply(Preset.CAMSIM);
+    this.models = models;
+    this.hifi = Preset.detection(Preset.HIFI, models);
+    this.camsim = Preset.detection(Preset.CAMSIM, models);
   }
 
   /** The names of the scenarios that the sweeps need. */
@@ -91,25 +92,22 @@ public final class Sweeps {
     return List.copyOf(plans);
   }
 
-  private List<Variant> thresholds(DetectionModel model, double... thresholds) {
+  private List<Variant> thresholds(Detection usual, double... thresholds) {
     List<Variant> variants = new ArrayList<>();
     for (double threshold : thresholds) {
-      boolean standard = threshold == model.defaultThreshold();
-      Detection changed = standard ? Detection.of(model) : at(model, threshold);
+      boolean standard = threshold == usual.threshold();
+      Detection changed =
+          standard ? usual : Preset.detection(usual.name() + "@" + threshold, models);
       variants.add(
           new Variant(
               String.valueOf(threshold),
               standard,
               scenarios,
-              model.name().equals(hifi.name()) ? changed : Detection.of(hifi),
-              model.name().equals(camsim.name()) ? changed : Detection.of(camsim),
+              usual == hifi ? changed : hifi,
+              usual == camsim ? changed : camsim,
               specs(ALL, "")));
     }
     return variants;
-  }
-
-  private static Detection at(DetectionModel model, double threshold) {
-    return new Detection(new RenamedDetection(model, model.name() + "@" + threshold), threshold);
   }
 
   private List<Variant> targets(int... numbers) {
@@ -138,7 +136,7 @@ public final class Sweeps {
 
   private Variant variant(
       String value, boolean standard, Map<String, Scenario> worlds, Map<String, String> specs) {
-    return new Variant(value, standard, worlds, Detection.of(hifi), Detection.of(camsim), specs);
+    return new Variant(value, standard, worlds, hifi, camsim, specs);
   }
 
   private static Map<String, String> specs(List<String> policies, String options) {

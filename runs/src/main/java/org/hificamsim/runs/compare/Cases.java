@@ -9,7 +9,7 @@ import org.hificamsim.runs.RunPlan;
 public final class Cases {
   private record Name(String scenario, String detection, String policy) {
     static Name of(RunPlan plan) {
-      return new Name(plan.scenario().name(), plan.detection().model().name(), plan.policy());
+      return new Name(plan.scenario().name(), plan.detection().name(), plan.policy());
     }
   }
 

@@ -23,7 +23,6 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.runs.RenamedDetection;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.DynamicTest;
@@ -158,12 +157,12 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
   private static List<RunPlan> plans() {
     Scenario ring = scenario("ring-random").withHeadings(Headings.AS_RADIANS);
     RunPlan plain = plan(ring, "camsim-range", "zoom-out");
-    DetectionModel renamed = new RenamedDetection(plain.detection().model(), "camsim-range@0.45");
+    Detection other = new Detection("camsim-range@0.45", plain.detection().model(), 0.45);
     return List.of(
         plain,
         plan(ring, "lab:surf-svr-rbf", "sarsa:gamma=0.9,epsilon=0.1"),
         plan(scenario("cluster-scripted"), "hifi:orb-lin", "optimal"),
-        new RunPlan(ring, new Detection(renamed, 0.45), "zoom-in", STEPS, 7, REPEATS));
+        new RunPlan(ring, other, "zoom-in", STEPS, 7, REPEATS));
   }
 
   private static RunPlan plan(Scenario scenario, String detection, String policy) {

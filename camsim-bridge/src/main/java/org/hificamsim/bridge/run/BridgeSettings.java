@@ -1,0 +1,53 @@
+package org.hificamsim.bridge.run;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/**
+ * What the bridge is asked to do; without any of detection, policy and out it has nothing to do.
+ *
+ * @param detection decides what cameras see; CamSim's own rule where it is missing
+ * @param size edge of every target's bounding box, metres, above 0
+ * @param policy chooses the cameras' ranges; CamSim does where it is missing
+ * @param zooms radii common to all cameras, metres, rising; empty for those of each camera's range
+ * @param seed of the first run's policy; run i uses seed + i
+ * @param out folder of the result files
+ */
+public record BridgeSettings(
+    Optional<Detection> detection,
+    double size,
+    Optional<Policy> policy,
+    List<Double> zooms,
+    int seed,
+    Optional<Path> out) {
+  /**
+   * A policy by its name and options, made for each run.
+   *
+   * @param spec as result files name it
+   */
+  public record Policy(String spec, Supplier<ZoomPolicy> maker) {}
+
+  public BridgeSettings {
+    zooms = List.copyOf(zooms);
+  }
+
+  /** Whether CamSim has to be changed at all. */
+  public boolean asksForAnything() {
+    return detection.isPresent() || policy.isPresent() || out.isPresent();
+  }
+
+  /** What cameras see by: the given detection, else CamSim's own. */
+  Detection seen() {
+    return detection.orElseGet(() -> Detection.of(new CamSimVisibilityDetection()));
+  }
+
+  /** The same with result files elsewhere, or nowhere. */
+  BridgeSettings with(Optional<Path> newOut) {
+    return new BridgeSettings(detection, size, policy, zooms, seed, newOut);
+  }
+}

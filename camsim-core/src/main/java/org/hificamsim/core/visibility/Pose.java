@@ -1,0 +1,53 @@
+package org.hificamsim.core.visibility;
+
+/**
+ * Where a camera stands and which way it looks.
+ *
+ * @param x metres
+ * @param y metres
+ * @param heading radians, 0 is +y and pi/2 is +x; not normalised
+ * @param headingX the x component of the unit vector along the heading
+ * @param headingY its y component
+ */
+public record Pose(double x, double y, double heading, double headingX, double headingY) {
+  /** A pose with the unit vector that belongs to its heading. */
+  public static Pose of(double x, double y, double heading) {
+    return new Pose(x, y, heading, Math.sin(heading), Math.cos(heading));
+  }
+
+  /** The squared distance to a point, square metres. */
+  public double squaredDistance(double atX, double atY) {
+    double dx = atX - x;
+    double dy = atY - y;
+    return dx * dx + dy * dy;
+  }
+
+  /** The distance to a point, metres. */
+  public double distance(double atX, double atY) {
+    return Math.sqrt(squaredDistance(atX, atY));
+  }
+
+  /** Whether a point is in the sector of this opening angle, radians, or on its border. */
+  public boolean isInSector(double angle, double atX, double atY) {
+    double dx = atX - x;
+    double dy = atY - y;
+    double along = dx * headingX + dy * headingY;
+    return along >= Math.cos(angle / 2) * Math.sqrt(dx * dx + dy * dy);
+  }
+
+  /** The cosine of {@link #offAxis}, as computed; NaN for the pose's own position. */
+  public double cosine(double atX, double atY) {
+    double dx = atX - x;
+    double dy = atY - y;
+    double length = Math.sqrt(dx * dx + dy * dy);
+    return headingX * (dx / length) + headingY * (dy / length);
+  }
+
+  /**
+   * The angle between the heading and a point, radians, computed as CamSim does; NaN for the pose's
+   * own position, or where rounding takes the cosine past 1.
+   */
+  public double offAxis(double atX, double atY) {
+    return Math.acos(cosine(atX, atY));
+  }
+}

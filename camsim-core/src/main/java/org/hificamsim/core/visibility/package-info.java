@@ -1,0 +1,5 @@
+/** What a camera sees of a target: the pipeline of reach, angle, confidence and threshold. */
+@StableApi(since = "0.1")
+package org.hificamsim.core.visibility;
+
+import org.hificamsim.core.StableApi;

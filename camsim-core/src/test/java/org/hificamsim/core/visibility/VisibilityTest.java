@@ -1,0 +1,182 @@
+package org.hificamsim.core.visibility;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import net.jqwik.api.Assume;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.DoubleRange;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class VisibilityTest {
+  private static final double BORDER = 1e-7;
+  private static final Pose ORIGIN = Pose.of(0, 0, 0);
+  private static final Visibility OURS = Visibility.of(Detection.of(new GeometricDetection()));
+  private static final Visibility CAMSIMS =
+      Visibility.asInCamSim(Detection.of(new GeometricDetection()));
+
+  /** A model whose value is the distance, less 1. */
+  private record Far(boolean dependsOnBearing) implements DetectionModel {
+    @Override
+    public String name() {
+      return "far";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return distance - 1;
+    }
+  }
+
+  /** The same question asked of bearings instead of a scalar product. */
+  @Property(tries = 2000, edgeCases = EdgeCasesMode.NONE)
+  void agreesWithBearings(
+      @ForAll @DoubleRange(min = -10, max = 10) double x,
+      @ForAll @DoubleRange(min = -10, max = 10) double y,
+      @ForAll @DoubleRange(min = -10, max = 10) double cameraX,
+      @ForAll @DoubleRange(min = -10, max = 10) double cameraY,
+      @ForAll @DoubleRange(min = -720, max = 720) double heading,
+      @ForAll @DoubleRange(min = 0.1, max = 360) double angle,
+      @ForAll @DoubleRange(min = 0, max = 19) double range) {
+    double distance = Math.hypot(x - cameraX, y - cameraY);
+    double bearing = Math.toDegrees(Math.atan2(x - cameraX, y - cameraY));
+    double off = Math.abs(Math.IEEEremainder(bearing - heading, 360));
+    Assume.that(distance > BORDER);
+    Assume.that(Math.abs(off - angle / 2) > BORDER && Math.abs(distance - range) > BORDER);
+    Pose camera = Pose.of(cameraX, cameraY, Math.toRadians(heading));
+    ZoomLevel zoom = zoom(angle, range);
+    boolean within = off < angle / 2;
+    for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
+      assertEquals(within, visibility.isInAngle(camera, zoom, x, y));
+      assertEquals(within && distance < range, sees(visibility, camera, zoom, x, y));
+    }
+    assertEquals(distance, camera.distance(x, y), 1e-12 * distance);
+    if (off > 1e-3 && off < 179.9) {
+      assertEquals(Math.toRadians(off), camera.offAxis(x, y), 1e-9);
+    }
+  }
+
+  @Property
+  void allRoundSeesEveryBearing(
+      @ForAll @DoubleRange(min = -180, max = 180) double bearing,
+      @ForAll @DoubleRange(min = -720, max = 720) double heading) {
+    double x = 3 * Math.sin(Math.toRadians(bearing));
+    double y = 3 * Math.cos(Math.toRadians(bearing));
+    Pose camera = Pose.of(0, 0, Math.toRadians(heading));
+    assertTrue(sees(OURS, camera, zoom(360, 5), x, y));
+    assertTrue(sees(CAMSIMS, camera, zoom(360, 5), x, y));
+  }
+
+  @Test
+  void theRadiusItselfIsInside() {
+    for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
+      assertTrue(sees(visibility, ORIGIN, zoom(360, 5), 3, 4));
+      assertTrue(sees(visibility, ORIGIN, zoom(360, 5), 0, 5));
+      assertFalse(sees(visibility, ORIGIN, zoom(360, 5), 0, Math.nextUp(5.0)));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 90, 180, 270, 359.9})
+  void aTargetOnTheCameraIsInsideASectorButNotInCamSim(double angle) {
+    Pose camera = Pose.of(2, 3, Math.toRadians(45));
+    assertTrue(sees(OURS, camera, zoom(angle, 5), 2, 3));
+    assertFalse(sees(CAMSIMS, camera, zoom(angle, 5), 2, 3));
+    assertTrue(Double.isNaN(camera.offAxis(2, 3)));
+    assertEquals(0, camera.squaredDistance(2, 3));
+  }
+
+  @Test
+  void aTargetOnACameraThatSeesAllRoundIsInside() {
+    assertTrue(sees(OURS, ORIGIN, zoom(360, 5), 0, 0));
+    assertTrue(sees(CAMSIMS, ORIGIN, zoom(360, 5), 0, 0));
+  }
+
+  @Test
+  void theBorderOfASectorIsInsideButNotInCamSim() {
+    assertTrue(sees(OURS, ORIGIN, zoom(270, 5), 1, -1));
+    assertFalse(sees(CAMSIMS, ORIGIN, zoom(270, 5), 1, -1));
+  }
+
+  @Test
+  void aReachOfNothingHoldsTheCamerasOwnPositionAlone() {
+    assertTrue(sees(OURS, ORIGIN, zoom(360, 0), 0, 0));
+    assertFalse(sees(OURS, ORIGIN, zoom(360, 0), 0, 1e-9));
+  }
+
+  @Test
+  void anglesAboveAHalfTurnLeaveOutAWedgeBehind() {
+    ZoomLevel zoom = zoom(300, 5);
+    for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
+      assertTrue(sees(visibility, ORIGIN, zoom, 0, 1));
+      assertTrue(sees(visibility, ORIGIN, zoom, 1, 0));
+      assertTrue(sees(visibility, ORIGIN, zoom, 1, -1));
+      assertFalse(sees(visibility, ORIGIN, zoom, 0.5, -1));
+      assertFalse(sees(visibility, ORIGIN, zoom, 0, -1));
+    }
+  }
+
+  @Test
+  void aTargetNowhereIsNotSeen() {
+    assertFalse(sees(OURS, ORIGIN, zoom(360, 5), Double.NaN, 0));
+    assertFalse(sees(CAMSIMS, ORIGIN, zoom(360, 5), 0, Double.NaN));
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void aValueBelowTheThresholdCountsAsNothingAndOneAboveAHundredPercentAsThat(boolean byBearing) {
+    Visibility visibility = Visibility.of(new Detection(new Far(byBearing), 0.5));
+    assertEquals(0, visibility.confidence(ORIGIN, zoom(360, 5), 0, 1.25, 1));
+    assertEquals(0.25, visibility.value(ORIGIN, zoom(360, 5), 0, 1.25, 1));
+    assertEquals(0.5, visibility.confidence(ORIGIN, zoom(360, 5), 0, 1.5, 1));
+    assertEquals(1, visibility.confidence(ORIGIN, zoom(360, 5), 0, 3, 1));
+    assertEquals(2, visibility.value(ORIGIN, zoom(360, 5), 0, 3, 1));
+  }
+
+  @Test
+  void inCamSimAConfidenceOfNothingDetectsNothing() {
+    Detection all = new Detection(new Far(false), 0);
+    assertEquals(0, Visibility.of(all).detection().threshold());
+    assertEquals(Double.MIN_VALUE, Visibility.asInCamSim(all).detection().threshold());
+  }
+
+  @Test
+  void camSimsOwnVisibilityMayExceedOne() {
+    Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()));
+    double close = 1 / (0.25 + (0.5 - 0.25) / 0.5);
+    assertEquals(close, visibility.confidence(ORIGIN, zoom(360, 0.5), 0, 0.25, 1));
+    assertTrue(close > 1);
+  }
+
+  @Test
+  void aWiderLevelDominatesUnlessItsAngleIsNarrowerOrTheModelLooksAtTheBearing() {
+    assertTrue(OURS.dominates(zoom(90, 5), zoom(90, 4), 1));
+    assertFalse(OURS.dominates(zoom(90, 4), zoom(90, 5), 1));
+    assertFalse(OURS.dominates(zoom(80, 5), zoom(90, 4), 1));
+    Visibility byBearing = Visibility.of(Detection.of(new Far(true)));
+    assertTrue(byBearing.dominates(zoom(90, 5), zoom(90, 5), 1));
+    assertFalse(byBearing.dominates(zoom(90, 5), zoom(90, 4), 1));
+  }
+
+  private static boolean sees(
+      Visibility visibility, Pose camera, ZoomLevel zoom, double x, double y) {
+    return visibility.confidence(camera, zoom, x, y, 0.66) > 0;
+  }
+
+  /**
+   * @param angle degrees
+   */
+  private static ZoomLevel zoom(double angle, double radius) {
+    return new ZoomLevel(radius, radius, radius, Double.NaN, Math.toRadians(angle));
+  }
+}

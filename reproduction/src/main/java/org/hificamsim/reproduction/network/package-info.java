@@ -1,0 +1,2 @@
+/** The experiment of docs/camsim-network.md. */
+package org.hificamsim.reproduction.network;

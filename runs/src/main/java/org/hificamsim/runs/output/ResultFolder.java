@@ -1,0 +1,74 @@
+package org.hificamsim.runs.output;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.InputException;
+
+/** A folder that a command has written: what is in it beside its {@link Table tables}. */
+public record ResultFolder(Path path) {
+  public static final String SUMMARY = "summary.json";
+  public static final String SETTINGS = "settings.json";
+  public static final String MANIFEST = "manifest.json";
+  public static final String REPLAY = "replay.json";
+  public static final String REPORT = "report.html";
+
+  /**
+   * A file's path.
+   *
+   * @throws InputException when there is no such file
+   */
+  public Path file(String name) {
+    Path file = path.resolve(name);
+    if (!Files.isRegularFile(file)) {
+      throw new InputException(
+          "no file '"
+              + file
+              + "', expected a folder that 'hificamsim run --record' or 'hificamsim compare'"
+              + " wrote");
+    }
+    return file;
+  }
+
+  /**
+   * A file's content.
+   *
+   * @throws InputException when it is missing or no JSON object
+   */
+  public JsonNode json(String name) throws IOException {
+    Path file = file(name);
+    try {
+      JsonNode node = new ObjectMapper().readTree(file.toFile());
+      if (node.isObject() || node.isArray()) {
+        return node;
+      }
+    } catch (JsonProcessingException e) {
+      throw new InputException(
+          "%s:%s:%s: not JSON, expected what 'hificamsim' writes"
+              .formatted(file, e.getLocation().getLineNr(), e.getLocation().getColumnNr()),
+          e);
+    }
+    throw new InputException(file + ": not a JSON object, expected what 'hificamsim' writes");
+  }
+
+  /** The command line that made the folder, each word quoted as a shell needs it. */
+  public String command() throws IOException {
+    List<String> words = new ArrayList<>(List.of("./hificamsim"));
+    for (JsonNode word : json(MANIFEST).path("command")) {
+      String text = word.asText();
+      boolean plain = text.matches("[\\w./:=,@+-]+");
+      words.add(plain ? text : "'" + text.replace("'", "'\\''") + "'");
+    }
+    return String.join(" ", words);
+  }
+
+  /** The version that made the folder. */
+  public String version() throws IOException {
+    return json(MANIFEST).path("hificamsim").asText();
+  }
+}

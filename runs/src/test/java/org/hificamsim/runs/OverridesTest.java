@@ -1,0 +1,77 @@
+package org.hificamsim.runs;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What is asked for, what the scenario says, and the model's default, in this order. */
+class OverridesTest {
+  private static final Catalogue CATALOGUE = Catalogue.load();
+
+  @ParameterizedTest
+  @CsvSource({
+    "camsim-range@0.45, 0.2, 0.3, 0.45",
+    "camsim-range, 0.2, 0.3, 0.2",
+    "camsim-range, , 0.3, 0.3",
+    "camsim-range, , , 0.35",
+    "hifi:orb-lin@0, 0.2, , 0",
+    "hifi:orb-lin@1, , 0.3, 1",
+  })
+  void theFirstThresholdThatThereIsCounts(
+      String detection, Double asked, Double ofScenario, double expected) {
+    assertEquals(expected, detection(detection, asked, ofScenario).threshold());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "camsim-range, camsim-range",
+    "camsim-range@0.45, camsim-range@0.45",
+    "camsim-range@.450, camsim-range@0.45",
+    "hifi:orb-lin@4e-2, hifi:orb-lin@0.04",
+  })
+  void aThresholdOfItsOwnIsPartOfTheName(String detection, String name) {
+    assertEquals(name, detection(detection, 0.2, 0.3).name());
+    assertEquals(
+        detection.split("@", 2)[0], detection(detection, 0.2, 0.3).model().name(), "the model's");
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "camsim-range@1.5, 'threshold is 1.5, expected a number from 0 to 1'",
+    "camsim-range@-1, 'threshold is -1.0, expected a number from 0 to 1'",
+    "camsim-range@e, 'threshold is ''e'', expected a number from 0 to 1'",
+    "camsim-range@, unknown detection 'camsim-range@'",
+    "a@b/model.json, a@b/model.json: no such file",
+    "model@0.5.json, model@0.5.json: no such file",
+    "model.json@0.5, model.json: no such file",
+  })
+  void refusesWhatIsNoDetection(String detection, String expected) {
+    InputException fault =
+        assertThrows(InputException.class, () -> detection(detection, null, null));
+    assertTrue(fault.getMessage().startsWith(expected), fault.getMessage());
+  }
+
+  @Test
+  void refusesToAskForAThresholdThatIsNone() {
+    for (double threshold : new double[] {-0.1, 1.1, Double.NaN}) {
+      assertThrows(
+          InputException.class, () -> Overrides.ofThreshold(Optional.of(threshold)), "no fault");
+    }
+  }
+
+  private static Detection detection(String text, Double asked, Double ofScenario) {
+    return Overrides.ofThreshold(Optional.ofNullable(asked))
+        .detection(
+            DetectionSpec.parse(text, CATALOGUE::detection),
+            ofScenario == null ? OptionalDouble.empty() : OptionalDouble.of(ofScenario));
+  }
+}
