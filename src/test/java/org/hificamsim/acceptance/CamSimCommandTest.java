@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -201,38 +200,5 @@ class CamSimCommandTest {
     assertEquals(2, Cli.run("camsim").exit());
     assertEquals(2, Cli.run("camsim", SCENARIO, SCENARIO).exit());
     assertEquals(0, Cli.run("camsim", "-h").exit());
-  }
-
-  @Test
-  void allOfCamSimsFilesRunAThousandStepsWithoutAnyOption() throws IOException {
-    Path scenarios = Cli.reference("camsim/scenarios");
-    assumeTrue(Files.isDirectory(scenarios), "no reference data: skipped");
-    try (Stream<Path> files = Files.walk(scenarios)) {
-      List<Path> all = files.filter(file -> file.toString().endsWith(".xml")).toList();
-      assertEquals(49, all.size());
-      for (Path file : all) {
-        assertEquals(0, Cli.run("validate", file).exit(), file.toString());
-        Cli run = camsim("-t 1000", file);
-        assertEquals(0, run.exit(), file + ": " + run.err());
-        assertEquals(1001, lines("o.csv").size());
-      }
-    }
-  }
-
-  @Test
-  void recordedOutputsComeOutOfTheCommandLineUnchanged() throws IOException {
-    Path outputs = Cli.reference("camsim/outputs");
-    assumeTrue(Files.isDirectory(outputs), "no reference data: skipped");
-    int compared = 0;
-    for (String line : Files.readAllLines(outputs.resolve("index.csv"))) {
-      String[] cells = line.split(",");
-      if (cells[0].startsWith("SASO-scenario") || cells[0].startsWith("custom-")) {
-        Cli run = camsim(cells[2], Cli.reference("camsim/scenarios").resolve(cells[1]));
-        assertEquals(0, run.exit(), run.err());
-        assertEquals(Files.readAllLines(outputs.resolve(cells[0])), lines("o.csv"), cells[0]);
-        compared++;
-      }
-    }
-    assertEquals(17, compared);
   }
 }

@@ -3,7 +3,6 @@ package org.hificamsim.bridge;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -12,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
@@ -52,10 +52,9 @@ class DetectionTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"SASO/scenario6", "SASO/scenario2", "SASO-360/scenario12_corridor_fail"})
-  void camSimsOwnVisibilityGivesCamSimsOwnNumbersForItsOwnScenarios(String name) {
-    Path scenario = CamSimRun.reference("scenarios/" + name + ".xml");
-    assumeTrue(Files.exists(scenario), scenario + " is missing");
+  @ValueSource(strings = {"own1006", "own1008", "own1018"})
+  void camSimsOwnVisibilityGivesCamSimsOwnNumbersForOtherScenarios(String name) {
+    Path scenario = Reference.file("own-camsim/" + name + ".xml");
     CamSimRun own = CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, scenario, 300);
     CamSimRun with =
         CamSimRun.of(folder.resolve("with"), "detection=camsim-visibility", scenario, 300);

@@ -2,15 +2,12 @@ package org.hificamsim.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import org.hificamsim.core.Reference;
+import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
-import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
-import org.hificamsim.core.world.movement.Movements;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.AuctionSchedule;
 import org.hificamsim.network.agent.BidderHashes;
@@ -26,14 +23,7 @@ import org.junit.jupiter.api.Test;
 class BidderHashesTest {
   @Test
   void theHashCodesOfPublishedCamerasAreTheKnownOnes() {
-    World world =
-        new World(
-            ScenarioReader.read(
-                Reference.file("camsim/scenarios/SASO/scenario10.xml"),
-                anyMovement -> true,
-                new ArrayList<>()::add),
-            Movements.registry(),
-            0);
+    World world = grid().world();
     int count = world.cameras().count();
     Sightings sightings = new Sightings(world, Detection.of(new CamSimVisibilityDetection()));
     Agent[] agents = new Agent[count];
@@ -64,5 +54,14 @@ class BidderHashesTest {
         new AuctionSchedule(ScheduleKind.PASSIVE, world.targets(), HistoricalParameters.DEFAULT);
     Links links = Links.plain(0, List.of(), false);
     return new Agent(camera, 0, schedule, CommunicationPolicy.BROADCAST, links, shared);
+  }
+
+  /** Nine cameras of which two are those of the known hash codes (behaviour 4.5). */
+  private static TestScenario grid() {
+    TestScenario grid = new TestScenario().field(-20, 20, -20, 20);
+    for (int i = 0; i < 9; i++) {
+      grid.camera(TestScenario.camera("Cam_0" + (i + 1), -15 + 10 * i, 18, -180, 70, 16));
+    }
+    return grid;
   }
 }

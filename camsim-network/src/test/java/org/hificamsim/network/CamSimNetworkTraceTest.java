@@ -4,50 +4,40 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
-import org.hificamsim.core.Reference;
+import org.hificamsim.core.CamSimTrace;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** CamSim's recorded owners, ranges and confidences, step by step. */
 class CamSimNetworkTraceTest {
-  private static final String RUNS =
-      """
-      ICDSC2012-scenario_5__Active__c0__s0__t200 | ICDSC2012/scenario_5.xml \
-      | -a active -c 0 -s 0 -t 200
-      SASO-360-scenario12_corridor_fail__Passive__c0__s0__t300 \
-      | SASO-360/scenario12_corridor_fail.xml | -a passive -c 0 -s 0 -t 300
-      SASO-360-scenario6__BanditZoom__c0__s0__t500__bandit-SoftMax | SASO-360/scenario6.xml \
-      | -a epics.ai.dynamicZoom.BanditSolverZoom -b epics.bandits.SoftMax -c 0 -s 0 -t 500
-      SASO-scenario6__Active__c0__s0__t1000 | SASO/scenario6.xml | -a active -c 0 -s 0 -t 1000
-      SASO-scenario6__Active__c0__s1__t500__move-DirectedBrownian | SASO/scenario6.xml \
-      | -a active -c 0 -s 1 -t 500 -m epics.movement.DirectedBrownian
-      SASO-scenario6__Passive__c1__s2__t500__move-Brownian | SASO/scenario6.xml \
-      | -a passive -c 1 -s 2 -t 500 -m Brownian
-      """;
-
   private record Key(int step, String camera, String target) {}
 
   @ParameterizedTest
-  @CsvSource(delimiter = '|', textBlock = RUNS)
-  void ownersAndRangesEqualTheRecordedOnes(String trace, String scenario, String options) {
+  @MethodSource("org.hificamsim.core.CamSimTrace#all")
+  void ownersAndRangesEqualTheRecordedOnes(CamSimTrace trace) {
     Map<Key, Double> ours = new HashMap<>();
-    RecordedRun.of(scenario, options).run((world, network) -> addOwners(world, network, ours));
-    assertEqualTo(trace + ".owners.csv", ours);
+    run(trace, (world, network) -> addOwners(world, network, ours));
+    assertEqualTo(trace.rows("owners"), ours);
   }
 
   @ParameterizedTest
-  @CsvSource(delimiter = '|', textBlock = RUNS)
-  void confidencesEqualTheRecordedOnes(String trace, String scenario, String options) {
+  @MethodSource("org.hificamsim.core.CamSimTrace#all")
+  void confidencesEqualTheRecordedOnes(CamSimTrace trace) {
     Map<Key, Double> ours = new HashMap<>();
-    RecordedRun.of(scenario, options).run((world, network) -> addConfidences(world, network, ours));
-    assertEqualTo(trace + ".confidences.csv", ours);
+    run(trace, (world, network) -> addConfidences(world, network, ours));
+    assertEqualTo(trace.rows("confidences"), ours);
   }
 
-  private static void assertEqualTo(String trace, Map<Key, Double> ours) {
+  private static void run(CamSimTrace trace, RecordedRun.Watcher watcher) {
+    new RecordedRun(trace.command()).run(watcher);
+  }
+
+  private static void assertEqualTo(List<String[]> rows, Map<Key, Double> ours) {
     Map<Key, Double> recorded = new HashMap<>();
-    for (String[] row : Reference.rows("camsim/traces/" + trace)) {
+    for (String[] row : rows) {
       recorded.put(new Key(Integer.parseInt(row[0]), row[1], row[2]), Double.parseDouble(row[3]));
     }
     assertEquals(recorded.keySet(), ours.keySet());

@@ -8,29 +8,37 @@ import java.nio.file.Files;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
+import org.hificamsim.core.CamSimCommand;
 import org.hificamsim.core.Reference;
 import org.hificamsim.network.statistics.StepFigures;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** CamSim's recorded outputs, column by column, and the handovers of its summaries. */
+/** What CamSim wrote, column by column: for scenarios of ours and for its own. */
 class CamSimOutputTest {
-  private static final String FOLDER = "camsim/outputs/";
   private static final double ABSOLUTE = 1e-9;
   private static final double RELATIVE = 1e-9;
 
-  /** One line of the index of recorded outputs. */
-  record Recorded(String file, RecordedRun run, String hashOrder) {
-    static Recorded of(String line) {
-      String[] cells = line.split(",");
-      return new Recorded(cells[0], RecordedRun.of(cells[1], cells[2]), cells[5]);
+  /**
+   * One line of an index of recorded outputs.
+   *
+   * @param comparable how many steps are the same in each of CamSim's runs
+   */
+  record Recorded(String file, RecordedRun run, int comparable) {
+    static Recorded ours(String[] cells) {
+      CamSimCommand command = CamSimCommand.of("own-camsim/" + cells[0], cells[1]);
+      return new Recorded("own-camsim/" + cells[2], new RecordedRun(command), command.steps());
     }
 
-    /** How many steps are the same in each of CamSim's runs. */
-    int comparable() {
-      String[] words = hashOrder.split(" ");
-      return hashOrder.equals("stable") ? run.steps() : Integer.parseInt(words[words.length - 1]);
+    static Recorded camSims(String[] cells) {
+      CamSimCommand command = CamSimCommand.of("camsim/scenarios/" + cells[1], cells[2]);
+      String[] words = cells[5].split(" ");
+      int steps = words.length == 1 ? command.steps() : Integer.parseInt(words[words.length - 1]);
+      return new Recorded("camsim/outputs/" + cells[0], new RecordedRun(command), steps);
+    }
+
+    boolean stable() {
+      return comparable == run.command().steps();
     }
 
     @Override
@@ -39,21 +47,39 @@ class CamSimOutputTest {
     }
   }
 
-  static Stream<Recorded> outputs() throws IOException {
-    List<String> lines = Files.readAllLines(Reference.file(FOLDER + "index.csv"));
-    return lines.stream().skip(1).map(Recorded::of);
+  static Stream<Recorded> ours() {
+    List<String[]> index = Reference.rows("own-camsim/index.csv");
+    assertEquals(24, index.size());
+    return index.stream().map(Recorded::ours);
   }
 
-  @Test
-  void allOutputsAreCompared() throws IOException {
-    assertEquals(29, outputs().count());
-    assertEquals(28, outputs().filter(output -> output.hashOrder().equals("stable")).count());
+  static Stream<Recorded> camSims() {
+    List<Recorded> index =
+        Reference.rows("camsim/outputs/index.csv").stream().map(Recorded::camSims).toList();
+    assertEquals(29, index.size());
+    assertEquals(28, index.stream().filter(Recorded::stable).count());
+    return index.stream();
   }
 
   @ParameterizedTest
-  @MethodSource("outputs")
-  void everyColumnEqualsTheRecordedOne(Recorded output) throws IOException {
-    List<String> lines = Files.readAllLines(Reference.file(FOLDER + output.file()));
+  @MethodSource("ours")
+  void everyColumnOfOurScenariosEqualsTheRecordedOne(Recorded output) throws IOException {
+    assertColumns(output);
+  }
+
+  @ParameterizedTest
+  @MethodSource("camSims")
+  void everyColumnAndTheHandoversOfCamSimsScenariosEqualTheRecordedOnes(Recorded output)
+      throws IOException {
+    long handovers = assertColumns(output).stream().mapToLong(StepFigures::handovers).sum();
+    if (output.stable()) {
+      String[] summary = Reference.rows(output.file().replace(".csv", ".summary.csv")).get(0);
+      assertEquals(Double.parseDouble(summary[7]), (double) handovers);
+    }
+  }
+
+  private static List<StepFigures> assertColumns(Recorded output) throws IOException {
+    List<String> lines = Files.readAllLines(Reference.file(output.file()));
     assertEquals(
         "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;proportion",
         lines.get(0));
@@ -63,20 +89,8 @@ class CamSimOutputTest {
     for (int step = 0; step < output.comparable(); step++) {
       assertRow(lines.get(step + 1), ours.get(step));
     }
-    assertTrue(output.comparable() >= 200, output.comparable() + " steps compared");
-  }
-
-  @ParameterizedTest
-  @MethodSource("outputs")
-  void handoversEqualTheRecordedOnes(Recorded output) throws IOException {
-    if (output.comparable() < output.run().steps()) {
-      return;
-    }
-    String summary = output.file().replace(".csv", ".summary.csv");
-    String[] recorded = Reference.rows(FOLDER + summary).get(0);
-    long[] handovers = new long[1];
-    output.run().run((world, network) -> handovers[0] += network.figures().handovers());
-    assertEquals(Double.parseDouble(recorded[7]), (double) handovers[0]);
+    assertTrue(output.comparable() >= 120, output.comparable() + " steps compared");
+    return ours;
   }
 
   private static void assertRow(String line, StepFigures ours) {

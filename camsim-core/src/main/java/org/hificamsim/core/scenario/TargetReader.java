@@ -90,19 +90,16 @@ final class TargetReader {
                   + spec.shortName()
                   + " without <waypoint>, expected at least two of them");
     }
-    if (origin == TargetSpec.Origin.EVENT && movement.isEmpty() && onPath) {
-      x = spec.waypoints().get(0).x();
-      y = spec.waypoints().get(0).y();
-    }
-    if (!field.contains(x, y) && !(onPath && coverageDialect)) {
+    Waypoint start = onPath && movement.isEmpty() ? spec.waypoints().get(0) : new Waypoint(x, y);
+    if (!field.contains(start.x(), start.y()) && !(onPath && coverageDialect)) {
       warnings.accept(
           element.place("x")
               + ": <"
               + element.name()
               + "> starts outside the field at ("
-              + x
+              + start.x()
               + ", "
-              + y
+              + start.y()
               + "); it stays there, turning, unless one step leads inside");
     }
     return new TargetSpec(

@@ -134,7 +134,7 @@ class ScenarioReaderTest {
             new ScenarioEvent.AddTarget(
                 5,
                 new TargetSpec(
-                    event, 9, -1, -2, 3, 4, 0.66, new MovementSpec("", 0, 1, path), Map.of())),
+                    event, 9, 1, 2, 3, 4, 0.66, new MovementSpec("", 0, 1, path), Map.of())),
             new ScenarioEvent.RemoveTarget(6, 9),
             new ScenarioEvent.FailRegistration(7, 5)),
         events);

@@ -9,7 +9,9 @@ import org.hificamsim.core.world.Targets;
 
 /**
  * CamSim's waypoints: always a full step towards the current waypoint; within 0.99999 m of it the
- * target turns to the next one, cyclically, so that it never stands on one exactly.
+ * target turns to the next one, cyclically, so that it never stands on one exactly. It starts on
+ * the first where waypoints alone ask for this movement, and where the scenario puts it where a
+ * name does (behaviour 3.5, 5.1).
  */
 final class WaypointsMovement implements Movement {
   private static final double NEAR = 1 - 0.00001;
@@ -25,6 +27,9 @@ final class WaypointsMovement implements Movement {
   @Override
   public void start(int target, Targets targets, TargetSpec spec) {
     path = spec.movement().waypoints();
+    if (spec.movement().name().isEmpty()) {
+      targets.put(target, path.get(0).x(), path.get(0).y());
+    }
   }
 
   @Override

@@ -3,10 +3,14 @@ package org.hificamsim.core.world.movement;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.Waypoint;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class WaypointsMovementTest {
@@ -83,6 +87,16 @@ class WaypointsMovementTest {
       x = world.targets().x(0);
       y = world.targets().y(0);
     }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"'', 2, 3", "Waypoints, 7, 8", "Straight, 7, 8"})
+  void startsOnTheFirstWaypointWhereNoNameIsGiven(String movement, double x, double y) {
+    MovementSpec spec =
+        new MovementSpec(movement, 0, 1, List.of(new Waypoint(2, 3), new Waypoint(4, 5)));
+    World world = new TestScenario().target(TestScenario.target(1, 7, 8, 0, 1, spec)).world();
+    assertEquals(x, world.targets().x(0));
+    assertEquals(y, world.targets().y(0));
   }
 
   private static void assertPath(World world, double... x) {
