@@ -37,7 +37,7 @@ import picocli.CommandLine.Spec;
     description = "Runs a scenario as CamSim does, network and all, and writes CamSim's files.",
     mixinStandardHelpOptions = true)
 final class CamSimCommand implements Callable<Integer> {
-  private static final int MOST_STEPS = 1_000_000_000;
+  private static final int MAX_STEPS = 1_000_000_000;
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
@@ -156,7 +156,7 @@ final class CamSimCommand implements Callable<Integer> {
 
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue, NetworkSettings settings, PrintWriter err) {
-    Numbers.inRange("-t", steps, 0, MOST_STEPS);
+    Numbers.inRange("-t", steps, 0, MAX_STEPS);
     if (threshold != null) {
       Numbers.proportion("--threshold", threshold);
     }
