@@ -109,7 +109,7 @@ class CompareCommandTest {
     Cli second = Cli.run(words(folder, 10, 1));
     first.destroyForcibly().waitFor();
     assertEquals(2, second.exit(), second.err());
-    assertTrue(second.err().contains("another comparison writes there"), second.err());
+    assertTrue(second.err().contains("is in use by another run"), second.err());
   }
 
   @Test

@@ -12,6 +12,7 @@ final class Java {
   /** Starts a command; both its outputs are read from the process's input stream. */
   static Process main(String classPath, Object... words) throws IOException {
     List<String> command = new ArrayList<>();
+    command.addAll(List.of("env", "--default-signal=INT")); // even where this process ignores it
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.add("-Dhificamsim.root=" + Cli.ROOT);
     command.add("-cp");

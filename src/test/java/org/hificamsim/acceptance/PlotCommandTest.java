@@ -44,7 +44,7 @@ class PlotCommandTest {
     Files.writeString(run.resolve("steps.csv"), "run,step,k_min\n0,99999999,1\n");
     Cli plot = Cli.run("plot", run, "--out", folder.resolve("plot.png"));
     assertEquals(2, plot.exit());
-    assertTrue(plot.err().contains("steps.csv:2:1"), plot.err());
+    assertTrue(plot.err().contains("steps.csv:2:3"), plot.err());
   }
 
   private Path run(String policy) {

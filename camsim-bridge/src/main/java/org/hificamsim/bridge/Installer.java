@@ -15,7 +15,7 @@ import org.hificamsim.bridge.run.LiveBridge;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.core.file.OutputFolder;
 
 /**
  * Reads the options, makes sure that this CamSim has what they need, and has the hooks woven into

@@ -3,6 +3,7 @@ package org.hificamsim.bridge;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.RunCoverage;
@@ -12,8 +13,8 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.world.World;
-import org.hificamsim.runs.output.OutputFolder;
-import org.hificamsim.runs.output.RunRecorder;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.SingleRun;
 
 /** This project's own engine on CamSim's scenarios: what the bridge has to agree with. */
 final class Engine {
@@ -34,12 +35,10 @@ final class Engine {
       throws IOException {
     World world = new World(scenario(file, zooms), CATALOGUE.movements(), 0);
     RunCoverage coverage = new RunCoverage();
-    try (OutputFolder output = new OutputFolder(folder)) {
-      try (RunRecorder recorder = new RunRecorder(output, true)) {
-        new Simulation(world, detection, policy, 0, List.of(coverage, recorder.listener(0)))
-            .run(steps);
-      }
-      output.commit(List.of());
+    try (SingleRun run = new SingleRun(folder, 0, true)) {
+      new Simulation(world, detection, policy, 0, List.of(coverage, run)).run(steps);
+      RunPlan plan = new RunPlan(world.scenario(), detection, "own", steps, 0, 1);
+      run.commit(plan, 0, Optional.empty());
     }
     return coverage;
   }

@@ -2,12 +2,12 @@ package org.hificamsim.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.report.Report;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
@@ -18,7 +18,7 @@ import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.Shard;
 import org.hificamsim.runs.compare.ShardRun;
 import org.hificamsim.runs.output.ManifestFile;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.runs.output.ResultFolder;
 
 /** The runs of a command that has many: with progress, a manifest, the page and a summary. */
 final class BatchRun {
@@ -27,7 +27,10 @@ final class BatchRun {
   interface Writing {
     /** Runs all plans and writes what they gave, the extras among it. */
     List<CaseResult> execute(
-        ComparisonRun comparison, List<RunPlan> plans, Path out, ComparisonRun.Extras extras)
+        ComparisonRun comparison,
+        List<RunPlan> plans,
+        OutputFolder folder,
+        ComparisonRun.Extras extras)
         throws IOException;
   }
 
@@ -66,7 +69,6 @@ final class BatchRun {
     } else {
       List<CaseResult> results = whole(engine, plans, all, writing, extras);
       results.forEach(this::warnOfUnproven);
-      Report.write(options.out(), options.out().resolve(Report.FILE));
       summary.accept(screen.out(), results);
     }
     screen.out().println("files: " + options.out());
@@ -81,16 +83,20 @@ final class BatchRun {
       ComparisonRun.Extras extras)
       throws IOException {
     long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
-    try (Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
+    try (OutputFolder folder = new OutputFolder(options.out());
+        Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
       Comparison comparison = new Comparison(engine, progress::advance);
-      return writing.execute(
-          new ComparisonRun(comparison, options.resume()),
-          plans,
-          options.out(),
-          (folder, results) -> {
-            extras.write(folder, results);
-            manifest(folder, steps);
-          });
+      List<CaseResult> cases =
+          writing.execute(
+              new ComparisonRun(comparison, options.resume()),
+              plans,
+              folder,
+              (files, results) -> {
+                extras.write(files, results);
+                manifest(files, steps);
+              });
+      Report.write(options.out(), options.out().resolve(ResultFolder.REPORT));
+      return cases;
     }
   }
 
@@ -127,6 +133,6 @@ final class BatchRun {
   }
 
   private void manifest(OutputFolder folder, long steps) throws IOException {
-    ManifestFile.write(folder.open("manifest.json"), screen.words(), started, steps);
+    ManifestFile.write(folder, screen.words(), started, steps);
   }
 }

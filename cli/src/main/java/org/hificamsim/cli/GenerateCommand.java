@@ -1,15 +1,14 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.generate.RandomField;
-import org.hificamsim.runs.output.OutputFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -54,12 +53,8 @@ final class GenerateCommand implements Callable<Integer> {
     if (Files.isDirectory(absolute) || absolute.getFileName() == null) {
       throw new InputException("'" + file + "' is a folder, expected the name of a file");
     }
-    try (OutputFolder output = new OutputFolder(absolute.getParent())) {
-      try (Writer writer = output.open(absolute.getFileName().toString())) {
-        writer.write(ScenarioWriter.write(field.scenario()));
-      }
-      output.commit(List.of());
-    }
+    OutputFolder.made(absolute.getParent());
+    new OutputFile(absolute).write(ScenarioWriter.write(field.scenario()));
     spec.commandLine()
         .getOut()
         .printf("%s: %d cameras, %d targets%n", file, field.cameras(), field.targets());

@@ -11,6 +11,7 @@ import java.util.ServiceConfigurationError;
 import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.Unfinished;
 import org.hificamsim.runs.output.ManifestFile;
 import picocli.AutoComplete.GenerateCompletion;
 import picocli.CommandLine;
@@ -58,6 +59,7 @@ public final class Main {
   public static void main(String[] args) {
     PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
     PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    Unfinished.deleteAtExit();
     System.exit(execute(out, err, args));
   }
 

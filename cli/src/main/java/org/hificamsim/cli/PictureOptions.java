@@ -1,17 +1,16 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.presentation.picture.Animation;
 import org.hificamsim.presentation.picture.RunFrames;
 import org.hificamsim.presentation.picture.StepPicture;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.replay.Recording;
 import org.hificamsim.presentation.replay.Replay;
-import org.hificamsim.runs.output.OutputFile;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 
@@ -106,16 +105,16 @@ final class PictureOptions {
     Animation animation = animation(run);
     if (png != null) {
       int pixels = width == null ? PNG_WIDTH : width;
-      write("--png", png, stream -> FigureFile.png(stream, still, pixels));
+      OutputFile.of("--png", png).write(stream -> FigureFile.png(stream, still, pixels));
       out.println(png);
     }
     if (svg != null) {
-      write("--svg", svg, stream -> FigureFile.svg(stream, still));
+      OutputFile.of("--svg", svg).write(stream -> FigureFile.svg(stream, still));
       out.println(svg);
     }
     if (gif != null) {
       int pixels = width == null ? GIF_WIDTH : width;
-      write("--gif", gif, stream -> animation.write(stream, pixels, perSecond));
+      OutputFile.of("--gif", gif).write(stream -> animation.write(stream, pixels, perSecond));
       out.printf(
           "%s (%d pictures, one for %s)%n",
           gif,
@@ -152,20 +151,5 @@ final class PictureOptions {
           "--every is %d, expected a multiple of %d, above 0".formatted(every, recorded));
     }
     return new Animation(run, first, last, (int) (every / recorded));
-  }
-
-  /** What fills a file. */
-  @FunctionalInterface
-  private interface Filling {
-    void fill(OutputStream out) throws IOException;
-  }
-
-  private static void write(String option, Path path, Filling filling) throws IOException {
-    try (OutputFile file = new OutputFile(option, path)) {
-      try (OutputStream stream = file.stream()) {
-        filling.fill(stream);
-      }
-      file.commit();
-    }
   }
 }

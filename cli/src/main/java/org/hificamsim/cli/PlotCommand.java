@@ -1,7 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -9,12 +8,13 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.KMinFigure;
 import org.hificamsim.presentation.figures.KMinPanel;
-import org.hificamsim.presentation.figures.RunFolder;
+import org.hificamsim.presentation.figures.RunCurve;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
-import org.hificamsim.runs.output.OutputFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -35,30 +35,26 @@ final class PlotCommand implements Callable<Integer> {
     if (!svg && !name.toLowerCase(Locale.ROOT).endsWith(".png")) {
       throw new InputException("--out is '" + out + "', expected a name that ends in .png or .svg");
     }
-    List<RunFolder> runs = new ArrayList<>();
+    List<RunCurve> runs = new ArrayList<>();
     for (Path folder : folders) {
-      runs.add(RunFolder.read(folder));
+      runs.add(RunCurve.read(folder));
     }
-    Path parent = out.toAbsolutePath().getParent();
-    try (OutputFolder output = new OutputFolder(parent)) {
-      try (OutputStream stream = output.stream(name)) {
-        if (svg) {
-          FigureFile.svg(stream, figure(runs));
-        } else {
-          FigureFile.png(stream, figure(runs));
-        }
-      }
-      output.commit(List.of());
-    }
+    OutputFolder.made(out.toAbsolutePath().getParent());
+    Figure figure = figure(runs);
+    OutputFile.of("--out", out)
+        .write(
+            svg
+                ? stream -> FigureFile.svg(stream, figure)
+                : stream -> FigureFile.png(stream, figure));
     return 0;
   }
 
-  private Figure figure(List<RunFolder> runs) {
-    List<Function<RunFolder, String>> parts =
-        List.of(RunFolder::scenario, RunFolder::detection, RunFolder::policy);
-    List<Function<RunFolder, String>> differ =
+  private Figure figure(List<RunCurve> runs) {
+    List<Function<RunCurve, String>> parts =
+        List.of(RunCurve::scenario, RunCurve::detection, RunCurve::policy);
+    List<Function<RunCurve, String>> differ =
         parts.stream().filter(part -> runs.stream().map(part).distinct().count() > 1).toList();
-    List<Function<RunFolder, String>> same =
+    List<Function<RunCurve, String>> same =
         parts.stream().filter(part -> !differ.contains(part)).toList();
     List<KMinFigure.Line> lines = new ArrayList<>();
     for (int i = 0; i < runs.size(); i++) {
@@ -71,13 +67,13 @@ final class PlotCommand implements Callable<Integer> {
         lines);
   }
 
-  private static String repeats(List<RunFolder> runs) {
-    List<Integer> repeats = runs.stream().map(RunFolder::repeats).distinct().toList();
+  private static String repeats(List<RunCurve> runs) {
+    List<Integer> repeats = runs.stream().map(RunCurve::repeats).distinct().toList();
     return repeats.size() == 1 && repeats.get(0) > 1 ? " (" + repeats.get(0) + " seeds)" : "";
   }
 
   private static String join(
-      RunFolder run, List<Function<RunFolder, String>> parts, String separator) {
+      RunCurve run, List<Function<RunCurve, String>> parts, String separator) {
     return String.join(separator, parts.stream().map(part -> part.apply(run)).toList());
   }
 }

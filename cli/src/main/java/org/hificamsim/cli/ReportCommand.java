@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.hificamsim.presentation.report.Report;
+import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -25,7 +26,7 @@ final class ReportCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "FILE.html",
-      description = "The page; default: DIR/" + Report.FILE + ".")
+      description = "The page; default: DIR/" + ResultFolder.REPORT + ".")
   private Path out;
 
   @Mixin private PictureOptions pictures;
@@ -41,7 +42,7 @@ final class ReportCommand implements Callable<Integer> {
         return 0;
       }
     }
-    Path page = out != null ? out : folder.resolve(Report.FILE);
+    Path page = out != null ? out : folder.resolve(ResultFolder.REPORT);
     Report.write(folder, page);
     spec.commandLine().getOut().println(page);
     return 0;

@@ -22,10 +22,8 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
-import org.hificamsim.runs.output.ManifestFile;
-import org.hificamsim.runs.output.OutputFolder;
-import org.hificamsim.runs.output.RunRecorder;
-import org.hificamsim.runs.output.SummaryFile;
+import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.RunFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -76,7 +74,7 @@ final class RunCommand implements Callable<Integer> {
     new RunExecutor(catalogue).check(plan);
     listeners.forEach(catalogue.listeners()::create);
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
-    try (OutputFolder output = new OutputFolder(folder);
+    try (RunFolder output = new RunFolder(folder, record);
         Workers workers = Workers.of(threads.count())) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
       Optional<ReplayRecorder> replay =
@@ -87,16 +85,11 @@ final class RunCommand implements Callable<Integer> {
                   Stream.of(kMin.listener()), replay.map(film -> film.listener(run)).stream());
       List<RunResult> results =
           execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
-      SummaryFile.write(output.open("summary.json"), plan, results);
-      ManifestFile.write(
-          output.open("manifest.json"),
-          screen.words(),
-          started,
-          (long) plan.steps() * plan.repeats());
+      output.manifest(screen.words(), started, (long) plan.steps() * plan.repeats());
       if (replay.isPresent()) {
-        replay.get().write(output.stream(ReplayRecorder.FILE));
+        replay.get().write(output.replay());
       }
-      output.commit(RunRecorder.RECORDS);
+      output.commit(plan, results);
       if (replay.isPresent()) {
         report(folder);
       }
@@ -106,7 +99,7 @@ final class RunCommand implements Callable<Integer> {
   }
 
   private void report(Path folder) throws IOException {
-    Path page = folder.resolve(Report.FILE);
+    Path page = folder.resolve(ResultFolder.REPORT);
     Report.write(folder, page);
     double megabytes = Files.size(page) / 1e6;
     if (megabytes >= MAX_MEGABYTES) {
@@ -131,17 +124,16 @@ final class RunCommand implements Callable<Integer> {
       RunPlan plan,
       RunExecutor executor,
       Catalogue catalogue,
-      OutputFolder output,
+      RunFolder output,
       IntFunction<Stream<StepListener>> own)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
-    try (RunRecorder recorder = new RunRecorder(output, record);
-        Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {
+    try (Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {
       return executor.execute(
           plan,
           run -> {
             List<StepListener> all = new ArrayList<>();
-            all.add(recorder.listener(run));
+            all.add(output.listener(run));
             own.apply(run).forEach(all::add);
             all.add((network, coverage) -> progress.advance());
             listeners.forEach(name -> all.add(catalogue.listeners().create(name)));

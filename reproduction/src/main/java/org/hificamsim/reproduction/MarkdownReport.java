@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.List;
 import java.util.Locale;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.core.file.OutputFolder;
 
 /** Table and verdicts for people: {@code table-8.1.md} and {@code verdicts.md}. */
 final class MarkdownReport {

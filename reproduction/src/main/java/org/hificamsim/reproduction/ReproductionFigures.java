@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.apache.commons.math3.stat.StatUtils;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.CoverageFigure;
 import org.hificamsim.presentation.figures.KMinPanel;
 import org.hificamsim.presentation.figures.OverTime;
@@ -16,7 +17,6 @@ import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.output.OutputFolder;
 import org.knowm.xchart.XYChart;
 
 /** Figures 7.3, 7.4, 7.6 to 7.9 and 8.1, drawn anew. */

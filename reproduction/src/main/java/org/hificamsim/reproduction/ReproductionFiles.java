@@ -3,10 +3,11 @@ package org.hificamsim.reproduction;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.CsvTable;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.runs.output.Table;
 
 /** The files of a reproduction: table and verdicts as CSV and Markdown, and the figures. */
 public final class ReproductionFiles {
@@ -35,22 +36,7 @@ public final class ReproductionFiles {
   }
 
   private static void table(OutputFolder folder, List<Table81.Cell> cells) throws IOException {
-    try (CsvTable table =
-        new CsvTable(
-            folder.open("table-8.1.csv"),
-            "layout",
-            "policy",
-            "detection",
-            "published",
-            "proportion",
-            "low",
-            "high",
-            "difference",
-            "verdict",
-            "over_hifi_optimum",
-            "over_hifi_optimum_at_0.45",
-            "explore_any",
-            "cluster_script_at_origin")) {
+    try (CsvTable table = Table.TABLE_8_1.create(folder)) {
       for (Table81.Cell cell : cells) {
         table.row(
             cell.published().layout().label(),
@@ -71,21 +57,7 @@ public final class ReproductionFiles {
   }
 
   private static void verdicts(OutputFolder folder, Judgement judgement) throws IOException {
-    try (CsvTable table =
-        new CsvTable(
-            folder.open("verdicts.csv"),
-            "kind",
-            "id",
-            "source",
-            "claim",
-            "published",
-            "value",
-            "low",
-            "high",
-            "checks",
-            "checks_held",
-            "verdict",
-            "why")) {
+    try (CsvTable table = Table.VERDICTS.create(folder)) {
       for (Table81.Cell cell : judgement.cells()) {
         table.row(
             "cell",

@@ -14,6 +14,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.SingleRun;
 
 /**
  * One run of CamSim, from the first step of a {@code SimCore} to its end.
@@ -32,7 +33,7 @@ final class Run {
   private final CamSim camsim;
   private final LiveNetwork network;
   private final Optional<Steering> steering;
-  private final Optional<RunFiles> files;
+  private final Optional<SingleRun> files;
   private final StepCoverage coverage = new StepCoverage();
   private Optional<ScenarioFile> scenario = Optional.empty();
   private long step;
@@ -57,7 +58,7 @@ final class Run {
     this.steering = settings.policy().map(policy -> new Steering(policy, seed()));
     this.files =
         settings.out().isPresent()
-            ? Optional.of(new RunFiles(folder(settings.out().get(), number), number))
+            ? Optional.of(new SingleRun(folder(settings.out().get(), number), number, true))
             : Optional.empty();
   }
 
@@ -119,12 +120,12 @@ final class Run {
     if (!ended) {
       ended = true;
       if (files.isPresent()) {
-        files
-            .get()
-            .commit(
-                plan(files.get().steps()),
-                steering.map(Steering::messages).orElse(0L),
-                steering.flatMap(Steering::proof));
+        try (SingleRun run = files.get()) {
+          run.commit(
+              plan(run.steps()),
+              steering.map(Steering::messages).orElse(0L),
+              steering.flatMap(Steering::proof));
+        }
       }
     }
   }

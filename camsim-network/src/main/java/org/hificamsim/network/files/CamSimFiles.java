@@ -8,11 +8,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.statistics.OverlapTable;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.output.OutputFile;
+import org.hificamsim.runs.output.SingleRun;
 
 /** All files of one run: CamSim's two, and those of ours that are asked for. */
 public final class CamSimFiles implements Closeable {
@@ -31,7 +32,7 @@ public final class CamSimFiles implements Closeable {
   private final List<StepListener> listeners = new ArrayList<>();
   private final List<OutputFile> files = new ArrayList<>();
   private final List<Closeable> tables = new ArrayList<>();
-  private final Optional<CoverageFiles> coverage;
+  private final Optional<SingleRun> coverage;
   private final SummaryRows summary;
   private final RunSums sums = new RunSums();
   private final RunPlan plan;
@@ -55,10 +56,10 @@ public final class CamSimFiles implements Closeable {
       }
       coverage =
           places.coverage().isPresent()
-              ? Optional.of(new CoverageFiles(places.coverage().get(), plan))
+              ? Optional.of(new SingleRun(places.coverage().get(), 0, false))
               : Optional.empty();
       coverage.ifPresent(opened::add);
-      coverage.ifPresent(covered -> listeners.addAll(covered.listeners()));
+      coverage.ifPresent(listeners::add);
     } catch (IOException | RuntimeException e) {
       close();
       throw e;
@@ -81,7 +82,8 @@ public final class CamSimFiles implements Closeable {
       table.close();
     }
     if (coverage.isPresent()) {
-      coverage.get().commit(command, started, sums.communication());
+      coverage.get().folder().manifest(command, started, plan.steps());
+      coverage.get().commit(plan, sums.communication(), Optional.empty());
     }
     for (OutputFile file : files) {
       file.commit();
@@ -97,7 +99,7 @@ public final class CamSimFiles implements Closeable {
   }
 
   private OutputFile file(String option, Path path) throws IOException {
-    OutputFile file = new OutputFile(option, path);
+    OutputFile file = OutputFile.of(option, path);
     files.add(file);
     opened.add(file);
     return file;

@@ -6,10 +6,9 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
-import java.nio.file.StandardOpenOption;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.json.JsonFile;
 
@@ -44,15 +43,8 @@ public final class ModelFiles {
    */
   public static void write(HiFiDetection model, Path file) {
     byte[] bytes = checkedBytes(model);
-    Path target = file.toAbsolutePath();
-    Path draft = target.resolveSibling("." + target.getFileName() + "." + System.nanoTime());
     try {
-      try {
-        Files.write(draft, bytes, StandardOpenOption.CREATE_NEW, StandardOpenOption.SYNC);
-        Files.move(draft, target, StandardCopyOption.ATOMIC_MOVE);
-      } finally {
-        Files.deleteIfExists(draft);
-      }
+      new OutputFile(file).write(out -> out.write(bytes));
     } catch (IOException e) {
       throw new InputException(
           file + ": cannot be written (" + e + "), expected a writable place", e);

@@ -3,10 +3,10 @@ package org.hificamsim.presentation.figures;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.output.OutputFolder;
 
 /** The pictures of a comparison: k_min over time, proportions of the optimum, shares covered. */
 public final class ComparisonFigures {

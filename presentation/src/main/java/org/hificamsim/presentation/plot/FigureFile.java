@@ -20,7 +20,7 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
 import org.apache.batik.svggen.SVGGeneratorContext;
 import org.apache.batik.svggen.SVGGraphics2D;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.core.file.OutputFolder;
 import org.w3c.dom.Document;
 
 /** Writes pictures: PNG, for screens, and SVG, for papers. Needs no display. */

@@ -2,10 +2,10 @@ package org.hificamsim.presentation.replay;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.runs.output.ResultFolder;
 
 /**
  * What {@code run --record} keeps for pages and pictures: {@code replay.json}.
@@ -22,11 +22,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
    * @throws InputException when it is missing or is not what a run writes
    */
   public static Replay read(Path folder) throws IOException {
-    Path file = folder.resolve(ReplayRecorder.FILE);
-    if (!Files.isRegularFile(file)) {
-      throw new InputException(
-          "no file '" + file + "', expected a folder that 'hificamsim run --record' wrote");
-    }
+    Path file = new ResultFolder(folder).file(ResultFolder.REPLAY);
     try {
       return ReplayJson.mapper().readValue(file.toFile(), Replay.class).checked(file);
     } catch (JsonProcessingException e) {
@@ -49,7 +45,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
     try {
       return runs.get(index).unpack(setup);
     } catch (IOException e) {
-      throw broken(folder.resolve(ReplayRecorder.FILE), "the data of run " + index, e);
+      throw broken(folder.resolve(ResultFolder.REPLAY), "the data of run " + index, e);
     }
   }
 

@@ -14,9 +14,6 @@ import org.hificamsim.core.engine.StepListener;
  * may run at the same time.
  */
 public final class ReplayRecorder {
-  /** The file in a run's folder. */
-  public static final String FILE = "replay.json";
-
   private static final int MOST_RUNS = 50;
   private static final StepListener NOTHING = (network, coverage) -> {};
 

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Map;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import org.hificamsim.core.InputException;
+import org.hificamsim.runs.output.Table;
+import org.hificamsim.runs.output.TableFile;
 
 /** Compares {@code summary.csv} with {@code results.csv}: a page must not mix two comparisons. */
 final class ComparisonCheck {
@@ -18,14 +20,14 @@ final class ComparisonCheck {
   static void check(TableFile summary, TableFile results) {
     Map<List<String>, SummaryStatistics> runs = new LinkedHashMap<>();
     for (int row = 0; row < results.rows().size(); row++) {
-      runs.computeIfAbsent(key(results, row), any -> new SummaryStatistics())
+      runs.computeIfAbsent(results.caseOf(row), any -> new SummaryStatistics())
           .addValue(results.number(row, "performance"));
     }
     for (int row = 0; row < summary.rows().size(); row++) {
       double mean = summary.number(row, "mean");
       summary.number(row, "low");
       summary.number(row, "high");
-      SummaryStatistics own = runs.get(key(summary, row));
+      SummaryStatistics own = runs.get(summary.caseOf(row));
       if (own != null && summary.text(row, "metric").equals("performance")) {
         compare(summary, row, mean, own);
       }
@@ -42,14 +44,9 @@ final class ComparisonCheck {
                   summary.line(row),
                   summary.text(row, "mean"),
                   summary.text(row, "runs"),
-                  "results.csv",
+                  Table.RESULTS.file(),
                   own.getMean(),
                   own.getN()));
     }
-  }
-
-  private static List<String> key(TableFile table, int row) {
-    return List.of(
-        table.text(row, "scenario"), table.text(row, "detection"), table.text(row, "policy"));
   }
 }

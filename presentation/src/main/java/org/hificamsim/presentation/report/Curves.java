@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.hificamsim.runs.output.TableFile;
 
 /** k_min over time of all cases, in few enough points for a page. */
 final class Curves {
@@ -25,14 +26,14 @@ final class Curves {
     Map<List<String>, double[]> cases = new LinkedHashMap<>();
     Map<List<String>, Integer> lengths = new LinkedHashMap<>();
     for (int row = 0; row < table.rows().size(); row++) {
-      lengths.merge(key(table, row), 1, Integer::sum);
+      lengths.merge(table.caseOf(row), 1, Integer::sum);
     }
     int longest = lengths.values().stream().mapToInt(length -> length).max().orElse(1);
     int most =
         Math.max(2, Math.min(MOST_POINTS_OF_A_CASE, MOST_POINTS / Math.max(1, lengths.size())));
     int group = (longest + most - 1) / most;
     for (int row = 0; row < table.rows().size(); row++) {
-      List<String> key = key(table, row);
+      List<String> key = table.caseOf(row);
       int length = lengths.get(key);
       double[] sums = cases.computeIfAbsent(key, any -> new double[(length + group - 1) / group]);
       int point = (int) table.number(row, "step") / group;
@@ -57,10 +58,5 @@ final class Curves {
           }
         });
     return node;
-  }
-
-  private static List<String> key(TableFile table, int row) {
-    return List.of(
-        table.text(row, "scenario"), table.text(row, "detection"), table.text(row, "policy"));
   }
 }

@@ -1,17 +1,13 @@
 package org.hificamsim.presentation.report;
 
 import java.io.IOException;
-import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
-import org.hificamsim.runs.output.OutputFile;
+import org.hificamsim.core.file.OutputFile;
 
 /** Makes the page of a folder that a command has written. */
 public final class Report {
-  /** The page's name where nobody says another. */
-  public static final String FILE = "report.html";
-
   private Report() {}
 
   /**
@@ -28,12 +24,7 @@ public final class Report {
               + "', expected one that 'hificamsim run --record' or 'hificamsim compare' wrote");
     }
     String html = page(folder).html();
-    try (OutputFile file = new OutputFile("--out", out)) {
-      try (Writer writer = file.open()) {
-        writer.write(html);
-      }
-      file.commit();
-    }
+    OutputFile.of("--out", out).write(html);
   }
 
   private static Page page(Path folder) throws IOException {

@@ -6,12 +6,11 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
-import org.hificamsim.presentation.replay.Recording;
 import org.hificamsim.presentation.replay.Replay;
 import org.hificamsim.presentation.replay.ReplayJson;
-import org.hificamsim.presentation.replay.ReplayRecorder;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.output.ResultFolder;
 
 /** The page of a run that was recorded: made from its folder alone. */
 final class RunReport {
@@ -25,7 +24,7 @@ final class RunReport {
   private RunReport(Path folder) throws IOException {
     this.folder = folder;
     this.replay = Replay.read(folder);
-    this.summary = ReportFiles.json(folder, "summary.json");
+    this.summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
   }
 
   /**
@@ -41,8 +40,9 @@ final class RunReport {
     ObjectNode data = JSON.createObjectNode();
     data.set("replay", JSON.readTree(ReplayJson.of(report.replay)));
     data.set("summary", report.figures());
-    data.put("command", ReportFiles.command(folder));
-    data.put("version", ReportFiles.version(folder));
+    ResultFolder files = new ResultFolder(folder);
+    data.put("command", files.command());
+    data.put("version", files.version());
     return new Page(
         "%s, %s, %s".formatted(setup.scenario(), setup.policy(), setup.detection()),
         "run-page.js",
@@ -61,32 +61,35 @@ final class RunReport {
   }
 
   private void check(String setting, String recorded) {
-    String told = summary.path(setting).asText();
-    if (!told.equals(recorded)) {
+    String text = summary.path(setting).asText();
+    if (!text.equals(recorded)) {
       throw new InputException(
           "%s: %s is '%s', but %s says '%s', expected the files of one run"
               .formatted(
-                  folder.resolve("summary.json"), setting, told, ReplayRecorder.FILE, recorded));
+                  folder.resolve(ResultFolder.SUMMARY),
+                  setting,
+                  text,
+                  ResultFolder.REPLAY,
+                  recorded));
     }
   }
 
   /** What the page derives from the frames must be what {@code steps.csv} says. */
   private void checkSteps() throws IOException {
-    StepsCheck check = new StepsCheck(folder.resolve("steps.csv"));
+    StepsCheck check = new StepsCheck();
     for (int i = 0; i < replay.runs().size(); i++) {
-      Recording recording = replay.recording(folder, i);
-      check.expect(recording);
+      check.expect(replay.recording(folder, i));
     }
-    check.read();
+    check.read(folder);
     checkPerformance((double) check.performance() / replay.repeat());
   }
 
   private void checkPerformance(double mean) {
-    double told = summary.path("performance").asDouble(Double.NaN);
-    if (!(Math.abs(told - mean) <= ROUNDING * Math.max(1, mean))) {
+    double performance = summary.path("performance").asDouble(Double.NaN);
+    if (!(Math.abs(performance - mean) <= ROUNDING * Math.max(1, mean))) {
       throw new InputException(
           "%s: performance is %s, but the k_min of steps.csv make %s, expected the files of one run"
-              .formatted(folder.resolve("summary.json"), told, mean));
+              .formatted(folder.resolve(ResultFolder.SUMMARY), performance, mean));
     }
   }
 

@@ -31,6 +31,7 @@ import org.hificamsim.presentation.replay.ReplayRecorder;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.ResultFolder;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -57,7 +58,7 @@ class StepPictureTest {
     Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0);
     ReplayRecorder recorder = new ReplayRecorder(setup, plan.detection(), 1);
     new RunExecutor(catalogue).execute(plan, i -> List.of(recorder.listener(i)));
-    try (OutputStream out = Files.newOutputStream(folder.resolve(ReplayRecorder.FILE))) {
+    try (OutputStream out = Files.newOutputStream(folder.resolve(ResultFolder.REPLAY))) {
       recorder.write(out);
     }
     Replay replay = Replay.read(folder);

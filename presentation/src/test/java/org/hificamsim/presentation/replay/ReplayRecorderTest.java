@@ -22,6 +22,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.ResultFolder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -68,7 +69,7 @@ class ReplayRecorderTest {
     record(plan("lattice-random", "sarsa", 1000, 1), new TapeLimits(10_000, 1 << 20, 20_000));
     Replay replay = Replay.read(folder);
     assertTrue(replay.runs().get(0).every() > 1);
-    long bytes = Files.size(folder.resolve(ReplayRecorder.FILE));
+    long bytes = Files.size(folder.resolve(ResultFolder.REPLAY));
     assertTrue(bytes <= 20_500, bytes + " bytes");
   }
 
@@ -145,7 +146,7 @@ class ReplayRecorderTest {
         ""
       })
   void refusesAnotherFileInOneLine(String text) throws IOException {
-    Files.writeString(folder.resolve(ReplayRecorder.FILE), text);
+    Files.writeString(folder.resolve(ResultFolder.REPLAY), text);
     InputException refused = assertThrows(InputException.class, () -> Replay.read(folder));
     assertTrue(refused.getMessage().contains("replay.json"), refused.getMessage());
   }
@@ -153,7 +154,7 @@ class ReplayRecorderTest {
   @Test
   void refusesDataThatEndEarly() throws IOException {
     record(plan("lattice-random", "sarsa", 50, 1), TapeLimits.USUAL);
-    Path file = folder.resolve(ReplayRecorder.FILE);
+    Path file = folder.resolve(ResultFolder.REPLAY);
     Files.writeString(file, Files.readString(file).replaceFirst("\"frames\":50", "\"frames\":49"));
     Files.writeString(file, Files.readString(file).replaceFirst("(\"data\":\".{400})[^\"]*", "$1"));
     InputException refused =
@@ -186,7 +187,7 @@ class ReplayRecorderTest {
             plan,
             run ->
                 run == 0 ? List.of(recorder.listener(0), watch) : List.of(recorder.listener(run)));
-    try (OutputStream out = Files.newOutputStream(folder.resolve(ReplayRecorder.FILE))) {
+    try (OutputStream out = Files.newOutputStream(folder.resolve(ResultFolder.REPLAY))) {
       recorder.write(out);
     }
     return watch.frames;

@@ -3,10 +3,11 @@ package org.hificamsim.profiling.lab;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import org.hificamsim.profiling.AtomicFiles;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.core.Mat;
 import org.opencv.core.MatOfByte;
@@ -137,7 +138,9 @@ final class LabFolder {
 
   private void write(String name, byte[] bytes) {
     try {
-      AtomicFiles.write(folder.resolve(name), bytes);
+      Path file = folder.resolve(name);
+      Files.createDirectories(file.toAbsolutePath().getParent());
+      new OutputFile(file).write(out -> out.write(bytes));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

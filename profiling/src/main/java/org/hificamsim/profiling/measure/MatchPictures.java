@@ -2,8 +2,9 @@ package org.hificamsim.profiling.measure;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
-import org.hificamsim.profiling.AtomicFiles;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.dataset.Sample;
 import org.hificamsim.profiling.detector.Features;
 import org.hificamsim.profiling.detector.RatioTest;
@@ -52,7 +53,9 @@ record MatchPictures(Path folder) {
       MatOfByte bytes = mats.own(new MatOfByte());
       Imgcodecs.imencode(".jpg", picture, bytes);
       String name = sample.image().replaceAll("[/\\\\]", "_").replaceFirst("\\.[^.]*$", "");
-      AtomicFiles.write(folder.resolve(detector + "-" + name + ".jpg"), bytes.toArray());
+      Files.createDirectories(folder);
+      new OutputFile(folder.resolve(detector + "-" + name + ".jpg"))
+          .write(out -> out.write(bytes.toArray()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.AtomicFiles;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.dataset.CsvRows.Cell;
 
@@ -30,7 +30,7 @@ public final class MeasurementsFile {
       throws IOException {
     StringBuilder table = new StringBuilder(header(detectors));
     rows.forEach(row -> table.append(line(row)));
-    AtomicFiles.write(file, table.toString());
+    new OutputFile(file).write(table.toString());
   }
 
   /**

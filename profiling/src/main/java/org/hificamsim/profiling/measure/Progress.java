@@ -6,6 +6,7 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
@@ -16,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.Sample;
 
@@ -41,8 +43,10 @@ final class Progress implements Closeable {
     Map<Integer, Measurement> done = settings.pictures().isEmpty() ? read(file, dataset) : Map.of();
     StringBuilder kept = new StringBuilder(MeasurementsFile.header(settings.detectors()));
     done.values().forEach(row -> kept.append(MeasurementsFile.line(row)));
-    Files.writeString(file, kept);
-    Writer out = Files.newBufferedWriter(file, StandardCharsets.UTF_8, StandardOpenOption.APPEND);
+    new OutputFile(file).write(kept.toString());
+    Writer out =
+        Files.newBufferedWriter(
+            file, StandardCharsets.UTF_8, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);
     return new Progress(file, new LinkedHashMap<>(done), out);
   }
 
@@ -80,23 +84,20 @@ final class Progress implements Closeable {
 
   /** The whole lines of the file, by the index of their photo; a broken one ends it. */
   private static Map<Integer, Measurement> read(Path file, Dataset dataset) throws IOException {
-    if (!Files.exists(file)) {
+    if (!Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)) {
       return Map.of();
     }
-    String text = Files.readString(file);
-    Path whole = file.resolveSibling(file.getFileName() + ".whole");
+    String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
+    new OutputFile(file).write(text.substring(0, text.lastIndexOf('\n') + 1));
     Map<Integer, Measurement> rows = new LinkedHashMap<>();
     try {
-      Files.writeString(whole, text.substring(0, text.lastIndexOf('\n') + 1));
       Map<String, Integer> indices = indices(dataset.samples());
-      for (Measurement row : MeasurementsFile.read(whole)) {
+      for (Measurement row : MeasurementsFile.read(file)) {
         rows.put(indices.get(name(row.image(), row.object())), row);
       }
       return rows;
     } catch (InputException e) {
       return Map.of();
-    } finally {
-      Files.deleteIfExists(whole);
     }
   }
 

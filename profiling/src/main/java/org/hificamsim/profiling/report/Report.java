@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.hificamsim.profiling.AtomicFiles;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.fit.FitResult;
 
 /** Writes {@code report.html} and its pictures. */
@@ -45,7 +45,7 @@ public final class Report {
     camSim();
     ball();
     ladder();
-    AtomicFiles.write(folder.resolve("report.html"), page.text());
+    new OutputFile(folder.resolve("report.html")).write(page.text());
   }
 
   private void data() throws IOException {
@@ -107,13 +107,17 @@ public final class Report {
     String first = result.detectors().get(0);
     tables.ladder(page, ladders);
     page.paragraph(remarks.ladder(ladders.get(first), first));
-    AtomicFiles.write(folder.resolve("ladder.png"), Figures.ladder(ladders.get(first), first));
+    picture("ladder.png", Figures.ladder(ladders.get(first), first));
     page.figure("ladder.png", "The fidelity ladder: what each step costs and buys.");
   }
 
   private void figure(String number, byte[] png, String caption) throws IOException {
     String file = "figure-" + number + ".png";
-    AtomicFiles.write(folder.resolve(file), png);
+    picture(file, png);
     page.figure(file, "Figure " + number + ": " + caption + ".");
+  }
+
+  private void picture(String file, byte[] png) throws IOException {
+    new OutputFile(folder.resolve(file)).write(out -> out.write(png));
   }
 }

@@ -16,6 +16,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
@@ -30,7 +31,6 @@ import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.StackPanel;
 import org.hificamsim.runs.output.CsvTable;
-import org.hificamsim.runs.output.OutputFolder;
 import org.knowm.xchart.CategoryChart;
 
 /**

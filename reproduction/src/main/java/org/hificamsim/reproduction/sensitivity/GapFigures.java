@@ -6,6 +6,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.PolicyColors;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
@@ -13,7 +14,6 @@ import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.reproduction.Layout;
-import org.hificamsim.runs.output.OutputFolder;
 import org.knowm.xchart.XYChart;
 
 /** A picture per parameter, and one of all. */

@@ -3,10 +3,11 @@ package org.hificamsim.reproduction.sensitivity;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.List;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.CsvTable;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.runs.output.Table;
 
 /** The files of a sensitivity study: one table, the pictures, and the findings in words. */
 public final class SensitivityFiles {
@@ -27,20 +28,7 @@ public final class SensitivityFiles {
   }
 
   private static void table(OutputFolder folder, List<Gap> gaps) throws IOException {
-    try (CsvTable table =
-        new CsvTable(
-            folder.open("sensitivity.csv"),
-            "parameter",
-            "value",
-            "default",
-            "layout",
-            "policy",
-            "proportion_hifi",
-            "proportion_camsim",
-            "difference",
-            "low",
-            "high",
-            "finding")) {
+    try (CsvTable table = Table.SENSITIVITY.create(folder)) {
       for (Gap gap : gaps) {
         table.row(
             gap.sweep().parameter(),

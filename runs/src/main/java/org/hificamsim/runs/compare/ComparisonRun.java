@@ -1,10 +1,10 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.output.OutputFolder;
+import org.hificamsim.runs.output.ResultFolder;
 
 /**
  * A comparison from plans to files, safe to kill at any moment: finished runs are in the journal,
@@ -34,24 +34,24 @@ public final class ComparisonRun {
    *
    * @return one result per plan, then those of the optima that had to be added
    */
-  public List<CaseResult> execute(List<RunPlan> plans, Path out, Extras extras) throws IOException {
+  public List<CaseResult> execute(List<RunPlan> plans, OutputFolder folder, Extras extras)
+      throws IOException {
     return executeWithoutTables(
         plans,
-        out,
-        (folder, all) -> {
-          new ResultFiles(folder).write(all.subList(0, plans.size()), all);
-          extras.write(folder, all);
+        folder,
+        (files, all) -> {
+          new ResultFiles(files).write(all.subList(0, plans.size()), all);
+          extras.write(files, all);
         });
   }
 
   /** Runs all plans and writes the extras alone. */
-  public List<CaseResult> executeWithoutTables(List<RunPlan> plans, Path out, Extras extras)
-      throws IOException {
-    try (OutputFolder folder = new OutputFolder(out);
-        Journal journal = new Journal(out, resume)) {
+  public List<CaseResult> executeWithoutTables(
+      List<RunPlan> plans, OutputFolder folder, Extras extras) throws IOException {
+    try (Journal journal = Journal.open(folder, Journal.NAME, resume)) {
       List<CaseResult> all = comparison.run(Comparison.withOptimum(plans), journal);
       extras.write(folder, all);
-      folder.commit(List.of());
+      folder.commit(List.of(ResultFolder.REPORT));
       journal.finish();
       return all;
     }

@@ -4,79 +4,119 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.FileChannel;
-import java.nio.channels.OverlappingFileLockException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
 
 /**
- * The finished runs of a comparison that is under way, one line of JSON each, appended as they
- * finish. A process killed while it writes leaves a line without its end: opening the journal drops
- * it, and that run is done again.
+ * Finished runs in a file, one line of JSON each, appended as they finish. A process killed while
+ * it writes leaves a line without its end, which the next one drops; damaged lines are passed over.
+ * Those runs are done again.
  */
 final class Journal implements Closeable {
   /** The file's name in the output folder. */
   static final String NAME = ".compare.journal";
 
+  private static final int MAX_LINE = 1 << 28; // bytes
+  private static final int CHUNK = 1 << 16; // bytes
+
+  private record Line(long start, int length) {}
+
   private final Path file;
   private final FileChannel channel;
-  private final FinishedRuns found = new FinishedRuns();
+  private final Map<String, Line> lines = new HashMap<>();
 
-  /** Opens the journal of a comparison in a folder. */
-  Journal(Path folder, boolean resume) throws IOException {
-    this(folder, NAME, resume);
+  private Journal(Path file, FileChannel channel) {
+    this.file = file;
+    this.channel = channel;
   }
 
   /**
-   * Opens a journal of a folder.
+   * Opens a journal to add to.
    *
+   * @param folder held for as long as the journal is open
    * @param name the file's
    * @param resume whether runs found there count; otherwise they are dropped
-   * @throws InputException when another comparison is at work in the folder
+   * @throws InputException when the file is a link
    */
-  Journal(Path folder, String name, boolean resume) throws IOException {
-    file = folder.resolve(name);
-    channel =
+  static Journal open(OutputFolder folder, String name, boolean resume) throws IOException {
+    Path file = folder.path().resolve(name);
+    if (Files.isSymbolicLink(file)) {
+      throw new InputException("'" + file + "' is a link, expected a file or nothing");
+    }
+    FileChannel channel =
         FileChannel.open(
-            file, StandardOpenOption.CREATE, StandardOpenOption.READ, StandardOpenOption.WRITE);
-    if (!locked()) {
-      channel.close();
-      throw new InputException(
-          "--out '" + folder + "': another comparison writes there, expected a folder of its own");
-    }
-    long whole = resume ? found.read(bytes()) : 0;
-    channel.truncate(whole);
-    channel.position(whole);
+            file,
+            StandardOpenOption.CREATE,
+            StandardOpenOption.READ,
+            StandardOpenOption.WRITE,
+            LinkOption.NOFOLLOW_LINKS);
+    Journal journal = new Journal(file, channel);
+    long end = resume ? journal.index() : 0;
+    channel.truncate(end);
+    channel.position(end);
+    return journal;
   }
 
-  /** Takes the lock that keeps a second process, or a second comparison in this one, away. */
-  private boolean locked() throws IOException {
-    try {
-      return channel.tryLock() != null;
-    } catch (OverlappingFileLockException e) {
-      return false;
+  /** Opens a journal to read it. */
+  static Journal read(Path file) throws IOException {
+    Journal journal = new Journal(file, FileChannel.open(file));
+    journal.index();
+    return journal;
+  }
+
+  /** Finds the line of each run, and returns where the last line ends. */
+  private long index() throws IOException {
+    ByteBuffer chunk = ByteBuffer.allocate(CHUNK);
+    long start = 0;
+    for (long at = 0; channel.read(chunk.clear(), at) > 0; at += chunk.position()) {
+      for (int i = 0; i < chunk.position(); i++) {
+        if (chunk.get(i) == '\n') {
+          index(start, at + i);
+          start = at + i + 1;
+        }
+      }
+    }
+    return start;
+  }
+
+  private void index(long start, long end) throws IOException {
+    if (end - start <= MAX_LINE) {
+      Line line = new Line(start, (int) (end - start));
+      FinishedRun.parse(bytes(line)).ifPresent(run -> lines.put(run.key(), line));
     }
   }
 
-  /** Read through the channel: closing another handle of the file would give up the lock. */
-  private byte[] bytes() throws IOException {
-    ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(channel.size()));
-    while (bytes.hasRemaining() && channel.read(bytes) >= 0) {
+  private byte[] bytes(Line line) throws IOException {
+    ByteBuffer bytes = ByteBuffer.allocate(line.length);
+    while (bytes.hasRemaining() && channel.read(bytes, line.start + bytes.position()) >= 0) {
       // until all is read
     }
     return bytes.array();
   }
 
+  /** Whether a run was finished before. */
+  boolean has(String key, long seed) {
+    return lines.containsKey(FinishedRun.key(key, seed));
+  }
+
   /** The result of a run that was finished before. */
   synchronized Optional<Outcome> find(String key, long seed) throws IOException {
-    return found.find(key, seed);
+    Line line = lines.get(FinishedRun.key(key, seed));
+    return line == null
+        ? Optional.empty()
+        : FinishedRun.parse(bytes(line)).map(FinishedRun::outcome);
   }
 
   /** Appends a finished run, in one write. */
   synchronized void add(String key, long seed, Outcome outcome) throws IOException {
-    ByteBuffer line = ByteBuffer.wrap(FinishedRuns.line(key, seed, outcome));
+    ByteBuffer line = ByteBuffer.wrap(new FinishedRun(FinishedRun.key(key, seed), outcome).line());
     while (line.hasRemaining()) {
       channel.write(line);
     }

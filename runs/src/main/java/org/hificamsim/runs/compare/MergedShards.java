@@ -13,7 +13,7 @@ import org.hificamsim.runs.RunPlan;
 
 /** The runs of a sweep from the folders of all its shards, as an engine that computes nothing. */
 public final class MergedShards implements RunEngine {
-  private static final int MOST_NAMED = 10;
+  private static final int MAX_NAMED = 10;
 
   private final Map<Integer, ShardFolder> shards = new TreeMap<>();
 
@@ -44,11 +44,12 @@ public final class MergedShards implements RunEngine {
     List<String> keys = plans.stream().map(RunKey::of).toList();
     Set<RunTask> wanted = Set.copyOf(tasks);
     for (ShardFolder shard : shards.values()) {
-      FinishedRuns runs = shard.runs();
-      for (RunTask task : shard.shard().tasks(plans)) {
-        if (wanted.contains(task)) {
-          long seed = plans.get(task.plan()).seed(task.repeat());
-          finished.take(task, runs.find(keys.get(task.plan()), seed).orElseThrow());
+      try (Journal runs = shard.runs()) {
+        for (RunTask task : shard.shard().tasks(plans)) {
+          if (wanted.contains(task)) {
+            long seed = plans.get(task.plan()).seed(task.repeat());
+            finished.take(task, runs.find(keys.get(task.plan()), seed).orElseThrow());
+          }
         }
       }
     }
@@ -97,22 +98,23 @@ public final class MergedShards implements RunEngine {
                   missing.size(),
                   of,
                   missing.stream()
-                      .limit(MOST_NAMED)
+                      .limit(MAX_NAMED)
                       .map(String::valueOf)
                       .collect(Collectors.joining(", ")),
-                  missing.size() > MOST_NAMED ? ", ..." : ""));
+                  missing.size() > MAX_NAMED ? ", ..." : ""));
     }
   }
 
   private static void requireComplete(ShardFolder shard, List<RunPlan> plans) throws IOException {
-    FinishedRuns runs = shard.runs();
     List<RunTask> tasks = shard.shard().tasks(plans);
     List<String> keys = plans.stream().map(RunKey::of).toList();
-    long there =
-        tasks.stream()
-            .filter(
-                task -> runs.has(keys.get(task.plan()), plans.get(task.plan()).seed(task.repeat())))
-            .count();
+    long there = 0;
+    try (Journal runs = shard.runs()) {
+      for (RunTask task : tasks) {
+        boolean has = runs.has(keys.get(task.plan()), plans.get(task.plan()).seed(task.repeat()));
+        there += has ? 1 : 0;
+      }
+    }
     if (there < tasks.size()) {
       throw new InputException(
           "--merge '%s' has %d of the %d runs of shard %s, expected all; --shard %s --resume computes the rest"

@@ -1,13 +1,16 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.output.CsvTable;
-import org.hificamsim.runs.output.OutputFolder;
 import org.hificamsim.runs.output.Settings;
+import org.hificamsim.runs.output.Table;
 
 /** The tables that a comparison writes; {@code docs/data.md} says what each column holds. */
 final class ResultFiles {
@@ -24,7 +27,7 @@ final class ResultFiles {
    * @param all those, and the optima beside them
    */
   void write(List<CaseResult> asked, List<CaseResult> all) throws IOException {
-    Settings.write(folder.open("settings.json"), all.stream().map(CaseResult::plan).toList());
+    Settings.write(folder, all.stream().map(CaseResult::plan).toList());
     results(asked);
     metrics(all);
     summary(all);
@@ -33,25 +36,13 @@ final class ResultFiles {
 
   /** One row per run, the figures of the contract. */
   private void results(List<CaseResult> cases) throws IOException {
-    try (CsvTable table =
-        new CsvTable(
-            folder.open("results.csv"),
-            "scenario",
-            "detection",
-            "policy",
-            "seed",
-            "performance",
-            "proportion_of_optimal",
-            "covered_0",
-            "covered_1",
-            "covered_k")) {
+    try (CsvTable table = Table.RESULTS.create(folder)) {
       for (CaseResult one : cases) {
         for (ScoredRun run : one.runs()) {
           RunResult result = run.result();
-          table.row(
-              one.plan().scenario().name(),
-              one.plan().detection().name(),
-              one.plan().policy(),
+          row(
+              table,
+              one,
               result.seed(),
               result.performance(),
               run.proportionOfOptimal(),
@@ -65,25 +56,11 @@ final class ResultFiles {
 
   /** One row per run and figure. */
   private void metrics(List<CaseResult> cases) throws IOException {
-    try (CsvTable table =
-        new CsvTable(
-            folder.open("metrics.csv"),
-            "scenario",
-            "detection",
-            "policy",
-            "seed",
-            "metric",
-            "value")) {
+    try (CsvTable table = Table.METRICS.create(folder)) {
       for (CaseResult one : cases) {
         for (ScoredRun run : one.runs()) {
           for (Score score : one.scores()) {
-            table.row(
-                one.plan().scenario().name(),
-                one.plan().detection().name(),
-                one.plan().policy(),
-                run.result().seed(),
-                score.label(),
-                score.of(run));
+            row(table, one, run.result().seed(), score.label(), score.of(run));
           }
         }
       }
@@ -92,21 +69,7 @@ final class ResultFiles {
 
   /** One row per case and figure: mean, interval, and difference to the first detection model. */
   private void summary(List<CaseResult> cases) throws IOException {
-    try (CsvTable table =
-        new CsvTable(
-            folder.open("summary.csv"),
-            "scenario",
-            "detection",
-            "policy",
-            "metric",
-            "runs",
-            "mean",
-            "low",
-            "high",
-            "difference_to",
-            "difference",
-            "difference_low",
-            "difference_high")) {
+    try (CsvTable table = Table.SUMMARY.create(folder)) {
       for (CaseResult one : cases) {
         for (Score score : one.scores()) {
           summary(table, one, score, reference(one.plan(), cases));
@@ -123,10 +86,9 @@ final class ResultFiles {
         paired
             ? Bootstrap.difference(values, reference.figures(score))
             : new Estimate(Double.NaN, Double.NaN, Double.NaN);
-    table.row(
-        one.plan().scenario().name(),
-        one.plan().detection().name(),
-        one.plan().policy(),
+    row(
+        table,
+        one,
         score.label(),
         values.length,
         mean.mean(),
@@ -136,6 +98,16 @@ final class ResultFiles {
         difference.mean(),
         difference.low(),
         difference.high());
+  }
+
+  /** Writes a row that begins with its case. */
+  private static void row(CsvTable table, CaseResult one, Object... values) {
+    List<Object> row = new ArrayList<>();
+    row.add(one.plan().scenario().name());
+    row.add(one.plan().detection().name());
+    row.add(one.plan().policy());
+    row.addAll(Arrays.asList(values));
+    table.row(row.toArray());
   }
 
   /** The first case of the same scenario and policy: the same targets under the first detection. */
@@ -151,22 +123,10 @@ final class ResultFiles {
 
   /** One row per case and step: the mean of k_min over the runs. */
   private void steps(List<CaseResult> cases) throws IOException {
-    try (CsvTable table =
-        new CsvTable(
-            folder.openCompressed("steps.csv.gz"),
-            "scenario",
-            "detection",
-            "policy",
-            "step",
-            "k_min")) {
+    try (CsvTable table = Table.STEPS.create(folder)) {
       for (CaseResult one : cases) {
         for (int step = 0; step < one.meanKMin().length; step++) {
-          table.row(
-              one.plan().scenario().name(),
-              one.plan().detection().name(),
-              one.plan().policy(),
-              step,
-              one.meanKMin()[step]);
+          row(table, one, step, one.meanKMin()[step]);
         }
       }
     }

@@ -9,8 +9,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.output.OutputFolder;
 
 /**
  * Where a shard's runs are kept: {@code shard.json} tells which part of which sweep, {@code
@@ -74,14 +74,17 @@ record ShardFolder(Path path, Content content) {
     return new Shard(content.shard(), content.of());
   }
 
-  /** The runs that are there. */
-  FinishedRuns runs() throws IOException {
-    FinishedRuns runs = new FinishedRuns();
+  /**
+   * The runs that are there.
+   *
+   * @throws InputException when their file is missing
+   */
+  Journal runs() throws IOException {
     Path file = path.resolve(RUNS);
-    if (Files.isRegularFile(file)) {
-      runs.read(Files.readAllBytes(file));
+    if (!Files.isRegularFile(file)) {
+      throw new InputException("no file '" + file + "', expected what --shard writes");
     }
-    return runs;
+    return Journal.read(file);
   }
 
   private static Content content(Shard shard, List<RunPlan> plans) {

@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.output.OutputFolder;
 
 /**
  * Computes one part of a sweep into a folder of its own, for {@link MergedShards}; safe to kill at
@@ -58,7 +58,7 @@ public final class ShardRun {
       throws IOException {
     try (OutputFolder folder = new OutputFolder(out)) {
       checkFolder(out, resume);
-      try (Journal journal = new Journal(out, ShardFolder.RUNS, resume)) {
+      try (Journal journal = Journal.open(folder, ShardFolder.RUNS, resume)) {
         ShardFolder.write(folder, shard, plans);
         engine.run(
             plans,

@@ -1,12 +1,10 @@
 package org.hificamsim.runs.output;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import java.io.Writer;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import org.hificamsim.core.file.OutputFolder;
 
 /**
  * Writes {@code manifest.json}: when, with what, and how long; the one file that differs by run.
@@ -14,28 +12,29 @@ import java.util.List;
 public final class ManifestFile {
   private ManifestFile() {}
 
-  /** Writes and closes the file. */
-  public static void write(Writer writer, List<String> command, Instant started, long steps)
+  /** Adds the file to a folder's. */
+  public static void write(OutputFolder folder, List<String> command, Instant started, long steps)
       throws IOException {
-    Duration elapsed = Duration.between(started, Instant.now());
-    try (JsonGenerator json = new JsonFactory().createGenerator(writer)) {
-      json.useDefaultPrettyPrinter();
-      json.writeStartObject();
-      json.writeArrayFieldStart("command");
-      for (String word : command) {
-        json.writeString(word);
-      }
-      json.writeEndArray();
-      json.writeStringField("started", started.toString());
-      json.writeNumberField("seconds", elapsed.toMillis() / 1000.0);
-      json.writeNumberField("steps", steps);
-      json.writeStringField("hificamsim", version());
-      json.writeStringField("java", System.getProperty("java.vm.version"));
-      json.writeStringField(
-          "system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
-      json.writeEndObject();
-      json.writeRaw('\n');
-    }
+    double seconds = Duration.between(started, Instant.now()).toMillis() / 1000.0;
+    JsonFile.write(
+        folder,
+        ResultFolder.MANIFEST,
+        json -> {
+          json.writeStartObject();
+          json.writeArrayFieldStart("command");
+          for (String word : command) {
+            json.writeString(word);
+          }
+          json.writeEndArray();
+          json.writeStringField("started", started.toString());
+          json.writeNumberField("seconds", seconds);
+          json.writeNumberField("steps", steps);
+          json.writeStringField("hificamsim", version());
+          json.writeStringField("java", System.getProperty("java.vm.version"));
+          json.writeStringField(
+              "system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
+          json.writeEndObject();
+        });
   }
 
   /** The version in this jar's manifest. */

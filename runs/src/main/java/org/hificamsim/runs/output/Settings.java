@@ -1,11 +1,10 @@
 package org.hificamsim.runs.output;
 
-import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import java.io.Writer;
 import java.util.List;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.RunPlan;
 
@@ -13,19 +12,20 @@ import org.hificamsim.runs.RunPlan;
 public final class Settings {
   private Settings() {}
 
-  /** Writes {@code settings.json}, one object per plan, and closes it. */
-  public static void write(Writer writer, List<RunPlan> plans) throws IOException {
-    try (JsonGenerator json = new JsonFactory().createGenerator(writer)) {
-      json.useDefaultPrettyPrinter();
-      json.writeStartArray();
-      for (RunPlan plan : plans) {
-        json.writeStartObject();
-        write(json, plan);
-        json.writeEndObject();
-      }
-      json.writeEndArray();
-      json.writeRaw('\n');
-    }
+  /** Adds {@code settings.json}, one object per plan, to a folder's files. */
+  public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
+    JsonFile.write(
+        folder,
+        ResultFolder.SETTINGS,
+        json -> {
+          json.writeStartArray();
+          for (RunPlan plan : plans) {
+            json.writeStartObject();
+            write(json, plan);
+            json.writeEndObject();
+          }
+          json.writeEndArray();
+        });
   }
 
   /** Writes the settings as fields of the object under way. */

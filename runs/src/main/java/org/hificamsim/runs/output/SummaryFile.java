@@ -1,10 +1,9 @@
 package org.hificamsim.runs.output;
 
-import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
-import java.io.Writer;
 import java.util.List;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
@@ -21,19 +20,20 @@ public final class SummaryFile {
     this.json = json;
   }
 
-  /** Writes and closes the file. */
-  public static void write(Writer writer, RunPlan plan, List<RunResult> results)
+  /** Adds the file to a folder's. */
+  public static void write(OutputFolder folder, RunPlan plan, List<RunResult> results)
       throws IOException {
-    try (JsonGenerator json = new JsonFactory().createGenerator(writer)) {
-      json.useDefaultPrettyPrinter();
-      json.writeStartObject();
-      SummaryFile file = new SummaryFile(json);
-      Settings.write(json, plan);
-      file.figures(results);
-      file.runs(results);
-      json.writeEndObject();
-      json.writeRaw('\n');
-    }
+    JsonFile.write(
+        folder,
+        ResultFolder.SUMMARY,
+        json -> {
+          json.writeStartObject();
+          SummaryFile file = new SummaryFile(json);
+          Settings.write(json, plan);
+          file.figures(results);
+          file.runs(results);
+          json.writeEndObject();
+        });
   }
 
   private void figures(List<RunResult> results) throws IOException {

@@ -3,33 +3,49 @@ package org.hificamsim.runs.compare;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.FileChannel;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunResult;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class JournalTest {
   private static final RunResult RESULT =
       new RunResult(2, 7, 11, 1.1, 0.25, 0.5, 0.25, 1.25, 50, 6, 4);
 
   @TempDir Path folder;
+  private OutputFolder output;
 
   @BeforeEach
   void leaveTheJournalOfAKilledComparison() throws IOException {
-    try (Journal journal = new Journal(folder, false)) {
+    output = new OutputFolder(folder);
+    try (Journal journal = open(false)) {
       journal.add("case", 7, new Outcome(RESULT, new int[] {3, 0, 8}));
     }
   }
 
+  @AfterEach
+  void letTheFolderGo() throws IOException {
+    output.close();
+  }
+
   @Test
   void resumingFindsWhatWasFinishedBitByBit() throws IOException {
-    try (Journal journal = new Journal(folder, true)) {
+    try (Journal journal = open(true)) {
       Outcome found = journal.find("case", 7).orElseThrow();
       assertEquals(RESULT, found.result());
       assertArrayEquals(new int[] {3, 0, 8}, found.kMin());
@@ -40,8 +56,8 @@ class JournalTest {
 
   @Test
   void notResumingForgetsIt() throws IOException {
-    new Journal(folder, false).close();
-    try (Journal journal = new Journal(folder, true)) {
+    open(false).close();
+    try (Journal journal = open(true)) {
       assertTrue(journal.find("case", 7).isEmpty());
     }
   }
@@ -49,20 +65,83 @@ class JournalTest {
   @Test
   void aLineCutOffIsDroppedAndTheNextOneFollowsTheWholeOnes() throws IOException {
     Files.writeString(file(), "{\"key\":\"half", StandardOpenOption.APPEND);
-    try (Journal journal = new Journal(folder, true)) {
-      journal.add("next", 1, new Outcome(RESULT, new int[] {5}));
-    }
-    try (Journal journal = new Journal(folder, true)) {
-      assertTrue(journal.find("case", 7).isPresent());
+    addTheNext();
+    assertBothAreFound();
+    assertEquals(2, Files.readAllLines(file()).size());
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "null",
+        "{}",
+        "[]",
+        "nothing of use",
+        "\0\0\0",
+        "{\"key\":\"case/8\",\"result\":null,\"kMin\":\"eJxjYGBgAAAABAAB\"}",
+        "{\"key\":null}"
+      })
+  void aDamagedLineIsPassedOver(String line) throws IOException {
+    Files.writeString(file(), line + "\n", StandardOpenOption.APPEND);
+    addTheNext();
+    assertBothAreFound();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"(\"kMin\":\"....).", "(\"kMin\":\".*).{4}(?=\")", "(\"kMin\":\").*(?=\")"})
+  void aRunWhoseStepsAreDamagedIsNotFound(String damage) throws IOException {
+    addTheNext();
+    String text = Files.readString(file());
+    Files.writeString(file(), text.replaceFirst(damage, "$1"));
+    try (Journal journal = open(true)) {
+      assertTrue(journal.find("case", 7).isEmpty());
       assertTrue(journal.find("next", 1).isPresent());
     }
-    assertEquals(2, Files.readAllLines(file()).size());
+  }
+
+  @Test
+  void runsBeyondTwoGigabytesAreFound() throws IOException {
+    byte[] line = ("\n" + Files.readString(file())).getBytes(StandardCharsets.UTF_8);
+    try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.WRITE)) {
+      channel.truncate(0);
+      channel.write(ByteBuffer.wrap(line), 1L << 31); // after a hole, which takes no room
+    }
+    addTheNext();
+    assertBothAreFound();
   }
 
   @Test
   void finishingRemovesTheFile() throws IOException {
-    new Journal(folder, true).finish();
+    open(true).finish();
     assertFalse(Files.exists(file()));
+  }
+
+  @Test
+  void aLinkIsNotFollowed() throws IOException {
+    Path target = Files.move(file(), folder.resolve("target"));
+    byte[] before = Files.readAllBytes(target);
+    Files.createSymbolicLink(file(), target);
+    InputException e = assertThrows(InputException.class, () -> open(false));
+    assertTrue(e.getMessage().contains("is a link"), e.getMessage());
+    assertArrayEquals(before, Files.readAllBytes(target));
+  }
+
+  private void addTheNext() throws IOException {
+    try (Journal journal = open(true)) {
+      journal.add("next", 1, new Outcome(RESULT, new int[] {5}));
+    }
+  }
+
+  private void assertBothAreFound() throws IOException {
+    try (Journal journal = open(true)) {
+      assertTrue(journal.find("case", 7).isPresent());
+      assertTrue(journal.find("next", 1).isPresent());
+    }
+  }
+
+  private Journal open(boolean resume) throws IOException {
+    return Journal.open(output, Journal.NAME, resume);
   }
 
   private Path file() {

@@ -1,4 +1,4 @@
-package org.hificamsim.presentation.report;
+package org.hificamsim.runs.output;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
@@ -10,38 +10,21 @@ import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.InputException;
 
-/** What a command left in its folder. */
-final class ReportFiles {
-  private ReportFiles() {}
+/** A folder that a command has written: what is in it beside its {@link Table tables}. */
+public record ResultFolder(Path path) {
+  public static final String SUMMARY = "summary.json";
+  public static final String SETTINGS = "settings.json";
+  public static final String MANIFEST = "manifest.json";
+  public static final String REPLAY = "replay.json";
+  public static final String REPORT = "report.html";
 
   /**
-   * A JSON file.
+   * A file's path.
    *
-   * @throws InputException when it is missing or no JSON object
+   * @throws InputException when there is no such file
    */
-  static JsonNode json(Path folder, String name) throws IOException {
-    Path file = folder.resolve(name);
-    require(file);
-    try {
-      JsonNode node = new ObjectMapper().readTree(file.toFile());
-      if (node.isObject() || node.isArray()) {
-        return node;
-      }
-    } catch (JsonProcessingException e) {
-      throw new InputException(
-          "%s:%d:%d: not JSON, expected what 'hificamsim' writes"
-              .formatted(file, e.getLocation().getLineNr(), e.getLocation().getColumnNr()),
-          e);
-    }
-    throw new InputException(file + ": not a JSON object, expected what 'hificamsim' writes");
-  }
-
-  /**
-   * Checks that there is such a file.
-   *
-   * @throws InputException when there is not
-   */
-  static void require(Path file) {
+  public Path file(String name) {
+    Path file = path.resolve(name);
     if (!Files.isRegularFile(file)) {
       throw new InputException(
           "no file '"
@@ -49,12 +32,34 @@ final class ReportFiles {
               + "', expected a folder that 'hificamsim run --record' or 'hificamsim compare'"
               + " wrote");
     }
+    return file;
+  }
+
+  /**
+   * A file's content.
+   *
+   * @throws InputException when it is missing or no JSON object
+   */
+  public JsonNode json(String name) throws IOException {
+    Path file = file(name);
+    try {
+      JsonNode node = new ObjectMapper().readTree(file.toFile());
+      if (node.isObject() || node.isArray()) {
+        return node;
+      }
+    } catch (JsonProcessingException e) {
+      throw new InputException(
+          "%s:%s:%s: not JSON, expected what 'hificamsim' writes"
+              .formatted(file, e.getLocation().getLineNr(), e.getLocation().getColumnNr()),
+          e);
+    }
+    throw new InputException(file + ": not a JSON object, expected what 'hificamsim' writes");
   }
 
   /** The command line that made the folder, each word quoted as a shell needs it. */
-  static String command(Path folder) throws IOException {
+  public String command() throws IOException {
     List<String> words = new ArrayList<>(List.of("./hificamsim"));
-    for (JsonNode word : json(folder, "manifest.json").path("command")) {
+    for (JsonNode word : json(MANIFEST).path("command")) {
       String text = word.asText();
       boolean plain = text.matches("[\\w./:=,@+-]+");
       words.add(plain ? text : "'" + text.replace("'", "'\\''") + "'");
@@ -63,7 +68,7 @@ final class ReportFiles {
   }
 
   /** The version that made the folder. */
-  static String version(Path folder) throws IOException {
-    return json(folder, "manifest.json").path("hificamsim").asText();
+  public String version() throws IOException {
+    return json(MANIFEST).path("hificamsim").asText();
   }
 }

@@ -1,4 +1,4 @@
-package org.hificamsim.presentation.report;
+package org.hificamsim.runs.output;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.MappingIterator;
@@ -12,7 +12,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.zip.GZIPInputStream;
 import org.hificamsim.core.InputException;
@@ -24,7 +23,7 @@ import org.hificamsim.core.InputException;
  * @param columns the header
  * @param rows each as long as the header
  */
-record TableFile(Path file, List<String> columns, List<String[]> rows) {
+public record TableFile(Path file, List<String> columns, List<String[]> rows) {
   private static final CsvMapper MAPPER =
       CsvMapper.builder().enable(CsvParser.Feature.WRAP_AS_ARRAY).build();
 
@@ -32,10 +31,9 @@ record TableFile(Path file, List<String> columns, List<String[]> rows) {
    * Reads a table, compressed if the name ends in {@code .gz}.
    *
    * @param expected columns that it must have
-   * @throws InputException when it is missing, broken or has other columns
+   * @throws InputException when it is broken or has other columns
    */
-  static TableFile read(Path file, String... expected) throws IOException {
-    ReportFiles.require(file);
+  static TableFile read(Path file, List<String> expected) throws IOException {
     List<String[]> rows = new ArrayList<>();
     try (Reader reader = reader(file);
         MappingIterator<String[]> all = MAPPER.readerFor(String[].class).readValues(reader)) {
@@ -66,8 +64,8 @@ record TableFile(Path file, List<String> columns, List<String[]> rows) {
         : Files.newBufferedReader(file);
   }
 
-  private void check(String... expected) {
-    if (!columns.containsAll(Arrays.asList(expected))) {
+  private void check(List<String> expected) {
+    if (!columns.containsAll(expected)) {
       throw new InputException(
           "%s:1:1: the columns are %s, expected %s among them"
               .formatted(file, String.join(",", columns), String.join(",", expected)));
@@ -82,8 +80,13 @@ record TableFile(Path file, List<String> columns, List<String[]> rows) {
   }
 
   /** The text in a column. */
-  String text(int row, String column) {
+  public String text(int row, String column) {
     return rows.get(row)[columns.indexOf(column)];
+  }
+
+  /** The scenario, detection and policy of a row. */
+  public List<String> caseOf(int row) {
+    return List.of(text(row, "scenario"), text(row, "detection"), text(row, "policy"));
   }
 
   /**
@@ -91,7 +94,7 @@ record TableFile(Path file, List<String> columns, List<String[]> rows) {
    *
    * @throws InputException when it is none
    */
-  double number(int row, String column) {
+  public double number(int row, String column) {
     String text = text(row, column);
     try {
       return text.isEmpty() ? Double.NaN : Double.parseDouble(text);
@@ -104,7 +107,7 @@ record TableFile(Path file, List<String> columns, List<String[]> rows) {
   }
 
   /** The line of a row, from 1, as long as no value holds a line end. */
-  int line(int row) {
+  public int line(int row) {
     return row + 2;
   }
 }

@@ -1,0 +1,110 @@
+package org.hificamsim.core.file;
+
+import java.io.BufferedOutputStream;
+import java.io.BufferedWriter;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.UUID;
+import org.hificamsim.core.InputException;
+
+/**
+ * A file that appears whole: written beside its place, under a name that nobody else has, and moved
+ * there by {@link #commit}. Closed without that, it leaves an earlier file as it was.
+ */
+public final class OutputFile implements Closeable {
+  private static final int BUFFER = 1 << 16;
+
+  private final Path path;
+  private final Path draft;
+
+  /** A file in a folder that exists; nothing is written before it is opened. */
+  public OutputFile(Path path) {
+    this.path = path.toAbsolutePath();
+    this.draft = this.path.resolveSibling(".hificamsim-" + UUID.randomUUID() + ".part");
+  }
+
+  /**
+   * A file that an option names.
+   *
+   * @throws InputException when the path is a folder, or its folder is missing or not writable
+   */
+  public static OutputFile of(String option, Path path) {
+    Path folder = path.toAbsolutePath().getParent();
+    if (Files.isDirectory(path) || folder == null) {
+      throw new InputException(option + " '" + path + "' is a folder, expected a file");
+    }
+    if (!Files.isDirectory(folder) || !Files.isWritable(folder)) {
+      throw new InputException(
+          option + " '" + path + "' cannot be made, expected a folder that exists and is writable");
+    }
+    return new OutputFile(path);
+  }
+
+  /** What fills a file. */
+  @FunctionalInterface
+  public interface Content {
+    /** Writes it. */
+    void write(OutputStream out) throws IOException;
+  }
+
+  /** Writes the whole file. */
+  public void write(Content content) throws IOException {
+    try (this) {
+      try (OutputStream out = stream()) {
+        content.write(out);
+      }
+      commit();
+    }
+  }
+
+  /** Writes a text in UTF-8. */
+  public void write(String text) throws IOException {
+    write(out -> out.write(text.getBytes(StandardCharsets.UTF_8)));
+  }
+
+  /** A writer (UTF-8); the caller closes it before {@link #commit}. */
+  public Writer open() throws IOException {
+    return writer(stream());
+  }
+
+  /** A stream; the caller closes it before {@link #commit}. */
+  public synchronized OutputStream stream() throws IOException {
+    Unfinished.add(this);
+    return stream(draft);
+  }
+
+  /** Moves the file into place. */
+  public synchronized void commit() throws IOException {
+    move(draft, path);
+    Unfinished.remove(this);
+  }
+
+  @Override
+  public synchronized void close() throws IOException {
+    Files.deleteIfExists(draft);
+    Unfinished.remove(this);
+  }
+
+  /** A stream to a file that must not be there yet, not even as a link. */
+  static OutputStream stream(Path draft) throws IOException {
+    return new BufferedOutputStream(
+        Files.newOutputStream(draft, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+        BUFFER);
+  }
+
+  static Writer writer(OutputStream out) {
+    return new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8), BUFFER);
+  }
+
+  static void move(Path draft, Path place) throws IOException {
+    Files.move(draft, place, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+  }
+}

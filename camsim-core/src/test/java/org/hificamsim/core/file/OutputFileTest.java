@@ -1,0 +1,101 @@
+package org.hificamsim.core.file;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class OutputFileTest {
+  @TempDir Path folder;
+
+  @Test
+  void anEarlierFileStaysUntilTheCommitAndNothingElseRemains() throws IOException {
+    Path place = Files.writeString(folder.resolve("place"), "earlier");
+    try (OutputFile file = new OutputFile(place)) {
+      try (Writer out = file.open()) {
+        out.write("later");
+      }
+      assertEquals("earlier", Files.readString(place));
+      file.commit();
+    }
+    assertEquals("later", Files.readString(place));
+    assertEquals(List.of("place"), names());
+  }
+
+  @Test
+  void closedWithoutACommitItIsGone() throws IOException {
+    try (OutputFile file = new OutputFile(folder.resolve("place"))) {
+      file.open().close();
+    }
+    assertEquals(List.of(), names());
+  }
+
+  @Test
+  void aLinkInItsPlaceIsReplacedAndItsTargetStays() throws IOException {
+    Path target = Files.writeString(folder.resolve("target"), "mine");
+    Path link = Files.createSymbolicLink(folder.resolve("link"), target);
+    new OutputFile(link).write("ours");
+    assertEquals("mine", Files.readString(target));
+    assertTrue(Files.isRegularFile(link, LinkOption.NOFOLLOW_LINKS));
+  }
+
+  @Test
+  void noFileOrLinkUnderTheNameOfADraftIsWrittenTo() throws IOException {
+    Path target = Files.writeString(folder.resolve("target"), "mine");
+    Path link = Files.createSymbolicLink(folder.resolve("link"), target);
+    for (Path planted : List.of(target, link)) {
+      assertThrows(IOException.class, () -> OutputFile.stream(planted));
+    }
+    assertEquals("mine", Files.readString(target));
+  }
+
+  @Test
+  void writersAtOnceLeaveTheWholeFileOfOne() throws IOException {
+    Path place = folder.resolve("place");
+    List<String> texts = IntStream.range(0, 4).mapToObj(i -> (i + "\n").repeat(200_000)).toList();
+    CompletableFuture.allOf(
+            texts.stream()
+                .map(text -> CompletableFuture.runAsync(() -> write(place, text)))
+                .toArray(CompletableFuture[]::new))
+        .join();
+    assertTrue(texts.contains(Files.readString(place)));
+    assertEquals(List.of("place"), names());
+  }
+
+  @Test
+  void aPlaceThatCannotBeAFileIsToldWithItsOption() {
+    for (Path path : Set.of(folder, folder.resolve("missing/file"))) {
+      InputException e = assertThrows(InputException.class, () -> OutputFile.of("--out", path));
+      assertTrue(e.getMessage().startsWith("--out '" + path + "' "), e.getMessage());
+    }
+    assertFalse(Files.exists(folder.resolve("missing")));
+  }
+
+  private static void write(Path place, String text) {
+    try {
+      new OutputFile(place).write(text);
+    } catch (IOException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private List<String> names() throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.map(file -> file.getFileName().toString()).sorted().toList();
+    }
+  }
+}

@@ -1,0 +1,76 @@
+package org.hificamsim.runs.compare;
+
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.DataOutputStream;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.IntBuffer;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.zip.DeflaterOutputStream;
+import java.util.zip.InflaterInputStream;
+import org.hificamsim.runs.RunResult;
+
+/**
+ * A finished run as a line of a journal.
+ *
+ * @param key of the plan and the seed
+ */
+record FinishedRun(String key, Outcome outcome) {
+  /** The line's JSON; k_min is a count and the values, compressed. */
+  private record Entry(String key, RunResult result, byte[] kMin) {}
+
+  private static final ObjectMapper MAPPER =
+      new ObjectMapper()
+          .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+          .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
+          .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES);
+
+  static String key(String plan, long seed) {
+    return plan + "/" + seed;
+  }
+
+  /** The run in a line; empty where it is damaged. */
+  static Optional<FinishedRun> parse(byte[] line) {
+    try {
+      Entry entry = MAPPER.readValue(line, Entry.class);
+      return entry == null
+          ? Optional.empty()
+          : Optional.of(new FinishedRun(entry.key, new Outcome(entry.result, unpack(entry.kMin))));
+    } catch (IOException e) {
+      return Optional.empty();
+    }
+  }
+
+  /** The line with its end. */
+  byte[] line() throws IOException {
+    Entry entry = new Entry(key, outcome.result(), pack(outcome.kMin()));
+    return (MAPPER.writeValueAsString(entry) + "\n").getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static byte[] pack(int[] values) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (DataOutputStream out = new DataOutputStream(new DeflaterOutputStream(bytes))) {
+      out.writeInt(values.length);
+      for (int value : values) {
+        out.writeInt(value);
+      }
+    }
+    return bytes.toByteArray();
+  }
+
+  private static int[] unpack(byte[] packed) throws IOException {
+    try (InflaterInputStream in = new InflaterInputStream(new ByteArrayInputStream(packed))) {
+      IntBuffer ints = ByteBuffer.wrap(in.readAllBytes()).asIntBuffer();
+      if (!ints.hasRemaining() || ints.get() != ints.remaining()) {
+        throw new IOException("damaged");
+      }
+      int[] values = new int[ints.remaining()];
+      ints.get(values);
+      return values;
+    }
+  }
+}

@@ -1,0 +1,121 @@
+package org.hificamsim.runs.output;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+
+/** The folder of a run under way: its tables row by row, and the files beside them at its end. */
+public final class RunFolder implements Closeable {
+  /** What not every run writes; of an earlier run it would be another run's. */
+  private static final List<String> BESIDE =
+      List.of(
+          Table.RUN_ZOOMS.file(),
+          Table.RUN_TARGETS.file(),
+          ResultFolder.MANIFEST,
+          ResultFolder.REPLAY,
+          ResultFolder.REPORT);
+
+  private final OutputFolder folder;
+  private final CsvTable steps;
+  private final CsvTable zooms;
+  private final CsvTable targets;
+
+  /**
+   * Starts the tables.
+   *
+   * @param record whether zooms and targets are written too
+   */
+  public RunFolder(Path path, boolean record) throws IOException {
+    folder = new OutputFolder(path);
+    steps = Table.RUN_STEPS.create(folder);
+    zooms = record ? Table.RUN_ZOOMS.create(folder) : null;
+    targets = record ? Table.RUN_TARGETS.create(folder) : null;
+  }
+
+  /** The listener that writes one repeat. */
+  public StepListener listener(int run) {
+    return (network, coverage) -> {
+      step(run, network.step(), coverage);
+      if (zooms != null) {
+        zooms(run, network);
+        targets(run, network);
+      }
+    };
+  }
+
+  private void step(int run, long step, StepCoverage coverage) {
+    List<Object> row = new ArrayList<>(List.of(run, step));
+    row.addAll(StepRow.measures(coverage));
+    steps.row(row.toArray());
+  }
+
+  private void zooms(int run, NetworkView network) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        int level = network.level(camera);
+        zooms.row(
+            run,
+            network.step(),
+            network.cameraName(camera),
+            level,
+            network.zoom(camera, level).radius(),
+            network.detected(camera));
+      }
+    }
+  }
+
+  private void targets(int run, NetworkView network) {
+    for (int target = 0; target < network.targets(); target++) {
+      if (network.present(target)) {
+        targets.row(
+            run,
+            network.step(),
+            network.targetName(target),
+            network.oracle().targetX(target),
+            network.oracle().targetY(target));
+      }
+    }
+  }
+
+  /** Adds {@code manifest.json}. */
+  public void manifest(List<String> command, Instant started, long steps) throws IOException {
+    ManifestFile.write(folder, command, started, steps);
+  }
+
+  /** Adds {@code replay.json}, which the caller fills and closes. */
+  public OutputStream replay() throws IOException {
+    return folder.stream(ResultFolder.REPLAY);
+  }
+
+  /** Adds {@code summary.json} and moves all files into place. */
+  public void commit(RunPlan plan, List<RunResult> results) throws IOException {
+    closeTables();
+    SummaryFile.write(folder, plan, results);
+    folder.commit(BESIDE);
+  }
+
+  @Override
+  public void close() throws IOException {
+    try (folder) {
+      closeTables();
+    }
+  }
+
+  private void closeTables() throws IOException {
+    steps.close();
+    if (zooms != null) {
+      zooms.close();
+      targets.close();
+    }
+  }
+}

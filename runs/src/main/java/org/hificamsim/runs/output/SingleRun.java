@@ -1,0 +1,66 @@
+package org.hificamsim.runs.output;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.runs.Proof;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+
+/** One run with its folder, for programs that take the steps themselves. */
+public final class SingleRun implements StepListener, Closeable {
+  private final int run;
+  private final RunFolder folder;
+  private final StepListener rows;
+  private final RunCoverage sums = new RunCoverage();
+
+  /**
+   * Starts the run's folder.
+   *
+   * @param run its number
+   * @param record whether zooms and targets are written too
+   */
+  public SingleRun(Path path, int run, boolean record) throws IOException {
+    this.run = run;
+    folder = new RunFolder(path, record);
+    rows = folder.listener(run);
+  }
+
+  @Override
+  public void stepped(NetworkView network, StepCoverage coverage) {
+    sums.stepped(network, coverage);
+    rows.stepped(network, coverage);
+  }
+
+  /** The number of steps so far. */
+  public int steps() {
+    return Math.toIntExact(sums.steps());
+  }
+
+  /** Where its files go. */
+  public RunFolder folder() {
+    return folder;
+  }
+
+  /**
+   * Moves the files into place.
+   *
+   * @param plan the run's settings, and its seed
+   * @param messages sent between cameras
+   * @param proof what the policy proved; empty under one that does not claim to be the best
+   */
+  public void commit(RunPlan plan, long messages, Optional<Proof> proof) throws IOException {
+    folder.commit(plan, List.of(RunResult.of(run, plan.seed(), sums, messages, proof)));
+  }
+
+  @Override
+  public void close() throws IOException {
+    folder.close();
+  }
+}

@@ -1,0 +1,92 @@
+package org.hificamsim.runs.output;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.metrics.StepCoverage;
+
+/**
+ * A row of {@code steps.csv} as it was read.
+ *
+ * @param line in the file, from 1
+ * @param measures the columns of {@link #measures(StepCoverage)}
+ */
+public record StepRow(Path file, int line, String run, String step, String measures) {
+  /** What is measured in each step, in the order of columns. */
+  public static List<Number> measures(StepCoverage coverage) {
+    return List.of(
+        coverage.kMin(),
+        coverage.targets(),
+        coverage.covered0(),
+        coverage.covered1(),
+        coverage.coveredK(),
+        coverage.meanK());
+  }
+
+  /**
+   * Reads the table of a run's folder, row by row.
+   *
+   * @throws InputException when it is missing or a row is too short
+   */
+  public static void each(Path folder, Consumer<StepRow> taker) throws IOException {
+    Path file = new ResultFolder(folder).file(Table.RUN_STEPS.file());
+    try (BufferedReader reader = Files.newBufferedReader(file)) {
+      String line = reader.readLine();
+      for (int number = 2; (line = reader.readLine()) != null; number++) {
+        String[] cells = line.split(",", 3);
+        if (cells.length < 3) {
+          throw new InputException(
+              file + ":" + number + ":1: '" + line + "' is no row of run,step,k_min,...");
+        }
+        taker.accept(new StepRow(file, number, cells[0], cells[1], cells[2]));
+      }
+    }
+  }
+
+  /**
+   * The step.
+   *
+   * @throws InputException when it is none below {@code steps}
+   */
+  public int step(int steps) {
+    long number = number("step", step, run.length() + 2);
+    if (number < 0 || number >= steps) {
+      throw error(run.length() + 2, "step is " + step + ", expected one below " + steps);
+    }
+    return (int) number;
+  }
+
+  /**
+   * The k_min.
+   *
+   * @throws InputException when it is no number
+   */
+  public long kMin() {
+    return number("k_min", measures.split(",", 2)[0], measured());
+  }
+
+  /** That what is measured is not what was expected. */
+  public InputException error(String message) {
+    return error(measured(), message);
+  }
+
+  private int measured() {
+    return run.length() + step.length() + 3;
+  }
+
+  private long number(String name, String cell, int column) {
+    try {
+      return Long.parseLong(cell);
+    } catch (NumberFormatException e) {
+      throw error(column, name + " is '" + cell + "', expected a whole number");
+    }
+  }
+
+  private InputException error(int column, String message) {
+    return new InputException(file + ":" + line + ":" + column + ": " + message);
+  }
+}

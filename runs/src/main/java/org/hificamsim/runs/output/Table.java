@@ -1,0 +1,67 @@
+package org.hificamsim.runs.output;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import org.hificamsim.core.file.OutputFolder;
+
+/** Every table of results: its file, and its columns, which {@code docs/data.md} explains. */
+public enum Table {
+  RUN_STEPS("steps.csv", "run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k"),
+  RUN_ZOOMS("zooms.csv", "run,step,camera,level,radius,detected"),
+  RUN_TARGETS("targets.csv", "run,step,target,x,y"),
+  RESULTS(
+      "results.csv",
+      "scenario,detection,policy,seed,performance,proportion_of_optimal,"
+          + "covered_0,covered_1,covered_k"),
+  METRICS("metrics.csv", "scenario,detection,policy,seed,metric,value"),
+  SUMMARY(
+      "summary.csv",
+      "scenario,detection,policy,metric,runs,mean,low,high,"
+          + "difference_to,difference,difference_low,difference_high"),
+  STEPS("steps.csv.gz", "scenario,detection,policy,step,k_min"),
+  VERDICTS(
+      "verdicts.csv",
+      "kind,id,source,claim,published,value,low,high,checks,checks_held,verdict,why"),
+  TABLE_8_1(
+      "table-8.1.csv",
+      "layout,policy,detection,published,proportion,low,high,difference,verdict,"
+          + "over_hifi_optimum,over_hifi_optimum_at_0.45,explore_any,cluster_script_at_origin"),
+  SENSITIVITY(
+      "sensitivity.csv",
+      "parameter,value,default,layout,policy,proportion_hifi,proportion_camsim,"
+          + "difference,low,high,finding");
+
+  private final String file;
+  private final String columns;
+
+  Table(String file, String columns) {
+    this.file = file;
+    this.columns = columns;
+  }
+
+  /** The file's name. */
+  public String file() {
+    return file;
+  }
+
+  /** Starts the table in a folder. */
+  public CsvTable create(OutputFolder folder) throws IOException {
+    return new CsvTable(folder.open(file), columns.split(","));
+  }
+
+  /** Whether a folder has it. */
+  public boolean isIn(Path folder) {
+    return Files.isRegularFile(folder.resolve(file));
+  }
+
+  /**
+   * Reads the table of a folder.
+   *
+   * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
+   */
+  public TableFile read(Path folder) throws IOException {
+    return TableFile.read(new ResultFolder(folder).file(file), Arrays.asList(columns.split(",")));
+  }
+}

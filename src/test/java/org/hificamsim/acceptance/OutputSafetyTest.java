@@ -1,0 +1,165 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.function.IntFunction;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.hificamsim.core.file.OutputFolder;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Commands that are interrupted, share a folder, or find links and files of others in it. */
+class OutputSafetyTest {
+  private static final Path SCENARIO = Cli.scenario("ring-random");
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @CsvSource({
+    "run --record --steps 100000000 --out, ''",
+    "compare --steps 10000000 --repeat 2 --out, .compare.journal",
+    "camsim -t 100000000 -o, ''"
+  })
+  void anInterruptLeavesNothingButTheJournal(String command, String left) throws Exception {
+    Path out = command.startsWith("camsim") ? folder.resolve("o.csv") : folder;
+    List<Object> words = new ArrayList<>(List.of((Object[]) command.split(" ")));
+    words.addAll(List.of(out, SCENARIO));
+    Process process = Java.main(System.getProperty("java.class.path"), words.toArray());
+    while (process.isAlive() && names().isEmpty()) {
+      TimeUnit.MILLISECONDS.sleep(10);
+    }
+    TimeUnit.MILLISECONDS.sleep(200);
+    new ProcessBuilder("kill", "-INT", Long.toString(process.pid())).start().waitFor();
+    assertTrue(process.waitFor(60, TimeUnit.SECONDS));
+    assertEquals(130, process.exitValue());
+    assertEquals(left.isEmpty() ? List.of() : List.of(left), names());
+  }
+
+  @Test
+  void ofRunsIntoOneFolderAtOnceEachWritesAllOrIsToldThatItIsInUse() throws IOException {
+    List<Cli> runs =
+        atOnce(
+            seed ->
+                Cli.run(
+                    "run", SCENARIO, "--record", "--seed", seed, "--steps", 2000, "--out", folder));
+    for (Cli run : runs) {
+      assertTrue(
+          run.exit() == 0 || (run.exit() == 2 && run.err().contains("is in use by another run")),
+          run.err());
+    }
+    assertTrue(runs.stream().anyMatch(run -> run.exit() == 0));
+    Cli report = Cli.run("report", folder);
+    assertEquals(0, report.exit(), report.err());
+    assertEquals(
+        List.of(
+            "manifest.json",
+            "replay.json",
+            "report.html",
+            "steps.csv",
+            "summary.json",
+            "targets.csv",
+            "zooms.csv"),
+        names());
+  }
+
+  @Test
+  void ofRunsIntoOneFileAtOnceOneWins() throws IOException {
+    Path file = folder.resolve("o.csv");
+    List<String> alone = new ArrayList<>();
+    for (int seed = 0; seed < 4; seed++) {
+      camsim(seed, file);
+      alone.add(Files.readString(file));
+    }
+    atOnce(seed -> camsim(seed, file)).forEach(run -> assertEquals(0, run.exit(), run.err()));
+    assertTrue(alone.contains(Files.readString(file)));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "run --steps 20 --out DIR, .steps.csv-PID.part",
+    "run --steps 20 --out DIR, .hificamsim/steps.csv",
+    "compare --steps 20 --repeat 1 --out DIR, .results.csv-PID.part",
+    "compare --steps 20 --repeat 1 --out DIR, .compare.journal",
+    "camsim -o DIR/o.csv, .o.csv-PID.part"
+  })
+  void plantedLinksAreNotFollowed(String command, String link) throws IOException {
+    Path target = Files.writeString(folder.resolve("target"), "mine");
+    Path out = Files.createDirectory(folder.resolve("out"));
+    Path planted = out.resolve(link.replace("PID", ProcessHandle.current().pid() + ""));
+    Files.createDirectories(planted.getParent());
+    Files.createSymbolicLink(planted, target);
+    List<Object> words =
+        new ArrayList<>(List.of((Object[]) command.replace("DIR", out.toString()).split(" ")));
+    words.add(SCENARIO);
+    Cli.run(words.toArray());
+    assertEquals("mine", Files.readString(target));
+  }
+
+  @Test
+  void hiddenFilesOfOthersAreKept() throws IOException {
+    Files.writeString(folder.resolve(".holiday-video-2147483647.part"), "mine");
+    Cli run = Cli.run("run", SCENARIO, "--steps", 5, "--out", folder);
+    assertEquals(0, run.exit(), run.err());
+    assertEquals("mine", Files.readString(folder.resolve(".holiday-video-2147483647.part")));
+  }
+
+  @Test
+  void aComparisonIsKeptOutOfTheFolderOfARun() throws IOException {
+    try (OutputFolder held = new OutputFolder(folder)) {
+      Cli compare = Cli.run("compare", SCENARIO, "--steps", 5, "--repeat", 1, "--out", held.path());
+      assertEquals(2, compare.exit());
+      assertTrue(
+          compare.err().contains("folder '" + folder + "' is in use by another run, expected"),
+          compare.err());
+    }
+  }
+
+  private static List<Cli> atOnce(IntFunction<Cli> command) {
+    List<CompletableFuture<Cli>> all =
+        IntStream.range(0, 4)
+            .mapToObj(seed -> CompletableFuture.supplyAsync(() -> command.apply(seed)))
+            .toList();
+    return all.stream().map(CompletableFuture::join).toList();
+  }
+
+  private Cli camsim(int seed, Path file) {
+    try {
+      Path sums = Files.createTempDirectory(folder, "sums").resolve("summary.csv");
+      return Cli.run(
+          "camsim",
+          Cli.scenario("tutorial-camsim"),
+          "-s",
+          seed,
+          "-t",
+          2000,
+          "-o",
+          file,
+          "-f",
+          sums);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private List<String> names() throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> !name.startsWith("summary.csv"))
+          .sorted()
+          .toList();
+    }
+  }
+}
