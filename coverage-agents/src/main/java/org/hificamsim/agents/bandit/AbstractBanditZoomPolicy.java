@@ -11,7 +11,7 @@ import org.hificamsim.core.policy.NetworkView;
  * and the average number of targets detected with it.
  *
  * <p>The reward is the utility U_i of Eq 7.3, the number of targets that the camera detected. The
- * factor lambda of that equation scales all averages alike and so changes no comparison of them.
+ * factor lambda of that equation scales all averages by the same and so changes no comparison.
  */
 abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   private final CameraTask<long[]> learning = this::learn;

@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The epsilon-greedy bandit (section 7.4.3, Eq 7.3): each camera takes the level with the best
+ * The epsilon-greedy bandit (thesis 7.4.3, Eq 7.3): each camera takes the level with the best
  * average number of detected targets, and explores with probability epsilon.
  *
  * <p>A level never used counts as 0. Open in the thesis and so an option: which of equally good

@@ -4,7 +4,7 @@ import org.hificamsim.core.registry.Options;
 
 /**
  * The probability of exploring over a camera's decisions n = 0, 1, ...: {@code max(least, start *
- * decay^n)}. The defaults keep it constant at the 0.1 of sections 7.4.3 and 7.4.4.
+ * decay^n)}. The defaults keep it constant at the 0.1 of thesis 7.4.3 and 7.4.4.
  *
  * @param start probability at the first decision, [0, 1]
  * @param decay factor per decision, [0, 1]; 1 keeps the probability constant

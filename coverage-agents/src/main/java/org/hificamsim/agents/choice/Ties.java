@@ -15,7 +15,8 @@ public enum Ties {
   /**
    * The level with the largest value.
    *
-   * @param values holds the value of level l at {@code from + l}; none is NaN, infinities are fine
+   * @param values holds the value of level l at {@code from + l}; infinite values are allowed, NaN
+   *     is not
    * @param levels the number of levels, 1 or more
    */
   public int best(double[] values, int from, int levels) {

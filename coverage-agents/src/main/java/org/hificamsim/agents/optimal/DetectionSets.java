@@ -99,7 +99,7 @@ final class DetectionSets {
     }
   }
 
-  /** The first candidate that detects whatever any of them does; -1 when there is none. */
+  /** The first candidate that detects all that any of them does; -1 when there is none. */
   private int firstThatSeesAll(int camera, CandidateLevels candidates) {
     int count = candidates.count(camera);
     Arrays.fill(union, 0);

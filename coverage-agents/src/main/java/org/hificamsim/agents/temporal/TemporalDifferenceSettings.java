@@ -6,7 +6,7 @@ import org.hificamsim.core.registry.Options;
 /**
  * The parameters of Eqs 7.5 and 7.6, and the readings that the thesis leaves open.
  *
- * @param alpha learning rate, [0, 1]; 0.1 in section 7.4.4
+ * @param alpha learning rate, [0, 1]; 0.1 in thesis 7.4.4
  * @param gamma discount factor, [0, 1]; not published
  * @param lambda factor on every reward, 0 or more
  * @param initialValue value of every action in every state at first

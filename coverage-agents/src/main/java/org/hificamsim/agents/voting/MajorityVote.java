@@ -2,14 +2,14 @@ package org.hificamsim.agents.voting;
 
 import java.util.Arrays;
 
-/** Counts votes for levels and names the winner (section 7.4.5, majority voting). */
+/** Counts votes for levels and names the winner (thesis 7.4.5, majority voting). */
 final class MajorityVote {
   private final VoteTies ties;
   private final int[] votes;
 
-  MajorityVote(VoteTies ties, int mostLevels) {
+  MajorityVote(VoteTies ties, int levels) {
     this.ties = ties;
-    votes = new int[mostLevels];
+    votes = new int[levels];
   }
 
   /** Forgets all votes. */

@@ -10,7 +10,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Query-based SARSA (section 7.4.5): SARSA that exploits the majority vote of a camera and its k
+ * Query-based SARSA (thesis 7.4.5): SARSA that exploits the majority vote of a camera and its k
  * nearest neighbours.
  *
  * <p>At each decision a camera sends its state to its neighbours; each answers with the action that
@@ -28,7 +28,6 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private MajorityVote[] votes = {};
   private int[] elected = {};
   private long[] messages = {};
-  private int revision;
 
   public QbSarsaZoomPolicy(
       TemporalDifferenceSettings learning, EpsilonGreedyChoice choice, VoteSettings settings) {
@@ -63,17 +62,12 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     votes = new MajorityVote[network.cameras()];
     Arrays.setAll(votes, camera -> new MajorityVote(settings.ties(), network.levels(camera)));
     nearest = new NearestCameras(network, settings.neighbours());
-    nearest.find(network);
-    revision = network.revision();
   }
 
   /** All vote on the values as they stand, before any camera learns. */
   @Override
   public void decide(NetworkView network, int[] levels) {
-    if (network.revision() != revision) {
-      nearest.find(network);
-      revision = network.revision();
-    }
+    nearest.update(network);
     network.divide(elected, electing);
     super.decide(network, levels);
   }

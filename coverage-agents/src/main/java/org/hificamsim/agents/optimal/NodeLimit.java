@@ -3,11 +3,11 @@ package org.hificamsim.agents.optimal;
 import org.hificamsim.core.registry.Options;
 
 /** The option {@code nodes}: how long the proof of a step may take. */
-final class Nodes {
+final class NodeLimit {
   /** By default; more than steps of some hundred cameras need, and seconds of search. */
   static final int DEFAULT = 1_000_000;
 
-  private Nodes() {}
+  private NodeLimit() {}
 
   static int from(Options options) {
     return options.integer(

@@ -12,7 +12,7 @@ import org.hificamsim.core.policy.NetworkView;
  * <p>A moment is one target present in one step; the moments of a step follow each other. Each
  * camera and level has the set of moments that it detects.
  */
-final class SeenRun {
+final class RunDetections {
   private final List<BitSet[]> seen = new ArrayList<>();
   private int[] ends = new int[16];
   private int steps;
