@@ -85,10 +85,7 @@ final class RunCommand implements Callable<Integer> {
                   Stream.of(kMin.listener()), replay.map(film -> film.listener(run)).stream());
       List<RunResult> results =
           execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
-      output.manifest(
-          screen.words(),
-          started,
-          (long) plan.steps() * plan.repeats());
+      output.manifest(screen.words(), started, (long) plan.steps() * plan.repeats());
       if (replay.isPresent()) {
         replay.get().write(output.replay());
       }
