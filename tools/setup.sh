@@ -12,6 +12,10 @@ installing=yes # no, after --no-install: what is missing is told, and nothing is
 say() { echo "hificamsim: $*" >&2; }
 die() { say "$@"; exit 1; }
 
+# Java reads names of files as the locale says, and C or POSIX (cron, batch systems) knows none with an accent.
+[ "$(locale charmap 2>/dev/null)" != ANSI_X3.4-1968 ] || export LC_ALL=C.UTF-8
+case $root in *:*) die "this folder is $root, expected a path without a colon: Java's class path cannot hold one" ;; esac
+
 # The feature version (17, 25, ...) of the Java installation $1, 0 when there is none.
 java_version() {
     version=

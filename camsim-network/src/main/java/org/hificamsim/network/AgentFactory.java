@@ -29,7 +29,7 @@ final class AgentFactory {
   private final boolean graphIsStatic;
 
   /**
-   * Reads what all cameras that there will ever be are asked to be.
+   * Reads the roles of all cameras that there will ever be.
    *
    * @param random draws for bandits
    * @throws InputException when a name is not known, or something that it needs is missing

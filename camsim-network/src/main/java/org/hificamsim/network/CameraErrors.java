@@ -33,7 +33,7 @@ final class CameraErrors {
     stepsLeft = new int[world.cameras().count()];
   }
 
-  /** Takes note of a camera that an event switched off. */
+  /** Notes that an event switched a camera off. */
   void failed(int camera, int duration) {
     forEver[camera] |= duration == FOR_EVER;
     stepsLeft[camera] = duration;

@@ -27,17 +27,17 @@ public final class Agent {
       IntUnaryOperator bidderHash,
       boolean exactPrices) {}
 
+  final Links links;
+  final InsertionOrder neighbours;
+  final OwnedTargets owned;
+  final Searches searches;
+  final Advertised advertised;
+  final Bids bids;
+  final ViewTally tally = new ViewTally();
   private final int camera;
   private final int limit;
   private final Shared shared;
   private final AuctionSchedule schedule;
-  private final Links links;
-  private final InsertionOrder neighbours;
-  private final OwnedTargets owned;
-  private final Searches searches;
-  private final Advertised advertised;
-  private final Bids bids;
-  private final ViewTally tally = new ViewTally();
   private CommunicationPolicy policy;
   private boolean countsFallback = true;
   private int sent;
@@ -87,7 +87,7 @@ public final class Agent {
 
   /**
    * Takes over another schedule and policy, as a bandit chooses (behaviour 9.4): all state is kept,
-   * links are frozen no longer, and what is sent by falling back to Broadcast is not counted.
+   * links are no longer frozen, and what is sent by falling back to Broadcast is not counted.
    */
   public void follow(ScheduleKind newSchedule, CommunicationPolicy newPolicy) {
     schedule.switchTo(newSchedule);
@@ -111,7 +111,7 @@ public final class Agent {
     searches.put(target, Searches.NOBODY);
   }
 
-  /** The targets owned, to be read alone. */
+  /** The targets owned, for reading only. */
   public HashOrder owned() {
     return owned.order();
   }
@@ -175,30 +175,6 @@ public final class Agent {
     }
   }
 
-  InsertionOrder neighbours() {
-    return neighbours;
-  }
-
-  Links links() {
-    return links;
-  }
-
-  OwnedTargets targets() {
-    return owned;
-  }
-
-  Searches searches() {
-    return searches;
-  }
-
-  Advertised advertised() {
-    return advertised;
-  }
-
-  Bids bids() {
-    return bids;
-  }
-
   InsertionOrder visible() {
     return shared.sightings().visible(camera);
   }
@@ -242,7 +218,7 @@ public final class Agent {
     return name < cameras.count() && neighbours.contains(name) && cameras.online(name);
   }
 
-  /** Sends a message; one to a name out of reach is lost without a trace. */
+  /** Sends a message; one to a name out of reach is lost silently. */
   void send(MessageKind kind, int to, int target, double value) {
     if (reaches(to)) {
       shared.queue().send(kind, camera, to, target, value);

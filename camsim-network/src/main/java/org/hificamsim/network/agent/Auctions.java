@@ -14,7 +14,7 @@ public final class Auctions {
     for (int i = 0; i < agent.owned().size(); i++) {
       int target = agent.owned().get(i);
       if (agent.advertises(target)) {
-        agent.searches().put(target, agent.camera());
+        agent.searches.put(target, agent.camera());
         agent.policy().startSearch(agent, target);
       }
     }
@@ -27,21 +27,21 @@ public final class Auctions {
     for (int target = visible.first();
         target != InsertionOrder.END;
         target = visible.next(target)) {
-      if (agent.searches().contains(target) && !agent.targets().contains(target)) {
+      if (agent.searches.contains(target) && !agent.owned.contains(target)) {
         claimed += found(agent, target, claimed) ? 1 : 0;
       }
     }
   }
 
-  /** Answers to the one who looks for a target; whether the agent claimed it. */
+  /** Answers whoever looks for a target that the agent sees; returns whether it claimed it. */
   private static boolean found(Agent agent, int target, int claimed) {
-    int searcher = agent.searches().searcher(target);
+    int searcher = agent.searches.searcher(target);
     if (searcher == Searches.NOBODY) {
       return agent.mayClaim(claimed) && claim(agent, target);
     }
     if (searcher == agent.camera()) {
-      agent.targets().add(target);
-      agent.searches().remove(target);
+      agent.owned.add(target);
+      agent.searches.remove(target);
       agent.policy().stopSearch(agent, target);
     } else {
       agent.send(MessageKind.FOUND, searcher, target, agent.value(target));
@@ -50,9 +50,9 @@ public final class Auctions {
   }
 
   private static boolean claim(Agent agent, int target) {
-    agent.targets().add(target);
+    agent.owned.add(target);
     agent.pay(0);
-    agent.searches().remove(target);
+    agent.searches.remove(target);
     CommunicationPolicy.BROADCAST.stopSearch(agent, target);
     return true;
   }
@@ -60,7 +60,7 @@ public final class Auctions {
   /** Settles the auctions of an agent (behaviour 8.5). */
   public static void settle(Agent agent) {
     agent.beginSettlement();
-    Searches searches = agent.searches();
+    Searches searches = agent.searches;
     int target = searches.first();
     while (target != InsertionOrder.END) {
       int next = searches.next(target);
@@ -74,9 +74,9 @@ public final class Auctions {
 
   private static void settle(Agent agent, int target) {
     double best = agent.value(target);
-    Bids.OfTarget bids = agent.bids().of(target);
+    Bids.OfTarget bids = agent.bids.of(target);
     if (bids == null) {
-      agent.tally().unsold(agent.sees(target));
+      agent.tally.unsold(agent.sees(target));
       return;
     }
     double beforeBest = best;
@@ -97,7 +97,7 @@ public final class Auctions {
       }
     }
     int count = bids.size();
-    agent.bids().clear(target);
+    agent.bids.clear(target);
     sell(agent, target, winner, agent.exactPrices() ? second : beforeBest, count);
   }
 
@@ -105,15 +105,15 @@ public final class Auctions {
     agent.earn(price);
     if (winner == agent.camera()) {
       agent.pay(price);
-      agent.tally().kept(agent.sees(target), bids);
+      agent.tally.kept(agent.sees(target), bids);
     } else {
       agent.send(MessageKind.START_TRACKING, winner, target, price);
-      agent.links().strengthen(winner, target);
-      agent.targets().remove(target);
-      agent.advertised().remove(target, winner);
-      agent.tally().sold(agent.sees(target));
+      agent.links.strengthen(winner, target);
+      agent.owned.remove(target);
+      agent.advertised.remove(target, winner);
+      agent.tally.sold(agent.sees(target));
     }
     agent.policy().stopSearch(agent, target);
-    agent.searches().remove(target);
+    agent.searches.remove(target);
   }
 }

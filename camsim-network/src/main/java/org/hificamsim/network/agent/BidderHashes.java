@@ -33,7 +33,7 @@ public final class BidderHashes {
   /** The hash code of the camera's text as it is now. */
   public int of(int camera) {
     int hash = appendNumber(constantPart(camera), sightings.visible(camera).size());
-    return appendNumber(append(hash, " neighbours="), agents[camera].neighbours().size());
+    return appendNumber(append(hash, " neighbours="), agents[camera].neighbours.size());
   }
 
   /** Its hash code, computed again where a camera has changed since. */

@@ -3,7 +3,7 @@ package org.hificamsim.network.agent;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 
-/** The bids that have arrived at a camera, by target; lists are used again. */
+/** The bids that have arrived at a camera, by target; lists are reused. */
 final class Bids {
   /**
    * The bids for one target in the order of CamSim's map (behaviour 4.5): the first of each bidder.
@@ -66,7 +66,7 @@ final class Bids {
     return open[target];
   }
 
-  /** Throws the bids for a target away. */
+  /** Discards the bids for a target. */
   void clear(int target) {
     if (open[target] != null) {
       open[target].order.reset();

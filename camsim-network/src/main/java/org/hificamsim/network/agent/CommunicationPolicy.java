@@ -29,7 +29,7 @@ public enum CommunicationPolicy implements Named {
     switch (this) {
       case BROADCAST -> askAll(agent, target, true);
       case SMOOTH -> {
-        double strongest = agent.links().strongest(target);
+        double strongest = agent.links.strongest(target);
         if (strongest == 0) {
           askAll(agent, target, agent.countsFallback());
         } else {
@@ -44,21 +44,21 @@ public enum CommunicationPolicy implements Named {
   /** Tells those that were asked that a target is no longer for sale. */
   void stopSearch(Agent agent, int target) {
     switch (this) {
-      case BROADCAST -> tell(agent, agent.neighbours(), target);
-      case FIX -> tell(agent, agent.links().linked(), target);
+      case BROADCAST -> tell(agent, agent.neighbours, target);
+      case FIX -> tell(agent, agent.links.linked(), target);
       case SMOOTH, STEP -> {
-        if (agent.advertised().isEmpty()) {
-          tell(agent, agent.neighbours(), target);
-        } else if (agent.advertised().contains(target)) {
+        if (agent.advertised.isEmpty()) {
+          tell(agent, agent.neighbours, target);
+        } else if (agent.advertised.contains(target)) {
           tellAsked(agent, target);
         }
       }
     }
-    agent.advertised().close(target);
+    agent.advertised.close(target);
   }
 
   private static void askAll(Agent agent, int target, boolean counted) {
-    InsertionOrder all = agent.neighbours();
+    InsertionOrder all = agent.neighbours;
     for (int camera = all.first(); camera != InsertionOrder.END; camera = all.next(camera)) {
       agent.ask(camera, target, counted);
     }
@@ -68,7 +68,7 @@ public enum CommunicationPolicy implements Named {
   private void askSome(Agent agent, int target, double strongest) {
     double draw = agent.draw();
     boolean any = false;
-    InsertionOrder all = agent.neighbours();
+    InsertionOrder all = agent.neighbours;
     for (int camera = all.first(); camera != InsertionOrder.END; camera = all.next(camera)) {
       if (chance(agent.linkTo(camera, target), strongest) > draw) {
         agent.ask(camera, target, true);
@@ -88,11 +88,11 @@ public enum CommunicationPolicy implements Named {
   }
 
   private static void askLinked(Agent agent, int target) {
-    agent.advertised().close(target);
-    agent.advertised().open(target);
-    InsertionOrder linked = agent.links().linked();
+    agent.advertised.close(target);
+    agent.advertised.open(target);
+    InsertionOrder linked = agent.links.linked();
     for (int name = linked.first(); name != InsertionOrder.END; name = linked.next(name)) {
-      agent.advertised().add(target, name);
+      agent.advertised.add(target, name);
       agent.send(MessageKind.START_SEARCH, name, target, 0);
     }
   }
@@ -104,7 +104,7 @@ public enum CommunicationPolicy implements Named {
   }
 
   private static void tellAsked(Agent agent, int target) {
-    Advertised advertised = agent.advertised();
+    Advertised advertised = agent.advertised;
     int camera = advertised.nextAsked(target, 0);
     while (camera >= 0) {
       agent.send(MessageKind.STOP_SEARCH, camera, target, 0);

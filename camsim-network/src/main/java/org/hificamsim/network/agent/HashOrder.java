@@ -88,7 +88,7 @@ public final class HashOrder {
     return size;
   }
 
-  /** Makes the list a new and empty one. */
+  /** Empties the list, as if it were new. */
   void reset() {
     size = 0;
     capacity = FIRST_CAPACITY;

@@ -33,7 +33,7 @@ public final class Links {
   }
 
   /**
-   * Links whatever the target.
+   * The same links for all targets.
    *
    * @param initial names linked to at the start, with strength 1
    * @param frozen whether links neither fade nor grow
@@ -57,12 +57,12 @@ public final class Links {
     return new Links(names, categories, categoryOf);
   }
 
-  /** The strength of the link to a name where this target is concerned, or {@link #NONE}. */
+  /** The strength of the link to a name for this target, or {@link #NONE}. */
   double strength(int name, int target) {
     return strengths[at(name, categoryOf.applyAsInt(target))];
   }
 
-  /** The greatest strength where this target is concerned; 0 without links. */
+  /** The greatest strength for this target; 0 without links. */
   double strongest(int target) {
     int category = categoryOf.applyAsInt(target);
     double strongest = 0;

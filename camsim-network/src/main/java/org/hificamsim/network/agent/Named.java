@@ -15,8 +15,8 @@ public interface Named {
   List<String> names();
 
   /**
-   * The constant that {@code text} names: shortly, by a class name, or by the last part of one;
-   * upper and lower case are the same.
+   * The constant that {@code text} names: by its short name, a class name, or the last part of one,
+   * in upper or lower case.
    */
   static <E extends Enum<E> & Named> Optional<E> find(Class<E> type, String text) {
     String wanted = plain(text);

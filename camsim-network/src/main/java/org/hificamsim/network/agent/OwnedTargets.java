@@ -35,7 +35,7 @@ final class OwnedTargets {
     return place(target) >= 0;
   }
 
-  /** The targets, to be read alone. */
+  /** The targets, for reading only. */
   HashOrder order() {
     return order;
   }

@@ -2,7 +2,6 @@ package org.hificamsim.network.bandit;
 
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
-import org.hificamsim.network.agent.ViewTally;
 import org.hificamsim.network.statistics.CameraFigures;
 
 /** A bandit whose arms are ranges: changes a camera's range every eleventh step (behaviour 9.6). */
@@ -14,13 +13,29 @@ public final class ZoomBandit implements CameraBandit {
   private final BanditSolver solver;
   private final Agent agent;
   private final World world;
+  private final Mean keptInView = new Mean();
+  private final Mean sharedViews = new Mean();
+  private final Mean certainty = new Mean();
   private int ticks;
-  private double ratios;
-  private int ratioCount;
-  private double sharedRatios;
-  private int sharedRatioCount;
-  private double certainties;
-  private int certaintyCount;
+
+  /** A mean, 0 of nothing. */
+  private static final class Mean {
+    private double sum;
+    private int count;
+
+    void add(double values, int number) {
+      sum += values;
+      count += number;
+    }
+
+    /** The mean of what was added since it was asked for last. */
+    double take() {
+      double mean = count == 0 ? 0 : sum / count;
+      sum = 0;
+      count = 0;
+      return mean;
+    }
+  }
 
   /** The bandit of a camera, which starts with the range that it has. */
   public ZoomBandit(BanditSolver solver, Agent agent, World world) {
@@ -41,16 +56,12 @@ public final class ZoomBandit implements CameraBandit {
   private void note(CameraFigures figures) {
     int owned = agent.owned().size();
     if (owned > 0) {
-      ratios += (double) figures.tracked() / owned;
-      ratioCount++;
+      keptInView.add((double) figures.tracked() / owned, 1);
     }
-    ViewTally tally = agent.tally();
-    if (tally.counted()) {
-      sharedRatios += tally.sharedRatio();
-      sharedRatioCount++;
+    if (agent.tally().counted()) {
+      sharedViews.add(agent.tally().sharedRatio(), 1);
     }
-    certainties += figures.sumOfCertainties();
-    certaintyCount += figures.tracked();
+    certainty.add(figures.sumOfCertainties(), figures.tracked());
   }
 
   private void zoom() {
@@ -61,24 +72,14 @@ public final class ZoomBandit implements CameraBandit {
     if (solver.current() != BanditSolver.NONE) {
       reach(range, (solver.current() + 1) * ARM_WIDTH - range);
     }
-    forget();
+    ticks = 0;
   }
 
   private double reward() {
     BanditParameters parameters = solver.parameters();
-    return parameters.alpha() * mean(ratios, ratioCount)
-        + parameters.beta() * mean(sharedRatios, sharedRatioCount)
-        + parameters.gamma() * mean(certainties, certaintyCount);
-  }
-
-  private void forget() {
-    ticks = 0;
-    ratios = 0;
-    ratioCount = 0;
-    sharedRatios = 0;
-    sharedRatioCount = 0;
-    certainties = 0;
-    certaintyCount = 0;
+    return parameters.alpha() * keptInView.take()
+        + parameters.beta() * sharedViews.take()
+        + parameters.gamma() * certainty.take();
   }
 
   /** CamSim's rule for a range that changes (behaviour 6.3, quirk Q10). */
@@ -95,9 +96,5 @@ public final class ZoomBandit implements CameraBandit {
   /** The arm whose range is nearest from above, for a range that no arm has set. */
   private static int armOf(double range) {
     return Math.min((int) Math.floor(range / ARM_WIDTH), Arms.COUNT - 1);
-  }
-
-  private static double mean(double sum, int count) {
-    return count == 0 ? 0 : sum / count;
   }
 }

@@ -11,8 +11,8 @@ import java.nio.file.StandardOpenOption;
 import org.hificamsim.core.InputException;
 
 /**
- * CamSim's summary file: one row is appended per run, under a lock and in one write, so that runs
- * side by side may share it.
+ * CamSim's summary file: one row is appended per run, under a lock and in one write, so that
+ * parallel runs may share it.
  */
 final class SummaryRows {
   private final Path path;

@@ -7,11 +7,11 @@ import java.util.stream.DoubleStream;
  * The area that two fields of view have in common, exact but for rounding: Green's theorem along
  * the parts of each boundary that lie inside the other sector.
  *
- * <p>Whether a part lies inside is asked a hair's breadth beside its middle, so that boundaries
- * that coincide count once where the insides are on the same side, and not at all otherwise.
+ * <p>Whether a part lies inside is tested slightly beside its middle, so that boundaries that
+ * coincide count once where the insides are on the same side, and not at all otherwise.
  */
 final class SectorOverlap {
-  private static final double HAIR = 1e-9;
+  private static final double OFFSET = 1e-9;
 
   private SectorOverlap() {}
 
@@ -26,13 +26,13 @@ final class SectorOverlap {
     }
     List<Edge> ofFirst = edges(first);
     List<Edge> ofSecond = edges(second);
-    double hair = HAIR * reach;
+    double offset = OFFSET * reach;
     double area = 0;
     for (Edge edge : ofFirst) {
-      area += inside(edge, ofSecond, second, hair, false);
+      area += inside(edge, ofSecond, second, offset, false);
     }
     for (Edge edge : ofSecond) {
-      area += inside(edge, ofFirst, first, hair, true);
+      area += inside(edge, ofFirst, first, offset, true);
     }
     return Math.max(area, 0);
   }
@@ -41,13 +41,13 @@ final class SectorOverlap {
    * @param bothSides whether a part must have the sector on either side of it
    */
   private static double inside(
-      Edge edge, List<Edge> others, Sector sector, double hair, boolean bothSides) {
+      Edge edge, List<Edge> others, Sector sector, double offset, boolean bothSides) {
     double[] at = cuts(edge, others);
     double area = 0;
     for (int i = 1; i < at.length; i++) {
       double middle = (at[i - 1] + at[i]) / 2;
-      if (beside(edge, middle, sector, hair)
-          && (!bothSides || beside(edge, middle, sector, -hair))) {
+      if (beside(edge, middle, sector, offset)
+          && (!bothSides || beside(edge, middle, sector, -offset))) {
         area += edge.areaBetween(at[i - 1], at[i]);
       }
     }

@@ -1,0 +1,59 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What {@code tools/setup.sh} does about locales and paths before the command line starts. */
+class LauncherTest {
+  private static final String SOURCE = ". '" + Cli.ROOT.resolve("tools/setup.sh") + "'\n";
+  private static final String JAVA = System.getProperty("java.home") + "/bin/java";
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"C", "POSIX", "C.UTF-8"})
+  void namesWithAccentsAreFilesInEveryLocale(String locale) throws Exception {
+    Files.copy(Cli.scenario("ring-random"), folder.resolve("plain.xml"));
+    String script =
+        "root=$PWD\n"
+            + SOURCE
+            + "name=$(printf 'caf\\303\\251'); mv plain.xml $name.xml\n"
+            + JAVA
+            + " org.hificamsim.cli.Main run $name.xml --steps 5\n"
+            + "mv out/$name plain\n";
+    String output = shell(script, Map.of("LC_ALL", locale));
+    Path summary = folder.resolve("plain/summary.json");
+    assertTrue(Files.exists(summary), output);
+    assertTrue(Files.readString(summary).contains("\"caf\u00e9\""));
+  }
+
+  @Test
+  void aFolderWithAColonIsToldInOneLine() throws Exception {
+    assertEquals(
+        "hificamsim: this folder is /a:b, expected a path without a colon: Java's class path"
+            + " cannot hold one\n",
+        shell("root=/a:b\n" + SOURCE + "echo not reached\n", Map.of()));
+  }
+
+  private String shell(String script, Map<String, String> environment)
+      throws IOException, InterruptedException {
+    ProcessBuilder shell = new ProcessBuilder("sh", "-c", script);
+    shell.directory(folder.toFile()).redirectErrorStream(true);
+    shell.environment().put("CLASSPATH", System.getProperty("java.class.path"));
+    shell.environment().putAll(environment);
+    Process process = shell.start();
+    String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    process.waitFor();
+    return text;
+  }
+}
