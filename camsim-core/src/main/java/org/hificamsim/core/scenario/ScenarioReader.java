@@ -1,16 +1,15 @@
 package org.hificamsim.core.scenario;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /**
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
@@ -90,12 +89,37 @@ public final class ScenarioReader {
     CameraReader cameraReader = new CameraReader(field, agents, warnings);
     TargetReader targetReader = new TargetReader(field, !zooms.isEmpty(), movements, warnings);
     List<CameraSpec> cameras = root.all("camera").stream().map(cameraReader::camera).toList();
-    List<TargetSpec> targets = new ArrayList<>();
-    root.all("object").forEach(element -> targets.add(targetReader.object(element)));
-    root.all("object_with_waypoints")
-        .forEach(element -> targets.add(targetReader.objectWithWaypoints(element)));
+    List<TargetSpec> targets = targets(targetReader);
     List<ScenarioEvent> events =
         new EventReader(cameraReader, targetReader, warnings).events(root.all("event"));
+    requireSome(simulation, cameras, targets, events);
+    return new Scenario(
+        name(),
+        field,
+        attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE),
+        attributes.choice("headings", Headings.DEGREES),
+        attributes.optionalNumber("threshold", Range.PROPORTION),
+        attributes.optionalNumber("mount_height", Range.POSITIVE_LENGTH),
+        zooms,
+        cameras,
+        targets,
+        events,
+        visionGraph(),
+        attributes.leftOver(warnings));
+  }
+
+  private List<TargetSpec> targets(TargetReader reader) {
+    return Stream.concat(
+            root.all("object").stream().map(reader::object),
+            root.all("object_with_waypoints").stream().map(reader::objectWithWaypoints))
+        .toList();
+  }
+
+  private static void requireSome(
+      XmlElement simulation,
+      List<CameraSpec> cameras,
+      List<TargetSpec> targets,
+      List<ScenarioEvent> events) {
     if (cameras.isEmpty() && events.stream().noneMatch(ScenarioEvent.AddCamera.class::isInstance)) {
       throw simulation.place().error("no <camera>, expected at least one");
     }
@@ -104,26 +128,6 @@ public final class ScenarioReader {
           .place()
           .error("no <object> and no event that adds one, expected at least one target");
     }
-    StepOrder order =
-        attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE);
-    Headings headings = attributes.choice("headings", Headings.DEGREES);
-    OptionalDouble threshold = attributes.optionalNumber("threshold", Range.PROPORTION);
-    OptionalDouble mountHeight = attributes.optionalNumber("mount_height", Range.POSITIVE_LENGTH);
-    Scenario scenario =
-        new Scenario(
-            name(),
-            field,
-            order,
-            headings,
-            threshold,
-            mountHeight,
-            zooms,
-            cameras,
-            targets,
-            events,
-            visionGraph(),
-            attributes.leftOver(warnings));
-    return scenario;
   }
 
   private String name() {

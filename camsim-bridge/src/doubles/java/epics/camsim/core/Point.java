@@ -1,11 +1,11 @@
 package epics.camsim.core;
 
 /** A point of the plane, metres. */
-final class Place {
+final class Point {
   final double x;
   final double y;
 
-  Place(double x, double y) {
+  Point(double x, double y) {
     this.x = x;
     this.y = y;
   }
