@@ -42,7 +42,7 @@ public final class ModelFiles {
    * @throws InputException when the file cannot be written
    */
   public static void write(HiFiDetection model, Path file) {
-    byte[] bytes = checkedBytes(model);
+    byte[] bytes = bytes(model);
     try {
       new OutputFile(file).write(out -> out.write(bytes));
     } catch (IOException e) {
@@ -63,7 +63,12 @@ public final class ModelFiles {
     }
   }
 
-  private static HiFiDetection parse(String file, byte[] bytes) {
+  /**
+   * The model in a file's content.
+   *
+   * @param file its name, for error lines
+   */
+  public static HiFiDetection parse(String file, byte[] bytes) {
     return ModelFormat.read(JsonFile.parse(file, bytes));
   }
 
@@ -82,7 +87,12 @@ public final class ModelFiles {
     }
   }
 
-  private static byte[] checkedBytes(HiFiDetection model) {
+  /**
+   * The content of a file of a model, which {@link #parse} will read as an equal one.
+   *
+   * @throws IllegalArgumentException when the model has a number or name that no file may hold
+   */
+  public static byte[] bytes(HiFiDetection model) {
     try {
       byte[] bytes = ModelWriter.bytes(model);
       if (parse(model.name(), bytes).equals(model)) {

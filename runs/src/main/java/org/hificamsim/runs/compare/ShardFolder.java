@@ -67,7 +67,14 @@ record ShardFolder(Path path, Content content) {
 
   /** Whether it holds a part of this sweep. */
   boolean isOf(List<RunPlan> plans) {
-    return content.sweep().equals(RunKey.of(plans));
+    return content.sweep().equals(RunKey.sweep(plans));
+  }
+
+  /** What tells its sweep from this one, for error lines; empty where that cannot be named. */
+  String changed(List<RunPlan> plans) throws IOException {
+    try (Journal runs = runs()) {
+      return runs.changed(RunKey.of(plans)).map(input -> " (another " + input + ")").orElse("");
+    }
   }
 
   Shard shard() {
@@ -88,6 +95,6 @@ record ShardFolder(Path path, Content content) {
   }
 
   private static Content content(Shard shard, List<RunPlan> plans) {
-    return new Content(RunKey.of(plans), shard.number(), shard.of());
+    return new Content(RunKey.sweep(plans), shard.number(), shard.of());
   }
 }
