@@ -36,7 +36,7 @@ final class Browser implements AutoCloseable {
   private static final Path DRIVER = Path.of("/usr/bin/chromedriver");
   private static final Logger SELENIUM = Logger.getLogger("org.openqa.selenium");
   private static final ObjectMapper JSON = new ObjectMapper();
-  private static final Duration LONGEST_WAIT = Duration.ofSeconds(30);
+  private static final Duration MAX_WAIT = Duration.ofSeconds(30);
 
   /** The script has ended, and browsers have drawn what they draw once they know its size. */
   private static final String DRAWN =
@@ -104,7 +104,7 @@ return document.getElementById('page').dataset.ready !== undefined
 
   /** Waits until a script returns true. */
   void until(String script) {
-    new WebDriverWait(driver, LONGEST_WAIT, Duration.ofMillis(50))
+    new WebDriverWait(driver, MAX_WAIT, Duration.ofMillis(50))
         .withMessage(script)
         .until(any -> Boolean.TRUE.equals(run(script)));
   }

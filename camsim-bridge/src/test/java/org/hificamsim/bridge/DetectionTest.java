@@ -73,7 +73,7 @@ class DetectionTest {
   void aHiFiModelDecidesWhatIsVisibleAndHowSureCamerasAre() {
     CamSimRun with = run("with", "detection=hifi:orb-lin");
     assertEquals("", with.err());
-    Detection detection = Engine.detection("hifi:orb-lin");
+    Detection detection = OwnSimulation.detection("hifi:orb-lin");
     int visible = assertFollows(with, detection, TargetSpec.DEFAULT_SIZE);
     assertTrue(visible > 50, visible + " looks saw anything");
     assertNotEquals(without.all(), with.all());
@@ -82,7 +82,7 @@ class DetectionTest {
   @Test
   void thresholdAndSizeAreTheGivenOnes() {
     CamSimRun with = run("with", "detection=hifi:sift-power,threshold=0.3,size=1.7");
-    Detection detection = new Detection(Engine.CATALOGUE.detection("hifi:sift-power"), 0.3);
+    Detection detection = new Detection(OwnSimulation.CATALOGUE.detection("hifi:sift-power"), 0.3);
     int visible = assertFollows(with, detection, 1.7);
     assertTrue(visible > 50, visible + " looks saw anything");
   }
@@ -105,8 +105,13 @@ class DetectionTest {
     CamSimRun with = run("with", "detection=" + name + ",out=results");
     Path expected = folder.resolve("engine");
     RunCoverage sums =
-        Engine.record(
-            expected, CamSimRun.CROSSING, List.of(), Engine.detection(name), "zoom-out", 200);
+        OwnSimulation.record(
+            expected,
+            CamSimRun.CROSSING,
+            List.of(),
+            OwnSimulation.detection(name),
+            "zoom-out",
+            200);
     for (String file : List.of("steps.csv", "zooms.csv", "targets.csv")) {
       assertEquals(Files.readString(expected.resolve(file)), with.text("results/" + file), file);
     }
@@ -137,7 +142,7 @@ class DetectionTest {
   /** Recomputes each look from the logged positions; returns how many saw something. */
   private static int assertFollows(CamSimRun run, Detection detection, double size) {
     Map<String, CameraSpec> cameras =
-        Engine.scenario(CamSimRun.CROSSING, List.of()).cameras().stream()
+        OwnSimulation.scenario(CamSimRun.CROSSING, List.of()).cameras().stream()
             .collect(Collectors.toMap(CameraSpec::name, Function.identity()));
     int visible = 0;
     for (String row : run.rows("looks.csv")) {

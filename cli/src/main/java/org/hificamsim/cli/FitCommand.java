@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.dataset.Camera;
 import org.hificamsim.profiling.dataset.DatasetReader;
+import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
 import org.hificamsim.profiling.fit.Fitting;
@@ -17,7 +17,7 @@ import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.MeasurementsFile;
-import org.hificamsim.profiling.report.Report;
+import org.hificamsim.profiling.report.FitReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -79,11 +79,11 @@ final class FitCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     FitSettings settings = settings();
     int count = threads.count();
-    Camera camera = DatasetReader.camera(folder);
+    PhotoCamera camera = DatasetReader.camera(folder);
     List<Measurement> measurements = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
     int models = new ModelFolder(folder.resolve("models"), name).write(result);
-    Report.write(result, folder.toAbsolutePath().normalize().getFileName().toString(), folder);
+    FitReport.write(result, folder.toAbsolutePath().normalize().getFileName().toString(), folder);
     print(result, models);
     return 0;
   }

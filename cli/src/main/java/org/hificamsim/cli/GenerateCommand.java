@@ -21,7 +21,7 @@ import picocli.CommandLine.Spec;
     name = "generate",
     description = "Writes a scenario of cameras and targets strewn over a field at random.")
 final class GenerateCommand implements Callable<Integer> {
-  private static final int MOST = 200_000;
+  private static final int MAX = 200_000;
   private static final double LARGE = 1e9;
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The file to write.")
@@ -62,10 +62,10 @@ final class GenerateCommand implements Callable<Integer> {
   }
 
   private RandomField field() {
-    Numbers.inRange("--cameras", cameras, 1, MOST);
+    Numbers.inRange("--cameras", cameras, 1, MAX);
     RandomField usual = RandomField.ofCameras(cameras, seed.value());
     if (targets != null) {
-      Numbers.inRange("--targets", targets, 1, MOST);
+      Numbers.inRange("--targets", targets, 1, MAX);
     }
     if (area != null && !(area > 0 && area <= LARGE)) {
       throw new InputException(

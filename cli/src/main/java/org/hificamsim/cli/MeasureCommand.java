@@ -11,8 +11,8 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
+import org.hificamsim.profiling.detector.DescriptorDistance;
 import org.hificamsim.profiling.detector.Detectors;
-import org.hificamsim.profiling.detector.Metric;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.hificamsim.profiling.measure.MeasureSettings;
 import org.hificamsim.profiling.measure.Measurer;
@@ -36,7 +36,7 @@ final class MeasureCommand implements Callable<Integer> {
       names = "--metric",
       paramLabel = "euclidean|hamming",
       description = "Distance between descriptors; hamming is for ORB, the others stay euclidean.")
-  private Metric metric;
+  private DescriptorDistance metric;
 
   @Option(
       names = "--ratio",

@@ -4,8 +4,8 @@ import java.io.IOException;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.reproduction.Judgement;
-import org.hificamsim.reproduction.Preset;
 import org.hificamsim.reproduction.ReproductionFiles;
+import org.hificamsim.reproduction.ReproductionPlans;
 import org.hificamsim.runs.compare.ComparisonRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -25,9 +25,9 @@ final class ReproduceCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
     RepeatOptions repeats = batch.repeats();
-    Preset preset =
-        new Preset(
-            ShippedScenarios.read(Preset.scenarioNames(), catalogue),
+    ReproductionPlans preset =
+        new ReproductionPlans(
+            ShippedScenarios.read(ReproductionPlans.scenarioNames(), catalogue),
             repeats.steps(),
             repeats.seed(),
             repeats.repeats());

@@ -42,6 +42,6 @@ public final class BridgeAgent {
   }
 
   private static void refuse(String options, String problem) {
-    Trouble.tell(problem, Trouble.strict(options));
+    FaultLine.tell(problem, FaultLine.strict(options));
   }
 }

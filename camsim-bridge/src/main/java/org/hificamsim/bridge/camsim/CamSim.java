@@ -167,7 +167,7 @@ public final class CamSim {
   }
 
   /** A method as a handle of this type; null where this CamSim has none, and no option needs it. */
-  private MethodHandle bind(Method method, MethodType type) {
+  private MethodHandle bind(CamSimMethod method, MethodType type) {
     try {
       for (Class<?> owner = Class.forName(method.type(), false, loader);
           owner != null;

@@ -73,7 +73,7 @@ public final class Weaver implements ClassFileTransformer {
     return builder.make(TypePool.Default.of(locator)).getBytes();
   }
 
-  private static AsmVisitorWrapper hook(Class<?> advice, Method method) {
+  private static AsmVisitorWrapper hook(Class<?> advice, CamSimMethod method) {
     ElementMatcher.Junction<MethodDescription> matcher =
         ElementMatchers.<MethodDescription>named(method.name())
             .and(takesArguments(method.parameters().size()));

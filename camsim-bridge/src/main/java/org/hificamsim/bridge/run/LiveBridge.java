@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.bridge.agent.Bridge;
-import org.hificamsim.bridge.agent.Trouble;
+import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
@@ -104,7 +104,7 @@ public final class LiveBridge implements Bridge {
       off = true;
     }
     letGo();
-    Trouble.tell(Place.printable(message(fault)), stop);
+    FaultLine.tell(Place.printable(message(fault)), stop);
   }
 
   private static String message(Throwable fault) {

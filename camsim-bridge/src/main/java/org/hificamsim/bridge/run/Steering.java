@@ -2,7 +2,7 @@ package org.hificamsim.bridge.run;
 
 import java.util.Optional;
 import java.util.SplittableRandom;
-import org.hificamsim.bridge.agent.Trouble;
+import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.runs.Proof;
 
@@ -62,7 +62,7 @@ final class Steering {
 
   private void begin(LiveNetwork network) {
     if (policy != null) {
-      Trouble.note(
+      FaultLine.note(
           "step %d: more cameras or objects than expected: policy %s starts over"
               .formatted(network.step(), given.spec()));
     }

@@ -21,7 +21,7 @@ import org.hificamsim.hifi.json.JsonFile;
  */
 public final class ModelFiles {
   /** The largest file that is read. */
-  public static final int LARGEST_BYTES = 16 << 20;
+  public static final int MAX_BYTES = 16 << 20;
 
   private ModelFiles() {}
 
@@ -74,10 +74,10 @@ public final class ModelFiles {
 
   private static byte[] bytes(Path file) {
     try (InputStream in = Files.newInputStream(file)) {
-      byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
-      if (bytes.length > LARGEST_BYTES) {
+      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+      if (bytes.length > MAX_BYTES) {
         throw new Place(file.toString(), 1, 1)
-            .error("the file is too big, expected at most " + LARGEST_BYTES + " bytes");
+            .error("the file is too big, expected at most " + MAX_BYTES + " bytes");
       }
       return bytes;
     } catch (NoSuchFileException e) {

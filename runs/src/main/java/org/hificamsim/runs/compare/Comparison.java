@@ -138,7 +138,7 @@ public final class Comparison {
         sums[step] += outcome.kMin()[step];
       }
       settling[repeat] = Settling.of(outcome.kMin());
-      levels[repeat] = Levels.of(outcome.kMin());
+      levels[repeat] = PartMeans.of(outcome.kMin());
       outcomes[repeat] = new Outcome(outcome.result().asRun(repeat), new int[0]);
     }
 

@@ -21,7 +21,7 @@ import org.hificamsim.runs.RunPlan;
 record ShardFolder(Path path, Content content) {
   static final String RUNS = "runs.jsonl";
   private static final String NAME = "shard.json";
-  private static final int LARGEST_BYTES = 1 << 16;
+  private static final int MAX_BYTES = 1 << 16;
 
   /** Which part of which sweep, the sweep as a digest of all that its results depend on. */
   record Content(String sweep, int shard, int of) {}
@@ -39,7 +39,7 @@ record ShardFolder(Path path, Content content) {
     if (!Files.isRegularFile(file)) {
       return Optional.empty();
     }
-    if (Files.size(file) <= LARGEST_BYTES) {
+    if (Files.size(file) <= MAX_BYTES) {
       try {
         Content content = MAPPER.readValue(Files.readAllBytes(file), Content.class);
         if (content != null && content.sweep != null && Shard.isOne(content.shard, content.of)) {

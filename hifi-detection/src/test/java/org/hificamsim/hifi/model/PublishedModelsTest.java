@@ -17,12 +17,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-class CatalogueTest {
-  private static final Catalogue CATALOGUE = Catalogue.published();
+class PublishedModelsTest {
+  private static final PublishedModels CATALOGUE = PublishedModels.published();
 
   @Test
   void isReadOnce() {
-    assertSame(CATALOGUE, Catalogue.published());
+    assertSame(CATALOGUE, PublishedModels.published());
   }
 
   @Test
@@ -50,14 +50,14 @@ class CatalogueTest {
   void groundTruthLinesAreEquations52To54(String detector, double slope, double intercept) {
     assertEquals(
         new DetectorLine(slope, intercept),
-        CATALOGUE.line(detector, Catalogue.GROUND_TRUTH).orElseThrow().g());
+        CATALOGUE.line(detector, PublishedModels.GROUND_TRUTH).orElseThrow().g());
   }
 
   @Test
   void groundTruthLinesEqualThePublishedTable() throws IOException {
     List<Map<String, String>> rows = Published.rows("detector-ground-truth-pip.csv");
     assertEquals(3, rows.size());
-    rows.forEach(row -> assertLine(row, row.get("detector"), Catalogue.GROUND_TRUTH));
+    rows.forEach(row -> assertLine(row, row.get("detector"), PublishedModels.GROUND_TRUTH));
   }
 
   @Test
@@ -109,7 +109,7 @@ class CatalogueTest {
   void thresholdsAreEveryLinesConfidenceAtTheReferencesPip() {
     double pip = (0.0441 - 0.026) / 0.571;
     assertEquals(0.0441, CATALOGUE.threshold(new DetectorLine(0.571, 0.026)));
-    for (Catalogue.Line line : CATALOGUE.lines()) {
+    for (PublishedModels.Line line : CATALOGUE.lines()) {
       DetectorLine g = line.g();
       assertEquals(g.slope() * pip + g.intercept(), CATALOGUE.threshold(g), 1e-17);
     }

@@ -16,7 +16,7 @@ import net.bytebuddy.pool.TypePool;
  * @param steers whether the bridge sets ranges
  * @param records whether the bridge writes files
  */
-public record Shape(boolean detects, boolean steers, boolean records) {
+public record Requirements(boolean detects, boolean steers, boolean records) {
   /** Those names that a class path lacks, or has in another form; empty when all is there. */
   public List<String> missing(ClassLoader loader) {
     TypePool pool = TypePool.Default.of(ClassFileLocator.ForClassLoader.of(loader));
@@ -35,8 +35,8 @@ public record Shape(boolean detects, boolean steers, boolean records) {
     return missing;
   }
 
-  private List<Method> needed() {
-    List<Method> needed = new ArrayList<>(Names.ALWAYS);
+  private List<CamSimMethod> needed() {
+    List<CamSimMethod> needed = new ArrayList<>(Names.ALWAYS);
     if (detects) {
       needed.addAll(Names.TO_DETECT);
     }
@@ -49,7 +49,7 @@ public record Shape(boolean detects, boolean steers, boolean records) {
     return needed;
   }
 
-  private static boolean isThere(Method method, TypeDescription type) {
+  private static boolean isThere(CamSimMethod method, TypeDescription type) {
     for (TypeDefinition owner = type; owner != null; owner = owner.getSuperClass()) {
       for (MethodDescription found : owner.getDeclaredMethods()) {
         if (matches(method, found)) {
@@ -63,7 +63,7 @@ public record Shape(boolean detects, boolean steers, boolean records) {
     return false;
   }
 
-  private static boolean matches(Method method, MethodDescription found) {
+  private static boolean matches(CamSimMethod method, MethodDescription found) {
     List<String> parameters =
         found.getParameters().asTypeList().asErasures().stream()
             .map(TypeDescription::getName)

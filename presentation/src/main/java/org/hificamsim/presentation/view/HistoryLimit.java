@@ -4,12 +4,12 @@ import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.Setup;
 
 /** How many steps are kept, so that large scenarios need no more memory than small ones. */
-final class Memory {
-  private static final int MOST_STEPS = 4000;
-  private static final int LEAST_STEPS = 50;
-  private static final long MOST_NUMBERS = 1 << 21;
+final class HistoryLimit {
+  private static final int MAX_STEPS = 4000;
+  private static final int MIN_STEPS = 50;
+  private static final long MAX_NUMBERS = 1 << 21;
 
-  private Memory() {}
+  private HistoryLimit() {}
 
   /** The steps that are kept of a scenario. */
   static int steps(Setup setup) {
@@ -17,6 +17,6 @@ final class Memory {
     for (CameraSetup camera : setup.cameras()) {
       numbers += 3 + 2L * camera.pose().levels().size();
     }
-    return (int) Math.max(LEAST_STEPS, Math.min(MOST_STEPS, MOST_NUMBERS / Math.max(1, numbers)));
+    return (int) Math.max(MIN_STEPS, Math.min(MAX_STEPS, MAX_NUMBERS / Math.max(1, numbers)));
   }
 }

@@ -14,31 +14,32 @@ import java.util.List;
  * @param hifi whether the detection model is the high-fidelity one, else CamSim's
  * @param proportion of the greedy approach's performance
  */
-public record Published(Layout layout, String policy, boolean hifi, double proportion) {
-  /** Section 7.4.4: what epsilon-greedy reaches of the greedy performance in scenario 4. */
+public record PublishedCell(Layout layout, String policy, boolean hifi, double proportion) {
+  /** Thesis 7.4.4: what epsilon-greedy reaches of the greedy performance in scenario 4. */
   public static final double EPSILON_GREEDY_IN_4 = 0.81;
 
-  /** Section 7.4.4: what SARSA reaches of it. */
+  /** Thesis 7.4.4: what SARSA reaches of it. */
   public static final double SARSA_IN_4 = 0.87;
 
   /** The policies of the table, in its order. */
   public static final List<String> POLICIES = List.of("zoom-out", "epsilon-greedy", "sarsa");
 
   /** All eighteen cells. */
-  public static List<Published> table() {
+  public static List<PublishedCell> table() {
     try (BufferedReader reader =
         new BufferedReader(
             new InputStreamReader(
-                Published.class.getResourceAsStream("published.csv"), StandardCharsets.UTF_8))) {
-      return reader.lines().skip(1).map(Published::parse).toList();
+                PublishedCell.class.getResourceAsStream("published.csv"),
+                StandardCharsets.UTF_8))) {
+      return reader.lines().skip(1).map(PublishedCell::parse).toList();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  private static Published parse(String line) {
+  private static PublishedCell parse(String line) {
     String[] fields = line.split(",");
-    return new Published(
+    return new PublishedCell(
         Layout.named(fields[0]),
         fields[1],
         fields[2].equals("hifi"),

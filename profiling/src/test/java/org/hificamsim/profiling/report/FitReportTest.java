@@ -19,7 +19,7 @@ import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
-import org.hificamsim.profiling.dataset.Camera;
+import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.CamSimConfidence;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
@@ -33,7 +33,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** What is fitted, written and told of 160 made-up photos. */
-class ReportTest {
+class FitReportTest {
   private static final FitSettings SETTINGS =
       new FitSettings(5, 0, new SymbolicSettings(100, 5, 0.001, 0), SupportVectorSettings.THESIS);
 
@@ -42,9 +42,9 @@ class ReportTest {
 
   @BeforeAll
   static void fitAndWrite() throws IOException {
-    result = new Fitting(SETTINGS).fit(new Camera(0.0224, 0.015, 1296, 864), photos(), 2);
+    result = new Fitting(SETTINGS).fit(new PhotoCamera(0.0224, 0.015, 1296, 864), photos(), 2);
     assertEquals(36, new ModelFolder(folder.resolve("models"), "mine").write(result));
-    Report.write(result, "test & trial", folder);
+    FitReport.write(result, "test & trial", folder);
   }
 
   @Test
@@ -125,7 +125,8 @@ class ReportTest {
       List<Path> tables = files.toList();
       assertEquals(6, tables.size());
       for (Path table : tables) {
-        try (InputStream ours = Published.class.getResourceAsStream("" + table.getFileName())) {
+        try (InputStream ours =
+            PublishedTables.class.getResourceAsStream("" + table.getFileName())) {
           assertArrayEquals(Files.readAllBytes(table), ours.readAllBytes(), "" + table);
         }
       }

@@ -8,17 +8,17 @@ package org.hificamsim.presentation.replay;
  * @param bytes most bytes of all runs together, packed, and of the setup; frames are left out for
  *     it down to the first and the last one, whatever the cameras' poses take
  */
-record TapeLimits(int frames, long numbers, int bytes) {
+record RecordingLimits(int frames, long numbers, int bytes) {
   /** A page of less than 5 MB, the memory of a small machine. */
-  static final TapeLimits USUAL = new TapeLimits(20_000, 1 << 23, 4_400_000);
+  static final RecordingLimits USUAL = new RecordingLimits(20_000, 1 << 23, 4_400_000);
 
   /**
    * What is left for the runs: nothing beside a large setup, so that one run is kept, of two
    * frames.
    */
-  TapeLimits beside(Setup setup) {
+  RecordingLimits beside(Setup setup) {
     int left = Math.max(0, bytes - ReplayJson.of(setup).length());
-    return new TapeLimits(frames, numbers, left);
+    return new RecordingLimits(frames, numbers, left);
   }
 
   /** The most frames of one run, 2 or more. */

@@ -4,8 +4,8 @@ import java.util.Locale;
 import org.hificamsim.runs.Estimate;
 
 /** The reason for a verdict, in one line. */
-final class Why {
-  private Why() {}
+final class Reason {
+  private Reason() {}
 
   static String id(Table81.Cell cell) {
     return String.join(

@@ -1,10 +1,10 @@
 package org.hificamsim.bridge.agent;
 
 /** Reports problems of the bridge: one line each on standard error. */
-public final class Trouble {
+public final class FaultLine {
   private static final int STOPPED = 2;
 
-  private Trouble() {}
+  private FaultLine() {}
 
   /**
    * Reports a problem.

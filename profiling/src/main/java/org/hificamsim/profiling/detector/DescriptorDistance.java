@@ -3,15 +3,15 @@ package org.hificamsim.profiling.detector;
 import org.opencv.core.Core;
 
 /** How far apart two descriptors are. */
-public enum Metric {
-  /** The root of the summed squares, as the thesis has it for all detectors (§5.3). */
+public enum DescriptorDistance {
+  /** The root of the summed squares, as the thesis has it for all detectors (thesis 5.3). */
   EUCLIDEAN(Core.NORM_L2),
   /** The number of bits that differ; for ORB, the others keep the Euclidean distance. */
   HAMMING(Core.NORM_HAMMING);
 
   private final int norm;
 
-  Metric(int norm) {
+  DescriptorDistance(int norm) {
     this.norm = norm;
   }
 

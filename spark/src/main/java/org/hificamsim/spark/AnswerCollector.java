@@ -7,11 +7,11 @@ import scala.runtime.AbstractFunction2;
 import scala.runtime.BoxedUnit;
 
 /** Takes the answers on the driver, partition by partition, until the first fault. */
-final class Taking extends AbstractFunction2<Object, Answer[], BoxedUnit> {
+final class AnswerCollector extends AbstractFunction2<Object, Answer[], BoxedUnit> {
   private final RunEngine.Finished finished;
   private Exception fault;
 
-  Taking(RunEngine.Finished finished) {
+  AnswerCollector(RunEngine.Finished finished) {
     this.finished = finished;
   }
 

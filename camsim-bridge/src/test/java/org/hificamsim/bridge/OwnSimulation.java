@@ -17,10 +17,10 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.SingleRun;
 
 /** This project's own engine on CamSim's scenarios: what the bridge has to agree with. */
-final class Engine {
+final class OwnSimulation {
   static final Catalogue CATALOGUE = Catalogue.load();
 
-  private Engine() {}
+  private OwnSimulation() {}
 
   /** Runs a scenario in CamSim's order, with seed 0, and writes the files of a record. */
   static RunCoverage record(

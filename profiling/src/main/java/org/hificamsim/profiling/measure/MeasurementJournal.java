@@ -25,20 +25,20 @@ import org.hificamsim.profiling.dataset.Sample;
  * What an unfinished measurement has already found: a hidden file in the data set's folder, one
  * line per photo, that a later call with the same photos and settings goes on from.
  */
-final class Progress implements Closeable {
+final class MeasurementJournal implements Closeable {
   private static final int KEY_LENGTH = 16;
 
   private final Path file;
   private final Writer out;
   private final Map<Integer, Measurement> done;
 
-  private Progress(Path file, Map<Integer, Measurement> done, Writer out) {
+  private MeasurementJournal(Path file, Map<Integer, Measurement> done, Writer out) {
     this.file = file;
     this.done = done;
     this.out = out;
   }
 
-  static Progress open(Dataset dataset, MeasureSettings settings) throws IOException {
+  static MeasurementJournal open(Dataset dataset, MeasureSettings settings) throws IOException {
     Path file = dataset.folder().resolve(".measurements-" + key(dataset, settings) + ".part");
     Map<Integer, Measurement> done = settings.pictures().isEmpty() ? read(file, dataset) : Map.of();
     StringBuilder kept = new StringBuilder(MeasurementsFile.header(settings.detectors()));
@@ -47,7 +47,7 @@ final class Progress implements Closeable {
     Writer out =
         Files.newBufferedWriter(
             file, StandardCharsets.UTF_8, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);
-    return new Progress(file, new LinkedHashMap<>(done), out);
+    return new MeasurementJournal(file, new LinkedHashMap<>(done), out);
   }
 
   /** How many photos have been measured. */

@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-class PublishedTest {
+class PublishedCellTest {
   @Test
   void theTableHasEighteenCellsEachOnce() {
-    List<Published> table = Published.table();
+    List<PublishedCell> table = PublishedCell.table();
     assertEquals(18, table.size());
     assertEquals(
         18,
@@ -18,7 +18,10 @@ class PublishedTest {
   @Test
   void theHiFiColumnSumsToThatOfTheThesis() {
     double sum =
-        Published.table().stream().filter(Published::hifi).mapToDouble(Published::proportion).sum();
+        PublishedCell.table().stream()
+            .filter(PublishedCell::hifi)
+            .mapToDouble(PublishedCell::proportion)
+            .sum();
     assertEquals(0.50 + 0.92 + 0.60 + 0.61 + 0.94 + 0.73 + 0.44 + 0.93 + 0.70, sum, 1e-12);
   }
 

@@ -11,20 +11,21 @@ import org.hificamsim.runs.compare.Outcome;
 import org.hificamsim.runs.compare.RunTask;
 
 /** All plans of a comparison as text; each is read once in an executor. */
-final class PortableSweep implements Serializable {
+final class PortableComparison implements Serializable {
   private static final long serialVersionUID = 1L;
 
   private final List<PortablePlan> plans;
   private transient Catalogue catalogue;
   private transient Map<Integer, RunPlan> read;
 
-  private PortableSweep(List<PortablePlan> plans) {
+  private PortableComparison(List<PortablePlan> plans) {
     this.plans = plans;
   }
 
   /** The plans as text, checked to give the same plans. */
-  static PortableSweep of(List<RunPlan> plans, Catalogue catalogue) {
-    return new PortableSweep(plans.stream().map(plan -> PortablePlan.of(plan, catalogue)).toList());
+  static PortableComparison of(List<RunPlan> plans, Catalogue catalogue) {
+    return new PortableComparison(
+        plans.stream().map(plan -> PortablePlan.of(plan, catalogue)).toList());
   }
 
   /** Computes one run. */

@@ -14,7 +14,7 @@ import org.hificamsim.presentation.plot.Palette;
  * How many cameras cover a target, as colour, shape and width of its trail: those of the page's
  * {@code palette.js}.
  */
-enum Cover {
+enum CoverClass {
   NONE("no camera", Palette.VERMILION, 1.2f) {
     @Override
     Shape unit() {
@@ -53,14 +53,14 @@ enum Cover {
   private final Color color;
   private final float trail;
 
-  Cover(String label, Color color, float trail) {
+  CoverClass(String label, Color color, float trail) {
     this.label = label;
     this.color = color;
     this.trail = trail;
   }
 
   /** The class of a target that k cameras cover. */
-  static Cover of(int k) {
+  static CoverClass of(int k) {
     return values()[Math.min(k, values().length - 1)];
   }
 

@@ -9,8 +9,8 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.RunPlan;
 
 /** Every setting of a plan, as result files name them. */
-public final class Settings {
-  private Settings() {}
+public final class SettingsFile {
+  private SettingsFile() {}
 
   /** Adds {@code settings.json}, one object per plan, to a folder's files. */
   public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {

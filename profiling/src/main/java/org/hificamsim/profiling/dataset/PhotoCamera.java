@@ -8,4 +8,4 @@ package org.hificamsim.profiling.dataset;
  * @param width of every picture, pixels
  * @param height of every picture, pixels
  */
-public record Camera(double sensorWidth, double sensorHeight, int width, int height) {}
+public record PhotoCamera(double sensorWidth, double sensorHeight, int width, int height) {}

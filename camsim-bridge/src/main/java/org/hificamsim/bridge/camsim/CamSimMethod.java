@@ -10,7 +10,8 @@ import java.util.stream.Collectors;
  * @param parameters full names of the parameters' types
  * @param woven whether the class itself has to declare it, since a hook goes into it
  */
-record Method(String type, String name, List<String> parameters, Returned returned, boolean woven) {
+record CamSimMethod(
+    String type, String name, List<String> parameters, Returned returned, boolean woven) {
   @Override
   public String toString() {
     return type + "." + name + signature() + returned.words();

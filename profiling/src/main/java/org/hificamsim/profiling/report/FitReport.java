@@ -9,7 +9,7 @@ import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.fit.FitResult;
 
 /** Writes {@code report.html} and its pictures. */
-public final class Report {
+public final class FitReport {
   private static final Map<String, String> DETECTOR_FIGURES =
       Map.of("orb", "5.3", "sift", "5.5", "surf", "5.7");
 
@@ -21,7 +21,7 @@ public final class Report {
   private final HeldOut heldOut = new HeldOut();
   private final Remarks remarks;
 
-  private Report(FitResult result, Path folder, String title) {
+  private FitReport(FitResult result, Path folder, String title) {
     this.result = result;
     this.folder = folder;
     this.page = new HtmlPage(title);
@@ -32,7 +32,7 @@ public final class Report {
 
   /** Writes the report on a data set of this name into a folder. */
   public static void write(FitResult result, String name, Path folder) throws IOException {
-    new Report(result, folder, "Detection models fitted to " + name).write();
+    new FitReport(result, folder, "Detection models fitted to " + name).write();
   }
 
   private void write() throws IOException {
@@ -102,7 +102,7 @@ public final class Report {
     page.heading("The fidelity ladder");
     Map<String, List<Ladder.Step>> ladders = new LinkedHashMap<>();
     for (String detector : result.detectors()) {
-      ladders.put(detector, Ladder.of(result, detector, Published.nanoseconds()));
+      ladders.put(detector, Ladder.of(result, detector, PublishedTables.nanoseconds()));
     }
     String first = result.detectors().get(0);
     tables.ladder(page, ladders);

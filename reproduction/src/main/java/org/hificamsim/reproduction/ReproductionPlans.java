@@ -21,7 +21,8 @@ import org.hificamsim.runs.RunPlan;
  *
  * @param scenarios by name: those of Table 7.1 and {@link #ORIGIN}
  */
-public record Preset(Map<String, Scenario> scenarios, int steps, long seed, int repeats) {
+public record ReproductionPlans(
+    Map<String, Scenario> scenarios, int steps, long seed, int repeats) {
   public static final String HIFI = "hifi:orb-lin";
   public static final String CAMSIM = "camsim-range";
 
@@ -79,7 +80,7 @@ public record Preset(Map<String, Scenario> scenarios, int steps, long seed, int 
     Set<Case> cases = new LinkedHashSet<>();
     for (String scenario : Layout.SCENARIOS) {
       table(cases, scenario, List.of(CAMSIM, HIFI));
-      add(cases, scenario, CAMSIM_45, Published.POLICIES);
+      add(cases, scenario, CAMSIM_45, PublishedCell.POLICIES);
       add(cases, scenario, HIFI, List.of(QB_SARSA, SARSA + STATELESS, QB_SARSA + STATELESS));
       add(cases, scenario, HIFI, List.of(epsilon(EPSILON_GREEDY, 0.01)));
       add(cases, scenario, HIFI, List.of(epsilon(EPSILON_GREEDY, 0.001)));
@@ -96,7 +97,7 @@ public record Preset(Map<String, Scenario> scenarios, int steps, long seed, int 
   private static void table(Set<Case> cases, String scenario, List<String> detections) {
     for (String detection : detections) {
       add(cases, scenario, detection, List.of(OPTIMAL));
-      add(cases, scenario, detection, Published.POLICIES);
+      add(cases, scenario, detection, PublishedCell.POLICIES);
     }
   }
 

@@ -15,13 +15,13 @@ import org.hificamsim.hifi.optics.Optics;
 /**
  * The published models as data, each with the equation or table that it comes from.
  *
- * @param optics the lab's camera (§3.5)
+ * @param optics the lab's camera (thesis 3.5)
  * @param reference which line the default thresholds start from
  * @param literal the weights of Eq 6.1
  * @param features the feature abstractions f
  * @param lines the detector lines g
  */
-public record Catalogue(
+public record PublishedModels(
     Optics optics,
     Reference reference,
     LinearAbstraction literal,
@@ -42,7 +42,7 @@ public record Catalogue(
   public record Reference(String detector, String f, double threshold) {}
 
   /** The catalogue that comes with this module, read once. */
-  public static Catalogue published() {
+  public static PublishedModels published() {
     return Published.CATALOGUE;
   }
 
@@ -65,15 +65,15 @@ public record Catalogue(
     return g.equals(line) ? reference.threshold() : g.confidence(line.pip(reference.threshold()));
   }
 
-  private static Catalogue read() {
-    try (InputStream in = Catalogue.class.getResourceAsStream(RESOURCE)) {
-      return CatalogueFormat.read(JsonFile.parse(RESOURCE, in.readAllBytes()));
+  private static PublishedModels read() {
+    try (InputStream in = PublishedModels.class.getResourceAsStream(RESOURCE)) {
+      return PublishedModelsFormat.read(JsonFile.parse(RESOURCE, in.readAllBytes()));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
   private static final class Published {
-    static final Catalogue CATALOGUE = read();
+    static final PublishedModels CATALOGUE = read();
   }
 }

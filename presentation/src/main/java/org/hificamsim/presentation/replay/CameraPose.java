@@ -11,4 +11,5 @@ import java.util.List;
  * @param viewingAngle full opening angle, radians, (0, 2 pi]
  * @param levels its zoom levels, the narrowest first
  */
-public record Pose(double x, double y, double heading, double viewingAngle, List<Level> levels) {}
+public record CameraPose(
+    double x, double y, double heading, double viewingAngle, List<Level> levels) {}

@@ -10,15 +10,15 @@ import java.util.List;
 import java.util.Map;
 
 /** The thesis's numbers, as tables of texts. */
-final class Published {
-  private Published() {}
+final class PublishedTables {
+  private PublishedTables() {}
 
   /** Table 4.1. */
   static List<Map<String, String>> variables() {
     return rows("table-4.1.csv");
   }
 
-  /** Table 4.2 and its like in §4.5: how well each f fits. */
+  /** Table 4.2 and its like in thesis 4.5: how well each f fits. */
   static Map<String, String> feature(String f) {
     return find("feature-abstraction.csv", Map.of("id", f.replace('-', '_')));
   }
@@ -60,7 +60,7 @@ final class Published {
   }
 
   private static List<Map<String, String>> rows(String table) {
-    try (InputStream in = Published.class.getResourceAsStream(table)) {
+    try (InputStream in = PublishedTables.class.getResourceAsStream(table)) {
       List<String> lines = new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
       String[] columns = lines.get(0).split(",", -1);
       List<Map<String, String>> rows = new ArrayList<>();

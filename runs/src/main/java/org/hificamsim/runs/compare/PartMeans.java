@@ -1,14 +1,14 @@
 package org.hificamsim.runs.compare;
 
 /** A run in equal parts, fifty where it is long enough: the mean of k_min in each. */
-public final class Levels {
-  private static final int MOST = 50;
+public final class PartMeans {
+  private static final int MAX = 50;
 
-  private Levels() {}
+  private PartMeans() {}
 
   /** The means, part by part. */
   static double[] of(int[] kMin) {
-    int parts = Math.min(MOST, kMin.length);
+    int parts = Math.min(MAX, kMin.length);
     double[] levels = new double[parts];
     for (int part = 0; part < parts; part++) {
       int from = start(part, parts, kMin.length);

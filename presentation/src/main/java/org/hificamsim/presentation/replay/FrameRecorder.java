@@ -11,11 +11,11 @@ import org.hificamsim.core.policy.ZoomPolicy;
 /**
  * Records one run: every step as long as they fit, then every other one, every fourth, and so on.
  */
-final class Tape implements StepListener {
+final class FrameRecorder implements StepListener {
   private final Setup setup;
   private final Detection detection;
   private final int run;
-  private final TapeLimits limits;
+  private final RecordingLimits limits;
   private final List<Frame> frames = new ArrayList<>();
   private final List<Move> moves = new ArrayList<>();
   private Snapshots snapshots;
@@ -23,7 +23,7 @@ final class Tape implements StepListener {
   private long every = 1;
   private volatile PackedRun packed;
 
-  Tape(Setup setup, Detection detection, int run, TapeLimits limits) {
+  FrameRecorder(Setup setup, Detection detection, int run, RecordingLimits limits) {
     this.setup = setup;
     this.detection = detection;
     this.run = run;

@@ -3,26 +3,27 @@ package org.hificamsim.hifi.model;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.json.JsonObject;
 
-/** The JSON form of the {@link Catalogue}. */
-final class CatalogueFormat {
-  private CatalogueFormat() {}
+/** The JSON form of the {@link PublishedModels}. */
+final class PublishedModelsFormat {
+  private PublishedModelsFormat() {}
 
-  static Catalogue read(JsonObject json) {
+  static PublishedModels read(JsonObject json) {
     ModelFormat.checkSchema(json, "hificamsim-catalogue");
-    Catalogue catalogue =
-        new Catalogue(
+    PublishedModels catalogue =
+        new PublishedModels(
             ModelFormat.optics(json.object("optics")),
             reference(json.object("reference")),
             literal(json.object("literal")),
-            json.objects("features").stream().map(CatalogueFormat::feature).toList(),
-            json.objects("lines").stream().map(CatalogueFormat::line).toList());
+            json.objects("features").stream().map(PublishedModelsFormat::feature).toList(),
+            json.objects("lines").stream().map(PublishedModelsFormat::line).toList());
     json.rejectUnknown();
     return catalogue;
   }
 
-  private static Catalogue.Reference reference(JsonObject json) {
-    Catalogue.Reference reference =
-        new Catalogue.Reference(json.text("detector"), json.text("f"), ModelFormat.threshold(json));
+  private static PublishedModels.Reference reference(JsonObject json) {
+    PublishedModels.Reference reference =
+        new PublishedModels.Reference(
+            json.text("detector"), json.text("f"), ModelFormat.threshold(json));
     ModelFormat.provenance(json);
     json.rejectUnknown();
     return reference;
@@ -35,9 +36,9 @@ final class CatalogueFormat {
     return sum;
   }
 
-  private static Catalogue.Feature feature(JsonObject json) {
-    Catalogue.Feature feature =
-        new Catalogue.Feature(
+  private static PublishedModels.Feature feature(JsonObject json) {
+    PublishedModels.Feature feature =
+        new PublishedModels.Feature(
             json.text("name"),
             json.text("title"),
             FeatureFormats.read(json.object("f")),
@@ -46,9 +47,9 @@ final class CatalogueFormat {
     return feature;
   }
 
-  private static Catalogue.Line line(JsonObject json) {
-    Catalogue.Line line =
-        new Catalogue.Line(
+  private static PublishedModels.Line line(JsonObject json) {
+    PublishedModels.Line line =
+        new PublishedModels.Line(
             json.text("detector"),
             json.text("f"),
             ModelFormat.detectorLine(json),
