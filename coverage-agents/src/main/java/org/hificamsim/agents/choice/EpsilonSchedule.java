@@ -19,11 +19,6 @@ public record EpsilonSchedule(double start, double decay, double least) {
         options.number("epsilon-min", 0, 0, 1, "epsilon does not decay below this"));
   }
 
-  /** A constant probability. */
-  public static EpsilonSchedule constant(double epsilon) {
-    return new EpsilonSchedule(epsilon, 1, 0);
-  }
-
   /** The probability that follows {@code epsilon}. */
   public double next(double epsilon) {
     double decayed = epsilon * decay;

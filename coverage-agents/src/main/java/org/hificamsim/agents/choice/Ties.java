@@ -12,6 +12,11 @@ public enum Ties {
     return options.choice("ties", defaultValue, "which of equally good levels: widest, narrowest");
   }
 
+  /** The level to take of so many equally good ones. */
+  public int best(int levels) {
+    return this == WIDEST ? levels - 1 : 0;
+  }
+
   /**
    * The level with the largest value.
    *

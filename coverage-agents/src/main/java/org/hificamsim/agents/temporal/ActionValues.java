@@ -46,8 +46,6 @@ public final class ActionValues {
   /** By camera and state. */
   private final int[][] best;
 
-  private final double[] unmet;
-
   @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
   private double fetched;
 
@@ -60,9 +58,7 @@ public final class ActionValues {
     initialValue = settings.initialValue();
     counts = reading.counts(network.targets());
     levels = IntStream.range(0, network.cameras()).map(network::levels).toArray();
-    unmet = new double[Arrays.stream(levels).max().orElse(1)];
-    Arrays.fill(unmet, initialValue);
-    if (size(unmet.length) > MAX_VALUES) {
+    if (size(Arrays.stream(levels).max().orElse(1)) > MAX_VALUES) {
       throw new InputException(
           "a camera's table of action values needs more than "
               + MAX_VALUES
@@ -109,7 +105,7 @@ public final class ActionValues {
   /** The best action in a state. */
   public int best(int camera, int state) {
     int[] actions = best[camera];
-    return state < actions.length ? actions[state] : ties.best(unmet, 0, levels[camera]);
+    return state < actions.length ? actions[state] : ties.best(levels[camera]);
   }
 
   /** What a camera answers to another one's state: its best action of the levels that both have. */
@@ -120,7 +116,7 @@ public final class ActionValues {
     }
     return state < best[camera].length
         ? ties.best(values[camera], state * width(levels[camera]), levelsOfOther)
-        : ties.best(unmet, 0, levelsOfOther);
+        : ties.best(levelsOfOther);
   }
 
   /** The value of an action in a state. */

@@ -34,9 +34,4 @@ public record TemporalDifferenceSettings(
         options.number("q0", 0, -LARGE, LARGE, "value of every action at first"),
         Ties.from(options, Ties.WIDEST));
   }
-
-  /** The settings that no option changes. */
-  public static TemporalDifferenceSettings defaults() {
-    return from(Options.none("defaults"));
-  }
 }

@@ -81,6 +81,6 @@ class EpsilonGreedyZoomPolicyTest {
 
   private static EpsilonGreedyZoomPolicy greedy(double epsilon, Ties ties) {
     return new EpsilonGreedyZoomPolicy(
-        new EpsilonGreedyChoice(EpsilonSchedule.constant(epsilon), Exploration.OTHER), ties);
+        new EpsilonGreedyChoice(new EpsilonSchedule(epsilon, 1, 0), Exploration.OTHER), ties);
   }
 }

@@ -5,16 +5,21 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.Proxy;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.Iterator;
 import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.AllocatedBytes;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
 
 class ActionValuesTest {
@@ -80,14 +85,45 @@ class ActionValuesTest {
   @Test
   void statesThatATableLacksAnswerLikeThoseItHasBeforeAnyUpdate() {
     for (Ties ties : Ties.values()) {
-      ActionValues values =
-          new ActionValues(bigNetwork(), settings(StateReading.LEVEL_COUNT, 2, ties));
-      for (int levels = 1; levels <= LEVELS + 1; levels++) {
-        int expected = ties == Ties.NARROWEST ? 0 : Math.min(levels, LEVELS) - 1;
-        assertEquals(expected, values.answer(0, 0, 0, levels));
-        assertEquals(expected, values.answer(0, 0, TARGETS, levels));
+      ActionValues values = new ActionValues(bigNetwork(), settings(StateReading.COUNT, 2, ties));
+      for (int detected = 0; detected < 10; detected++) {
+        assertEquals(2, values.value(0, detected, 0));
+        assertEquals(ties.best(LEVELS), values.best(0, detected));
+        for (int levels = 1; levels <= LEVELS + 1; levels++) {
+          int both = Math.min(levels, LEVELS);
+          assertEquals(ties.best(both), values.answer(0, 0, detected, levels));
+        }
       }
     }
+  }
+
+  @Test
+  void aTableGrowsByOneStateTooWhereThatIsMissing() {
+    for (StateReading reading : StateReading.values()) {
+      ActionValues values = new ActionValues(bigNetwork(), settings(reading));
+      for (int detected = 0; detected <= 40; detected++) {
+        for (int level = 0; level < LEVELS; level++) {
+          int state = values.state(0, level, detected);
+          values.set(0, state, 1, 3);
+          assertEquals(1, values.best(0, state));
+        }
+      }
+    }
+  }
+
+  @Test
+  void aSmallNetworkHasAllStatesAtOnceSoThatNoUpdateAllocates() {
+    Iterator<ActionValues> fresh =
+        Stream.generate(
+                () -> new ActionValues(new ToyNetwork(50, 5), settings(StateReading.LEVEL_COUNT)))
+            .iterator();
+    assertEquals(
+        0,
+        AllocatedBytes.fewest(
+            () -> {
+              ActionValues values = fresh.next();
+              return AllocatedBytes.by(() -> values.set(0, values.state(0, 4, 50), 0, 1));
+            }));
   }
 
   @Test
@@ -114,17 +150,32 @@ class ActionValuesTest {
 
   @Test
   void theLargestTableThatFitsIsTaken() {
-    TemporalDifferenceSettings settings = settings(StateReading.LEVEL_COUNT);
-    int counts = (1 << 28) / (100 * 101); // rows of 101 entries, 100 rows a count
-    ActionValues values = new ActionValues(new ToyNetwork(counts - 1, 100), settings);
-    assertEquals(99, values.best(0, values.state(0, 99, counts - 1)));
-    ToyNetwork larger = new ToyNetwork(counts, 100);
+    int counts = (1 << 28) / 128; // a row has an entry for each of 127 levels, and one more
+    TemporalDifferenceSettings settings = settings(StateReading.COUNT);
+    ActionValues values = new ActionValues(oneCamera(127, counts - 1), settings);
+    assertEquals(126, values.best(0, counts - 1));
+    NetworkView larger = oneCamera(127, counts);
     InputException refused =
         assertThrows(InputException.class, () -> new ActionValues(larger, settings));
     assertEquals(
-        "a camera's table of action values needs more than 268435456 entries for 26577 targets."
+        "a camera's table of action values needs more than 268435456 entries for 2097152 targets."
             + " Maybe give the option state=none",
         refused.getMessage());
+  }
+
+  /** A network that says how large it is, and no more. */
+  private static NetworkView oneCamera(int levels, int targets) {
+    return (NetworkView)
+        Proxy.newProxyInstance(
+            NetworkView.class.getClassLoader(),
+            new Class<?>[] {NetworkView.class},
+            (proxy, method, arguments) ->
+                switch (method.getName()) {
+                  case "cameras" -> 1;
+                  case "levels" -> levels;
+                  case "targets" -> targets;
+                  default -> throw new UnsupportedOperationException(method.getName());
+                });
   }
 
   private static void assertRow(ActionValues values, int state, double[] row, Ties ties) {

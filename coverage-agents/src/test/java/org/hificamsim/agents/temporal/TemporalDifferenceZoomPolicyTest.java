@@ -37,6 +37,20 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   @Test
+  void theFirstDecisionTeachesNothing() {
+    for (String name : BOTH) {
+      AbstractTemporalDifferenceZoomPolicy policy = begun(name + ":alpha=1,ties=narrowest");
+      network.setLevel(0, 0);
+      network.observe();
+      network.step(policy);
+      for (int state = 0; state < 6; state++) {
+        assertEquals(0, policy.q().value(0, state, 0));
+        assertEquals(0, policy.q().value(0, state, 1));
+      }
+    }
+  }
+
+  @Test
   void sarsaUpdatesWithTheActionChosenNextByHand() {
     AbstractTemporalDifferenceZoomPolicy policy =
         begun("sarsa:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
