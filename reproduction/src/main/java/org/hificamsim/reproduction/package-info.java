@@ -1,2 +1,2 @@
-/** The thesis's Table 8.1, figures and statements, computed anew and judged. */
+/** The thesis's Table 8.1, figures and statements, computed again and judged. */
 package org.hificamsim.reproduction;

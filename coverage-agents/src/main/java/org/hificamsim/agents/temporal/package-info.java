@@ -1,2 +1,2 @@
-/** Temporal-difference learning, one learner per camera with its zoom levels as actions (7.4.4). */
+/** Temporal-difference learning, one learner per camera with its zoom levels as actions (thesis 7.4.4). */
 package org.hificamsim.agents.temporal;

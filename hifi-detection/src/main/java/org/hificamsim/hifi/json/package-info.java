@@ -1,2 +1,2 @@
-/** Strict reading of JSON files in which every fault is told with its line and column. */
+/** Strict reading of JSON files in which every fault is reported with its line and column. */
 package org.hificamsim.hifi.json;
