@@ -10,6 +10,7 @@ work=$target.part
 fail() { echo "hificamsim: no Spark to test with: $*" >&2; rm -rf "$work"; exit 1; }
 
 python3 -m pip --version >/dev/null 2>&1 || fail "pip is missing (apt-get install python3-pip), or set SPARK_HOME"
+echo "hificamsim: fetching PySpark $version from PyPI to test with, 300 MB" >&2
 rm -rf "$work"
 mkdir -p "$work"
 timeout 400 python3 -m pip download --quiet --no-deps --no-binary pyspark --dest "$work" "pyspark==$version" \

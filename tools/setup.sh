@@ -4,8 +4,10 @@
 : "${root:?}"
 
 gradle=/usr/share/gradle/bin/gradle # Debian's; the one on PATH may be another version
+debian_opencv=/usr/share/java/opencv.jar # instead of Maven Central's, as in profiling/build.gradle
 lib=$root/cli/build/install/hificamsim/lib
 archive=${lib%/*}.jsa
+installing=yes # no, after --no-install: what is missing is told, and nothing is installed or fetched
 
 say() { echo "hificamsim: $*" >&2; }
 die() { say "$@"; exit 1; }
@@ -48,45 +50,69 @@ install_missing() {
     build_home >/dev/null || missing=openjdk-17-jdk-headless
     [ -x "$gradle" ] || missing="${missing:+$missing }gradle"
     [ -n "$missing" ] || return 0
-    command -v apt-get >/dev/null || die "please install JDK 17 and Debian's Gradle 4.4.1 (missing: $missing)"
-    may_install || die "please run as root: apt-get install $missing"
-    log=$(mktemp)
-    if ! install "$missing" >"$log" 2>&1; then
-        cat "$log" >&2
-        rm -f "$log"
-        die "could not install $missing"
-    fi
-    rm -f "$log"
+    command -v apt-get >/dev/null || die "missing: JDK 17 and Debian's Gradle 4.4.1 ($missing)"
+    may_install || die "missing: $missing; as root: apt-get install $missing"
+    install "$missing" || die "could not install $missing"
 }
 
 # The browser of the tests; without one they skip what needs it, and say so.
 install_browser() {
     command -v chromium >/dev/null && command -v chromedriver >/dev/null && return
-    if may_install && install 'chromium chromium-driver' >/dev/null 2>&1; then return; fi
-    say "no Chromium, so that pages are not tested; as root: apt-get install chromium chromium-driver"
+    if may_install && install 'chromium chromium-driver'; then return; fi
+    say "missing: chromium and chromedriver, so pages are not tested; as root: apt-get install chromium chromium-driver"
 }
 
-may_install() { command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }; }
+may_install() {
+    [ "$installing" = yes ] && command -v apt-get >/dev/null && { [ "$(id -u)" = 0 ] || sudo -n true 2>/dev/null; }
+}
 
-# Installs the packages named in $1.
+# Installs the packages named in $1, and says before how much that fetches; afterwards what apt-get said, if it failed.
 install() {
-    say "installing $1"
     as_root=
     [ "$(id -u)" = 0 ] || as_root='sudo -n'
-    { $as_root apt-get update || true; } </dev/null # one dead source need not stop the rest
-    # shellcheck disable=SC2086 # several packages, several words
-    $as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
-        install -y --no-install-recommends $1 </dev/null
+    say "missing: $1; asking apt-get for it"
+    log=$(mktemp)
+    $as_root apt-get update >"$log" 2>&1 </dev/null || true # one dead source need not stop the rest
+    say "installing it, $(get "$1" --assume-no 2>&1 | sed -n 's/^Need to get \(.*\) of archives.*/\1/p') to fetch"
+    if get "$1" --yes >>"$log" 2>&1; then
+        rm -f "$log"
+    else
+        cat "$log" >&2
+        rm -f "$log"
+        return 1
+    fi
+}
+
+# apt-get install of the packages named in $1, with the option $2.
+# shellcheck disable=SC2086 # several packages, several words
+get() {
+    $as_root env LC_ALL=C DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
+        install --no-install-recommends "$2" $1 </dev/null
+}
+
+gradle_files() { echo "${GRADLE_USER_HOME:-${HOME:-$root}/.gradle}"; }
+
+# Says how much Gradle is going to fetch from Maven Central; with --no-install, that it is missing.
+tell_libraries() {
+    cache=$(gradle_files)/caches/modules-2/files-2.1
+    wanted=
+    [ -d "$cache/com.google.errorprone" ] || wanted='libraries from Maven Central (some 100 MB)'
+    [ -d "$cache/org.openpnp" ] || [ -e "$debian_opencv" ] ||
+        wanted="${wanted:+$wanted and }OpenCV from Maven Central (101 MB; libopencv-java takes its place)"
+    [ -n "$wanted" ] || return 0
+    [ "$installing" = yes ] || die "missing: $wanted"
+    say "fetching $wanted"
 }
 
 # Gradle in the project's root on the right JDK, without the lines that Debian's start script and downloads add.
 run_gradle() (
     JAVA_HOME=$(build_home)
-    GRADLE_USER_HOME=${GRADLE_USER_HOME:-${HOME:-$root}/.gradle}
+    GRADLE_USER_HOME=$(gradle_files)
     export JAVA_HOME GRADLE_USER_HOME
+    [ "$installing" = yes ] || set -- --offline "$@"
     cd "$root" && "$gradle" --no-daemon "$@" </dev/null 2>&1
 )
-without_chatter() { grep -Ev '^(Download https?:|openjdk version |OpenJDK .*(Runtime|VM|warning))' || true; }
+without_chatter() { grep --line-buffered -Ev '^(Download https?:|openjdk version |OpenJDK .*(Runtime|VM|warning))' || true; }
 
 # Whether $1 must be built: never built, or a source or build file (or its directory) is newer than its stamp $2.
 stale() {
@@ -118,6 +144,7 @@ build_if_stale() {
         return 0
     fi
     install_missing
+    tell_libraries
     mkdir -p "$root/.gradle" "$(dirname "$stamp")"
     (
         flock 9

@@ -9,7 +9,7 @@ import org.hificamsim.core.detection.ZoomLevel;
  */
 public final class FogDetection implements DetectionModel {
   private static final double VISIBILITY = 4; // metres
-  private static final double LEAST_CONTRAST = 0.02;
+  private static final double MIN_CONTRAST = 0.02;
 
   @Override
   public String name() {
@@ -18,11 +18,11 @@ public final class FogDetection implements DetectionModel {
 
   @Override
   public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
-    return Math.exp(Math.log(LEAST_CONTRAST) * distance / VISIBILITY);
+    return Math.exp(Math.log(MIN_CONTRAST) * distance / VISIBILITY);
   }
 
   @Override
   public double defaultThreshold() {
-    return LEAST_CONTRAST;
+    return MIN_CONTRAST;
   }
 }

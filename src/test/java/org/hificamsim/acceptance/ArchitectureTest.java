@@ -25,6 +25,7 @@ import java.nio.file.Files;
 import java.util.Arrays;
 import java.util.regex.Pattern;
 import org.hificamsim.core.StableApi;
+import org.hificamsim.core.policy.OracleView;
 
 /** The one-way arrows between modules, and between the packages of a module. */
 @AnalyzeClasses(packages = "org.hificamsim", importOptions = ImportOption.DoNotIncludeTests.class)
@@ -108,6 +109,19 @@ class ArchitectureTest {
   @ArchTest
   static final ArchRule packagesAreFreeOfCycles =
       slices().matching("org.hificamsim.(**)").should().beFreeOfCycles();
+
+  /** Learning policies and baselines decide from what cameras know. */
+  @ArchTest
+  static final ArchRule upperBoundsAloneAskTheOracle =
+      noClasses()
+          .that()
+          .resideInAPackage("org.hificamsim.agents..")
+          .and()
+          .resideOutsideOfPackages(
+              "org.hificamsim.agents.optimal..", "org.hificamsim.agents.hindsight..")
+          .should()
+          .dependOnClassesThat()
+          .areAssignableTo(OracleView.class);
 
   @ArchTest
   static final ArchRule nothingDrawsFromAnAmbientRandomSource =

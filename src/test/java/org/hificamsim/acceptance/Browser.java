@@ -36,7 +36,16 @@ final class Browser implements AutoCloseable {
   private static final Path DRIVER = Path.of("/usr/bin/chromedriver");
   private static final Logger SELENIUM = Logger.getLogger("org.openqa.selenium");
   private static final ObjectMapper JSON = new ObjectMapper();
-  private static final Duration LONGEST_WAIT = Duration.ofSeconds(30);
+  private static final Duration MAX_WAIT = Duration.ofSeconds(30);
+
+  /** The script has ended, and browsers have drawn what they draw once they know its size. */
+  private static final String DRAWN =
+      """
+const {player, players = player ? [player] : []} = window.hificamsim ?? {};
+return document.getElementById('page').dataset.ready !== undefined
+    && players.every(one => one.field.map)
+    && [...document.querySelectorAll('.plot, .lines')].every(box => box.querySelector('canvas'));
+""";
 
   private final ChromeDriver driver;
 
@@ -72,13 +81,13 @@ final class Browser implements AutoCloseable {
     return new Browser(folder.resolve("profile"));
   }
 
-  /** Opens an address, with empty logs; waits until the page's script has drawn it. */
+  /** Opens an address, with empty logs; waits until the page has been drawn. */
   void open(String address) {
     driver.get("about:blank");
     driver.manage().logs().get(LogType.BROWSER);
     driver.manage().logs().get(LogType.PERFORMANCE);
     driver.get(address);
-    until("return document.getElementById('page').dataset.ready !== undefined");
+    until(DRAWN);
   }
 
   /** Makes the page this large, in CSS pixels. */
@@ -95,7 +104,7 @@ final class Browser implements AutoCloseable {
 
   /** Waits until a script returns true. */
   void until(String script) {
-    new WebDriverWait(driver, LONGEST_WAIT, Duration.ofMillis(50))
+    new WebDriverWait(driver, MAX_WAIT, Duration.ofMillis(50))
         .withMessage(script)
         .until(any -> Boolean.TRUE.equals(run(script)));
   }
@@ -131,12 +140,6 @@ final class Browser implements AutoCloseable {
   /** Forgets what the console said since {@link #open}. */
   void forgetConsole() {
     driver.manage().logs().get(LogType.BROWSER);
-  }
-
-  /** Waits until what was under way between page and server has been drawn. */
-  void settle() {
-    driver.executeAsyncScript(
-        "const done = arguments[0]; setTimeout(() => requestAnimationFrame(() => done()), 150)");
   }
 
   /** What a mouse does. */

@@ -1,5 +1,7 @@
 package org.hificamsim.acceptance;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;
@@ -37,8 +39,11 @@ record Cli(int exit, String out, String err) {
     return ROOT.resolve("scenarios").resolve(name + ".xml");
   }
 
-  /** The reference data; may be missing. */
-  static Path reference(String name) {
-    return ROOT.resolve("../shared/reference").resolve(name).normalize();
+  /** Fails unless {@code validate} and {@code run} take a scenario. */
+  static void assertValidAndRuns(Path scenario, Path out) {
+    Cli validate = run("validate", scenario);
+    assertEquals(0, validate.exit(), validate.err());
+    Cli run = run("run", scenario, "--detection", "camsim-visibility", "--steps", 20, "--out", out);
+    assertEquals(0, run.exit(), run.err());
   }
 }

@@ -136,6 +136,7 @@ class ComparisonPageTest {
   void holdsAllRunsTheSettingsAndTheCommand() throws IOException {
     open();
     browser.find("details summary").click();
+    browser.until("return document.querySelector('details tbody tr') !== null");
     List<String> results = Files.readAllLines(out.resolve("results.csv"));
     List<WebElement> rows = browser.findAll("details tbody tr");
     assertEquals(results.size() - 1, rows.size());

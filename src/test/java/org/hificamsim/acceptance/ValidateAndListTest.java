@@ -2,13 +2,13 @@ package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
+import org.hificamsim.core.Reference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -33,21 +33,13 @@ class ValidateAndListTest {
   }
 
   @Test
-  void everyReferenceFileIsValidAndRuns() throws IOException {
-    Path reference = Cli.reference("");
-    assumeTrue(Files.isDirectory(reference), "no reference data: skipped");
-    try (Stream<Path> files = Files.walk(reference)) {
-      List<Path> scenarios = files.filter(path -> path.toString().endsWith(".xml")).toList();
-      assertEquals(60, scenarios.size());
-      for (Path file : scenarios) {
-        Cli validate = Cli.run("validate", file);
-        assertEquals(0, validate.exit(), validate.err());
-        Cli run =
-            Cli.run(
-                "run", file, "--detection", "camsim-visibility", "--steps", 20, "--out", folder);
-        assertEquals(0, run.exit(), run.err());
-      }
-    }
+  void everyReferenceFileOfOursIsValidAndRuns() {
+    List<Path> scenarios =
+        Stream.of("own-camsim", "own-coverage")
+            .flatMap(name -> Reference.scenarios(name).stream())
+            .toList();
+    assertEquals(30, scenarios.size());
+    scenarios.forEach(file -> Cli.assertValidAndRuns(file, folder));
   }
 
   @Test

@@ -62,8 +62,8 @@ class ViewPageTest {
     pause();
     long count = number("hificamsim.runs[0].count");
     browser.press(Keys.ARROW_RIGHT);
-    browser.until("return hificamsim.runs[0].count === " + (count + 1));
-    assertEquals(count, number("hificamsim.playhead.frame"));
+    browser.until("return hificamsim.playhead.frame === " + count);
+    assertEquals(count + 1, number("hificamsim.runs[0].count"));
     browser.press(Keys.ARROW_LEFT);
     assertEquals(count - 1, number("hificamsim.playhead.frame"));
     assertEquals(count + 1, number("hificamsim.runs[0].count"));
@@ -175,7 +175,7 @@ class ViewPageTest {
           "const {plot, line} = hificamsim.players[0].timeline.%s;"
               + "return Math.abs(plot.over.getBoundingClientRect().right"
               + " - line.getBoundingClientRect().right) <= 2";
-      assertEquals(true, browser.run(script.formatted(chart)), chart);
+      browser.until(script.formatted(chart));
     }
   }
 
@@ -231,7 +231,7 @@ class ViewPageTest {
     step(9);
     assertTrue(!browser.find("p.notice:not([role])").isDisplayed());
     browser.run("hificamsim.runs[0].thin(); hificamsim.runs[0].thin(); hificamsim.refresh()");
-    browser.settle();
+    browser.until("return !hificamsim.waiting");
     String told = browser.text("p.notice:not([role])");
     assertTrue(told.matches("This run has \\d+ steps; the page shows one in 4 of the .*"), told);
   }
@@ -267,8 +267,8 @@ class ViewPageTest {
     browser.until("return hificamsim.runs[0].count > 50");
     pause();
     long steps = number("hificamsim.runs[0].steps");
-    browser.run("location.reload()");
-    browser.until("return window.hificamsim?.runs[0]?.count > 50");
+    browser.run("hificamsim.old = true; location.reload()");
+    browser.until("return !window.hificamsim?.old && window.hificamsim?.runs[0]?.count > 50");
     assertEquals(steps, number("hificamsim.runs[0].steps"));
     assertEquals(0, number("hificamsim.runs[0].step[0]"));
   }
@@ -289,11 +289,16 @@ class ViewPageTest {
     browser.until("return hificamsim.runs[0].steps === " + next);
   }
 
+  /** Pauses, and waits until all steps that were made before are drawn. */
   private static void pause() {
     browser.until("return hificamsim.playhead.playing");
+    browser.run(
+        "hificamsim.told = null; hificamsim.state = function (state) {"
+            + "  this.told = state; Object.getPrototypeOf(this).state.call(this, state); }");
     browser.find(".controls .play").click();
-    browser.until("return !hificamsim.playhead.playing");
-    browser.settle();
+    browser.until(
+        "const {told, runs, waiting} = hificamsim;"
+            + "return told && !told.running && told.next === runs[0].steps && !waiting");
   }
 
   private static double number(String before, String expression) {

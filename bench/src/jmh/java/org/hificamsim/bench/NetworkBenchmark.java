@@ -2,8 +2,6 @@ package org.hificamsim.bench;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
@@ -13,10 +11,10 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
-import org.hificamsim.network.CamSimDialect;
-import org.hificamsim.network.GraphUse;
+import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.agent.ScheduleKind;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -43,8 +41,8 @@ public class NetworkBenchmark {
   @Param({"scenarios/tutorial-camsim.xml"})
   private String file;
 
-  @Param({"Active", "Passive"})
-  private String schedule;
+  @Param({"ACTIVE", "PASSIVE"})
+  private ScheduleKind schedule;
 
   @Param({"0"})
   private int comm;
@@ -56,23 +54,11 @@ public class NetworkBenchmark {
   @Setup
   public void start() {
     Catalogue catalogue = Catalogue.load();
-    NetworkSettings camsim = NetworkSettings.CAMSIM;
-    NetworkSettings settings =
-        new NetworkSettings(
-            Optional.of(schedule),
-            OptionalInt.of(comm),
-            Optional.empty(),
-            Optional.empty(),
-            GraphUse.AS_IN_FILE,
-            camsim.errorLevel(),
-            camsim.resetLevel(),
-            camsim.banditParameters(),
-            camsim.historicalParameters(),
-            camsim.quirks());
+    NetworkSettings settings = NetworkSettings.CAMSIM.withAll(schedule, comm);
     Scenario scenario =
         ScenarioReader.read(Path.of(file), catalogue.movements().names()::contains, warning -> {})
             .withoutZooms();
-    World world = new World(CamSimDialect.read(scenario, settings), catalogue.movements(), 0);
+    World world = new World(CamSimScenario.as(scenario, settings), catalogue.movements(), 0);
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
     network = new Network(world, detection, settings, 0);
     ZoomPolicy zooms = catalogue.policies().create("zoom-out");

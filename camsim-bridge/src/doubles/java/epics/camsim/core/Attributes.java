@@ -38,10 +38,10 @@ final class Attributes {
     return Integer.parseInt(text(name));
   }
 
-  List<Place> waypoints() {
-    List<Place> places = new ArrayList<>();
+  List<Point> waypoints() {
+    List<Point> places = new ArrayList<>();
     for (Attributes waypoint : all(element, "waypoint")) {
-      places.add(new Place(waypoint.number("x"), waypoint.number("y")));
+      places.add(new Point(waypoint.number("x"), waypoint.number("y")));
     }
     return places;
   }

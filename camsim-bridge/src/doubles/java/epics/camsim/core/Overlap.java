@@ -5,8 +5,8 @@ final class Overlap {
   private Overlap() {}
 
   static double of(SimCore world, CameraController first, CameraController second) {
-    Place p1 = new Place(first.left(world), first.top(world));
-    Place p2 = new Place(second.left(world), second.top(world));
+    Point p1 = new Point(first.left(world), first.top(world));
+    Point p2 = new Point(second.left(world), second.top(world));
     double a = first.getRange();
     double b = second.getRange();
     double dx = p1.x - p2.x;
@@ -20,13 +20,13 @@ final class Overlap {
     double across = Math.sqrt(square);
     double ex = Math.abs(dx) / c;
     double ey = Math.abs(dy) / c;
-    Place q = new Place(p1.x + along * ex, p1.y + along * ey);
-    Place one = new Place(q.x + across * -ey, q.y + across * ex);
-    Place two = new Place(q.x - across * -ey, q.y - across * ex);
+    Point q = new Point(p1.x + along * ex, p1.y + along * ey);
+    Point one = new Point(q.x + across * -ey, q.y + across * ex);
+    Point two = new Point(q.x - across * -ey, q.y - across * ex);
     return segment(a, opening(p1, p2, one, two)) + segment(b, opening(p2, p1, one, two));
   }
 
-  private static double opening(Place from, Place other, Place one, Place two) {
+  private static double opening(Point from, Point other, Point one, Point two) {
     return Math.abs(Math.min(angle(from, one), angle(from, two)) - angle(from, other)) * 2;
   }
 
@@ -35,7 +35,7 @@ final class Overlap {
     return Math.abs(radius * radius / 2 * (radians - Math.sin(radians)));
   }
 
-  private static double angle(Place from, Place to) {
+  private static double angle(Point from, Point to) {
     double dx = from.x - to.x;
     double dy = from.y - to.y;
     double degrees;

@@ -223,9 +223,9 @@ public class SimCore {
         given.number("range"));
   }
 
-  /** Waypoints by class name swap speed and heading: CamSim's quirk Q3. */
+  /** Waypoints by class name swap speed and heading (behaviour 11, Q3). */
   private static TraceableObject object(Attributes given) {
-    Place start = new Place(given.number("x"), given.number("y"));
+    Point start = new Point(given.number("x"), given.number("y"));
     double heading = Math.toRadians(given.number("heading"));
     boolean path = given.text("move").endsWith("Waypoints");
     return new TraceableObject(
@@ -237,8 +237,8 @@ public class SimCore {
   }
 
   private static TraceableObject added(Attributes event) {
-    List<Place> path = event.waypoints();
-    Place start = path.isEmpty() ? new Place(event.number("x"), event.number("y")) : path.get(0);
+    List<Point> path = event.waypoints();
+    Point start = path.isEmpty() ? new Point(event.number("x"), event.number("y")) : path.get(0);
     double heading = Math.toRadians(event.number("heading"));
     return new TraceableObject(event.number("name"), start, heading, event.number("speed"), path);
   }

@@ -9,14 +9,14 @@ public class TraceableObject {
   private static final double CLOSE = 1 - 0.00001;
 
   private final List<Double> features;
-  private final List<Place> waypoints;
+  private final List<Point> waypoints;
   private double x;
   private double y;
   private double heading;
   private double speed;
   private int waypoint = 1;
 
-  TraceableObject(double features, Place start, double heading, double speed, List<Place> path) {
+  TraceableObject(double features, Point start, double heading, double speed, List<Point> path) {
     this.features = Collections.singletonList(features);
     this.waypoints = path;
     this.x = start.x;
@@ -55,7 +55,7 @@ public class TraceableObject {
   }
 
   private void head() {
-    Place target = waypoints.get(waypoint);
+    Point target = waypoints.get(waypoint);
     double ex = x - target.x;
     double ey = y - target.y;
     if (Math.sqrt(ex * ex + ey * ey) < CLOSE) {

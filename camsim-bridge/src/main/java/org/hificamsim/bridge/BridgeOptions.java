@@ -17,8 +17,8 @@ import org.hificamsim.runs.Overrides;
 
 /** Reads the text after {@code -javaagent:hificamsim-bridge.jar=}. */
 final class BridgeOptions {
-  private static final int MOST_LEVELS = 1000;
-  private static final double LARGEST = 1e6;
+  private static final int MAX_LEVELS = 1000;
+  private static final double MAX_METRES = 1e6;
 
   private final Catalogue catalogue;
   private final Options given;
@@ -53,7 +53,7 @@ final class BridgeOptions {
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
     return new BridgeSettings(
         model.map(name -> detection(name, threshold)),
-        size.map(value -> number("size", value, Double.MIN_VALUE, LARGEST))
+        size.map(value -> number("size", value, Double.MIN_VALUE, MAX_METRES))
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),
         zooms.map(BridgeOptions::radii).orElse(List.of()),
@@ -95,7 +95,7 @@ final class BridgeOptions {
   private static List<Double> radii(String text) {
     List<Double> radii = new ArrayList<>();
     for (String item : text.strip().split("[;,\\s]+")) {
-      double radius = number("zooms", item, Double.MIN_VALUE, LARGEST);
+      double radius = number("zooms", item, Double.MIN_VALUE, MAX_METRES);
       if (!radii.isEmpty() && radius <= radii.get(radii.size() - 1)) {
         throw new InputException(
             "zooms has '"
@@ -106,9 +106,9 @@ final class BridgeOptions {
       }
       radii.add(radius);
     }
-    if (radii.size() > MOST_LEVELS) {
+    if (radii.size() > MAX_LEVELS) {
       throw new InputException(
-          "zooms has " + radii.size() + " radii, expected at most " + MOST_LEVELS);
+          "zooms has " + radii.size() + " radii, expected at most " + MAX_LEVELS);
     }
     return radii;
   }

@@ -6,9 +6,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
+import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.bridge.agent.Hooks;
-import org.hificamsim.bridge.agent.Trouble;
-import org.hificamsim.bridge.camsim.Shape;
+import org.hificamsim.bridge.camsim.Requirements;
 import org.hificamsim.bridge.camsim.Weaver;
 import org.hificamsim.bridge.run.BridgeSettings;
 import org.hificamsim.bridge.run.LiveBridge;
@@ -24,7 +24,7 @@ import org.hificamsim.core.file.OutputFolder;
 public final class Installer implements BiConsumer<String, Instrumentation> {
   @Override
   public void accept(String options, Instrumentation instrumentation) {
-    boolean strict = Trouble.strict(options);
+    boolean strict = FaultLine.strict(options);
     try {
       BridgeSettings settings = BridgeOptions.parse(options, catalogue());
       if (settings.asksForAnything()) {
@@ -32,9 +32,9 @@ public final class Installer implements BiConsumer<String, Instrumentation> {
         install(settings, instrumentation, strict);
       }
     } catch (InputException e) {
-      Trouble.tell(Place.printable(e.getMessage()), strict);
+      FaultLine.tell(Place.printable(e.getMessage()), strict);
     } catch (IOException | RuntimeException | LinkageError e) {
-      Trouble.tell(Place.printable(e.toString()), strict);
+      FaultLine.tell(Place.printable(e.toString()), strict);
     }
   }
 
@@ -51,8 +51,8 @@ public final class Installer implements BiConsumer<String, Instrumentation> {
   }
 
   private static void check(BridgeSettings settings) throws IOException {
-    Shape shape =
-        new Shape(
+    Requirements shape =
+        new Requirements(
             settings.detection().isPresent(),
             settings.policy().isPresent(),
             settings.out().isPresent());

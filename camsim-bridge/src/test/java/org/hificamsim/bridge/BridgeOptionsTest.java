@@ -45,7 +45,7 @@ class BridgeOptionsTest {
   @Test
   void defaultsAreTheModelsThresholdAndTheLargestTargetOfTheLab() {
     BridgeSettings settings = parse("detection=hifi:orb-lin");
-    double own = Engine.detection("hifi:orb-lin").threshold();
+    double own = OwnSimulation.detection("hifi:orb-lin").threshold();
     assertEquals(own, settings.detection().orElseThrow().threshold());
     assertEquals(0.66, settings.size());
     assertEquals(0, settings.seed());
@@ -111,6 +111,6 @@ class BridgeOptionsTest {
   }
 
   private static BridgeSettings parse(String options) {
-    return BridgeOptions.parse(options, Engine.CATALOGUE);
+    return BridgeOptions.parse(options, OwnSimulation.CATALOGUE);
   }
 }

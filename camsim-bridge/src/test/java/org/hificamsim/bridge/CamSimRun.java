@@ -29,11 +29,6 @@ record CamSimRun(int exit, String out, String err, Path folder) {
   /** An agent without options. */
   static final String WITHOUT_OPTIONS = "";
 
-  /** The reference data; may be missing. */
-  static Path reference(String name) {
-    return ROOT.resolve("../shared/reference/camsim").resolve(name).normalize();
-  }
-
   /** Runs a scenario for some steps, with seed 0. */
   static CamSimRun of(Path folder, String options, Path scenario, int steps) {
     return start(

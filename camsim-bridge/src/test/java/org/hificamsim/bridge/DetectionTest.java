@@ -3,7 +3,6 @@ package org.hificamsim.bridge;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -12,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
@@ -52,10 +52,9 @@ class DetectionTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"SASO/scenario6", "SASO/scenario2", "SASO-360/scenario12_corridor_fail"})
-  void camSimsOwnVisibilityGivesCamSimsOwnNumbersForItsOwnScenarios(String name) {
-    Path scenario = CamSimRun.reference("scenarios/" + name + ".xml");
-    assumeTrue(Files.exists(scenario), scenario + " is missing");
+  @ValueSource(strings = {"own1006", "own1008", "own1018"})
+  void camSimsOwnVisibilityGivesCamSimsOwnNumbersForOtherScenarios(String name) {
+    Path scenario = Reference.file("own-camsim/" + name + ".xml");
     CamSimRun own = CamSimRun.of(folder.resolve("without"), CamSimRun.WITHOUT_AGENT, scenario, 300);
     CamSimRun with =
         CamSimRun.of(folder.resolve("with"), "detection=camsim-visibility", scenario, 300);
@@ -74,7 +73,7 @@ class DetectionTest {
   void aHiFiModelDecidesWhatIsVisibleAndHowSureCamerasAre() {
     CamSimRun with = run("with", "detection=hifi:orb-lin");
     assertEquals("", with.err());
-    Detection detection = Engine.detection("hifi:orb-lin");
+    Detection detection = OwnSimulation.detection("hifi:orb-lin");
     int visible = assertFollows(with, detection, TargetSpec.DEFAULT_SIZE);
     assertTrue(visible > 50, visible + " looks saw anything");
     assertNotEquals(without.all(), with.all());
@@ -83,7 +82,7 @@ class DetectionTest {
   @Test
   void thresholdAndSizeAreTheGivenOnes() {
     CamSimRun with = run("with", "detection=hifi:sift-power,threshold=0.3,size=1.7");
-    Detection detection = new Detection(Engine.CATALOGUE.detection("hifi:sift-power"), 0.3);
+    Detection detection = new Detection(OwnSimulation.CATALOGUE.detection("hifi:sift-power"), 0.3);
     int visible = assertFollows(with, detection, 1.7);
     assertTrue(visible > 50, visible + " looks saw anything");
   }
@@ -106,8 +105,13 @@ class DetectionTest {
     CamSimRun with = run("with", "detection=" + name + ",out=results");
     Path expected = folder.resolve("engine");
     RunCoverage sums =
-        Engine.record(
-            expected, CamSimRun.CROSSING, List.of(), Engine.detection(name), "zoom-out", 200);
+        OwnSimulation.record(
+            expected,
+            CamSimRun.CROSSING,
+            List.of(),
+            OwnSimulation.detection(name),
+            "zoom-out",
+            200);
     for (String file : List.of("steps.csv", "zooms.csv", "targets.csv")) {
       assertEquals(Files.readString(expected.resolve(file)), with.text("results/" + file), file);
     }
@@ -138,7 +142,7 @@ class DetectionTest {
   /** Recomputes each look from the logged positions; returns how many saw something. */
   private static int assertFollows(CamSimRun run, Detection detection, double size) {
     Map<String, CameraSpec> cameras =
-        Engine.scenario(CamSimRun.CROSSING, List.of()).cameras().stream()
+        OwnSimulation.scenario(CamSimRun.CROSSING, List.of()).cameras().stream()
             .collect(Collectors.toMap(CameraSpec::name, Function.identity()));
     int visible = 0;
     for (String row : run.rows("looks.csv")) {

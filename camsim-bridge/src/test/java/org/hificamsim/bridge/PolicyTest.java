@@ -65,11 +65,11 @@ class PolicyTest {
         run("with", "detection=hifi:orb-power,policy=" + policy + "," + ZOOMS + ",out=results");
     assertEquals("", with.err());
     Path expected = folder.resolve("engine");
-    Engine.record(
+    OwnSimulation.record(
         expected,
         CamSimRun.CROSSING,
         RADII,
-        Engine.detection("hifi:orb-power"),
+        OwnSimulation.detection("hifi:orb-power"),
         policy.replace(';', ','),
         200);
     for (String file : List.of("steps.csv", "zooms.csv", "targets.csv")) {
@@ -78,17 +78,17 @@ class PolicyTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"dense.xml", "so-that-the-policy-begins-anew.scenario"})
+  @ValueSource(strings = {"dense.xml", "so-that-the-policy-starts-over.scenario"})
   void theSummaryTellsWhatTheOptimumCouldNotProve(String name) throws IOException {
     Path file = Files.writeString(folder.resolve(name), dense());
     String options = "detection=hifi:orb-power,policy=one-hop:nodes=0," + ZOOMS + ",out=results";
     CamSimRun with = CamSimRun.of(folder.resolve("with"), options, file, 10);
-    assertEquals(!name.equals("dense.xml"), with.err().contains("begins anew"), with.err());
+    assertEquals(!name.equals("dense.xml"), with.err().contains("starts over"), with.err());
     ProvingZoomPolicy policy =
-        (ProvingZoomPolicy) Engine.CATALOGUE.policies().create("one-hop:nodes=0");
-    Detection detection = Engine.detection("hifi:orb-power");
+        (ProvingZoomPolicy) OwnSimulation.CATALOGUE.policies().create("one-hop:nodes=0");
+    Detection detection = OwnSimulation.detection("hifi:orb-power");
     RunCoverage coverage =
-        Engine.record(folder.resolve("engine"), file, RADII, detection, policy, 10);
+        OwnSimulation.record(folder.resolve("engine"), file, RADII, detection, policy, 10);
     assertTrue(policy.unprovenSteps() > 5, policy.unprovenSteps() + " steps");
     assertEquals(
         List.of(
@@ -122,11 +122,11 @@ class PolicyTest {
   void withoutAModelItIsRewardedFromWhatCamSimSees() throws IOException {
     CamSimRun with = run("with", "policy=epsilon-greedy," + ZOOMS + ",out=results");
     Path expected = folder.resolve("engine");
-    Engine.record(
+    OwnSimulation.record(
         expected,
         CamSimRun.CROSSING,
         RADII,
-        Engine.detection("camsim-visibility"),
+        OwnSimulation.detection("camsim-visibility"),
         "epsilon-greedy",
         200);
     assertEquals(Files.readString(expected.resolve("zooms.csv")), with.text("results/zooms.csv"));

@@ -195,7 +195,7 @@ public class Threads {
         CamSimRun.of(folder.resolve("run"), "policy=qb-sarsa:k=1,out=results", file, 100);
     assertEquals(
         "hificamsim-bridge: step 55: more cameras or objects than expected:"
-            + " policy qb-sarsa:k=1 begins anew\n",
+            + " policy qb-sarsa:k=1 starts over\n",
         run.err());
     assertEquals(100, run.rows("results/steps.csv").size());
     assertEquals(

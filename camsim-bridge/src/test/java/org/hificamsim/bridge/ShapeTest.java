@@ -10,7 +10,7 @@ import java.net.URLClassLoader;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
-import org.hificamsim.bridge.camsim.Shape;
+import org.hificamsim.bridge.camsim.Requirements;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,8 +18,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class ShapeTest {
-  private static final Shape ALL = new Shape(true, true, true);
-  private static final Shape DETECTING = new Shape(true, false, false);
+  private static final Requirements ALL = new Requirements(true, true, true);
+  private static final Requirements DETECTING = new Requirements(true, false, false);
   private static final String LOOK =
       "method CameraController.update_visiblity(TraceableObject) returning double";
   private static final String CHANGE =
@@ -68,7 +68,7 @@ class ShapeTest {
   }
 
   /** What is missing, without the package's name. */
-  private static List<String> missing(Shape shape, Path classes) throws IOException {
+  private static List<String> missing(Requirements shape, Path classes) throws IOException {
     URL[] path = {classes.toUri().toURL()};
     try (URLClassLoader loader = new URLClassLoader(path, null)) {
       return shape.missing(loader).stream()

@@ -1,14 +1,14 @@
 package org.hificamsim.core;
 
 /**
- * A fault in what the user gave (a file, an option, a name), told in one line: where it is, what is
- * wrong, the value, and what was expected. The command line prints the message alone and exits with
- * 2.
+ * A fault in what the user gave (a file, an option, a name), reported in one line: where it is,
+ * what is wrong, the value, and what was expected. The command line prints the message alone and
+ * exits with 2.
  */
 public final class InputException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 
-  /** A fault that the message tells in one line, its place in front where there is one. */
+  /** A fault that the message describes in one line, its place in front where there is one. */
   public InputException(String message) {
     super(message);
   }

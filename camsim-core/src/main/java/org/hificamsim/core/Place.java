@@ -12,7 +12,7 @@ import java.util.regex.Pattern;
 public record Place(String file, int line, int column) {
   private static final Pattern UNPRINTABLE =
       Pattern.compile("[\\p{Cntrl}\\x{80}-\\x{9f}\\x{2028}\\x{2029}]+");
-  private static final int LONGEST_PROBLEM = 500;
+  private static final int MAX_PROBLEM = 500;
 
   /** The fault {@code FILE:LINE:COLUMN: problem}, in one short line whatever the texts hold. */
   public InputException error(String problem) {
@@ -22,9 +22,7 @@ public record Place(String file, int line, int column) {
   /** The line {@code FILE:LINE:COLUMN: problem}. */
   public String line(String problem) {
     String shortened =
-        problem.length() <= LONGEST_PROBLEM
-            ? problem
-            : problem.substring(0, LONGEST_PROBLEM) + "...";
+        problem.length() <= MAX_PROBLEM ? problem : problem.substring(0, MAX_PROBLEM) + "...";
     return printable(this + ": " + shortened);
   }
 

@@ -1,126 +1,103 @@
 package org.hificamsim.network;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import java.util.stream.IntStream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.AgentCheck.Fault;
+import org.hificamsim.core.scenario.VisionGraph;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
-import org.hificamsim.network.agent.CategoryLinks;
-import org.hificamsim.network.agent.InitialLinks;
+import org.hificamsim.network.agent.AuctionSchedule;
 import org.hificamsim.network.agent.Links;
-import org.hificamsim.network.agent.NameLinks;
-import org.hificamsim.network.auction.ActiveSchedule;
-import org.hificamsim.network.auction.AuctionSchedule;
-import org.hificamsim.network.auction.Broadcast;
-import org.hificamsim.network.auction.CommunicationPolicy;
-import org.hificamsim.network.auction.Fix;
-import org.hificamsim.network.auction.HistoricalSchedule;
-import org.hificamsim.network.auction.PassiveSchedule;
-import org.hificamsim.network.auction.Smooth;
-import org.hificamsim.network.auction.Stays;
-import org.hificamsim.network.auction.Step;
-import org.hificamsim.network.auction.Trader;
+import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditSolver;
+import org.hificamsim.network.bandit.CameraBandit;
 import org.hificamsim.network.bandit.ScheduleSwitch;
 import org.hificamsim.network.bandit.ZoomBandit;
 
-/** Makes the members of a network as scenario and settings ask for them. */
+/** Makes agents, and their bandits, as scenario and settings ask for them. */
 final class AgentFactory {
   private final World world;
   private final NetworkSettings settings;
-  private final NetworkStreams streams;
-  private final List<AgentSetup> setups;
-  private final InitialLinks graph;
+  private final Random random;
   private final int fromFile;
+  private final List<Role> roles = new ArrayList<>();
+  private final InitialLinks graph;
+  private final boolean graphIsStatic;
 
-  AgentFactory(World world, NetworkSettings settings, NetworkStreams streams) {
+  /**
+   * Reads the roles of all cameras that there will ever be.
+   *
+   * @param random draws for bandits
+   * @throws InputException when a name is not known, or something that it needs is missing
+   */
+  AgentFactory(World world, NetworkSettings settings, Random random) {
     this.world = world;
     this.settings = settings;
-    this.streams = streams;
-    setups = AgentSetups.of(world, settings);
-    List<String> names =
-        IntStream.range(0, world.cameras().count()).mapToObj(world.cameras()::name).toList();
+    this.random = random;
+    fromFile = world.scenario().cameras().size();
+    readRoles();
+    Optional<VisionGraph> inFile = world.scenario().visionGraph();
     graph =
         new InitialLinks(
-            names,
-            settings.graph() == GraphUse.IGNORED
-                ? Optional.empty()
-                : world.scenario().visionGraph());
-    fromFile = world.scenario().cameras().size();
+            IntStream.range(0, roles.size()).mapToObj(world.cameras()::name).toList(),
+            inFile.filter(used -> settings.graph() != GraphUse.IGNORED));
+    graphIsStatic = settings.graph().isStatic(inFile.map(VisionGraph::isStatic).orElse(false));
   }
 
-  /** The schedule that the camera starts with. */
-  ScheduleKind schedule(int camera) {
-    return setups.get(camera).schedule();
+  private void readRoles() {
+    RoleReader reader = new RoleReader(settings);
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      String name = world.cameras().name(camera);
+      Fault fault =
+          (attribute, expected) ->
+              new InputException(
+                  "camera '%s': %s: expected %s".formatted(name, attribute, expected));
+      roles.add(reader.read(world.cameraSpec(camera).agent(), camera >= fromFile, fault));
+    }
   }
 
-  /** Makes a member; one with a bandit draws its numbers. */
-  Member make(int camera, Agent.Surroundings around) {
-    AgentSetup setup = setups.get(camera);
-    PassiveSchedule passive = new PassiveSchedule(world.targets().count());
-    Stays stays = new Stays(world.targets(), settings.historicalParameters());
-    Agent agent = new Agent(camera, setup.limit(), links(camera, setup, stays), around);
-    AuctionSchedule plain = setup.schedule().isActive() ? new ActiveSchedule() : passive;
-    Trader trader =
-        new Trader(
-            agent,
-            setup.schedule().isHistorical() ? new HistoricalSchedule(plain, stays) : plain,
-            policy(setup.policy()),
-            !settings.has(Quirk.Q14));
-    if (setup.bandit().isEmpty()) {
-      return new Member(agent, trader, null, null);
+  /** Makes the agent of a camera. */
+  Agent agent(int camera, Agent.Shared shared) {
+    Role role = roles.get(camera);
+    AuctionSchedule schedule =
+        new AuctionSchedule(role.schedule(), world.targets(), settings.historicalParameters());
+    Links links =
+        role.schedule().isHistorical() && settings.historicalParameters().classification()
+            ? Links.byCategory(
+                graph.names(), settings.historicalParameters().categories(), schedule::category)
+            : links(camera, role);
+    return new Agent(camera, role.limit(), schedule, role.comm().policy(), links, shared);
+  }
+
+  private Links links(int camera, Role role) {
+    List<Integer> initial =
+        camera < fromFile
+            ? graph.of(world.cameras().name(camera), hasReverseLinks(camera))
+            : List.of();
+    boolean byGraph = graphIsStatic && !settings.has(Quirk.LINKS_FREEZE_BY_POLICY);
+    return Links.plain(graph.names(), initial, byGraph || role.comm().freezesLinks());
+  }
+
+  /** Whether a camera is linked to those that list it, too. */
+  private boolean hasReverseLinks(int camera) {
+    boolean byPolicy = camera > 0 && settings.has(Quirk.LINKS_FREEZE_BY_POLICY);
+    return byPolicy ? roles.get(camera - 1).comm().isFix() : graphIsStatic;
+  }
+
+  /** Makes the bandit of a camera, which draws its first numbers. */
+  CameraBandit bandit(Agent agent) {
+    Role role = roles.get(agent.camera());
+    if (role.bandit().isEmpty()) {
+      return CameraBandit.NONE;
     }
     BanditSolver solver =
-        setup.bandit().get().solver(settings.banditParameters(), streams.bandit());
-    return setup.schedule() == ScheduleKind.BANDIT_ZOOM
-        ? new Member(agent, trader, null, new ZoomBandit(solver, world))
-        : new Member(agent, trader, switching(setup, solver, trader, passive), null);
-  }
-
-  private ScheduleSwitch switching(
-      AgentSetup setup, BanditSolver solver, Trader trader, PassiveSchedule passive) {
-    return new ScheduleSwitch(
-        solver,
-        trader,
-        passive,
-        inForce(setup),
-        setup.schedule().isActive(),
-        streams.communication());
-  }
-
-  /** CamSim's number for a schedule and policy, -1 for what is no arm of its bandits (9.4). */
-  private static int inForce(AgentSetup setup) {
-    if (setup.schedule().isHistorical()) {
-      return -1;
-    }
-    int first = setup.schedule().isActive() ? 0 : 3;
-    return switch (setup.policy()) {
-      case BROADCAST -> first;
-      case STEP -> first + 1;
-      case SMOOTH -> first + 2;
-      case FIX -> -1;
-    };
-  }
-
-  private Links links(int camera, AgentSetup setup, Stays stays) {
-    if (setup.schedule().isHistorical() && settings.historicalParameters().classification()) {
-      return new CategoryLinks(
-          world.cameras().count(), settings.historicalParameters().categories(), stays::category);
-    }
-    return new NameLinks(
-        graph.names(),
-        camera < fromFile
-            ? graph.of(world.cameras().name(camera), setup.reverseLinks())
-            : List.of(),
-        setup.frozen());
-  }
-
-  private CommunicationPolicy policy(PolicyKind kind) {
-    return switch (kind) {
-      case BROADCAST -> Broadcast.COUNTED;
-      case SMOOTH -> new Smooth(streams.communication(), Broadcast.COUNTED);
-      case STEP -> new Step(streams.communication(), Broadcast.COUNTED);
-      case FIX -> new Fix(world.cameras().count());
-    };
+        new BanditSolver(role.bandit().get(), settings.banditParameters(), random);
+    return role.schedule() == ScheduleKind.BANDIT_ZOOM
+        ? new ZoomBandit(solver, agent, world)
+        : new ScheduleSwitch(solver, agent);
   }
 }

@@ -5,7 +5,7 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 
 /**
- * Cameras that fail by chance, and those that come back (section 7, step 4; quirks Q6, Q15, Q18).
+ * Cameras that fail by chance, and those that come back (behaviour 7, step 4; quirks Q6, Q15, Q18).
  *
  * <p>A duration of 0 brings a camera back that failed for some steps before, but not one that an
  * event switched off for ever.
@@ -28,12 +28,12 @@ final class CameraErrors {
     this.random = random;
     errorLevel = settings.errorLevel();
     resetLevel = settings.resetLevel();
-    comeBack = !settings.has(Quirk.Q6);
+    comeBack = !settings.has(Quirk.FAILED_CAMERAS_STAY_OFFLINE);
     forEver = new boolean[world.cameras().count()];
     stepsLeft = new int[world.cameras().count()];
   }
 
-  /** Takes note of a camera that an event switched off. */
+  /** Notes that an event switched a camera off. */
   void failed(int camera, int duration) {
     forEver[camera] |= duration == FOR_EVER;
     stepsLeft[camera] = duration;
@@ -54,7 +54,7 @@ final class CameraErrors {
       world.switchCamera(camera, duration == 0);
     }
     if (random.nextInt(PERCENT) > resetLevel) {
-      agents[camera].neighbours().clear();
+      agents[camera].forgetNeighbours();
     }
   }
 

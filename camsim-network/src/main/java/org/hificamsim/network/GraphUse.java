@@ -3,7 +3,7 @@ package org.hificamsim.network;
 import java.util.Arrays;
 import java.util.Optional;
 
-/** What becomes of a scenario's vision graph: CamSim's option {@code -v} (section 3.6). */
+/** What becomes of a scenario's vision graph: CamSim's option {@code -v} (behaviour 3.6). */
 public enum GraphUse {
   AS_IN_FILE(-1),
   STATIC(0),

@@ -2,6 +2,8 @@ package org.hificamsim.network;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
+import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Cooperation;
@@ -10,19 +12,20 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.WorldObserver;
 import org.hificamsim.network.agent.Agent;
+import org.hificamsim.network.agent.Auctions;
+import org.hificamsim.network.agent.BidderHashes;
+import org.hificamsim.network.agent.HashOrder;
 import org.hificamsim.network.agent.MessageKind;
 import org.hificamsim.network.agent.MessageQueue;
-import org.hificamsim.network.agent.Receiver;
-import org.hificamsim.network.agent.Searches;
 import org.hificamsim.network.agent.Sightings;
-import org.hificamsim.network.bandit.ScheduleSwitch;
+import org.hificamsim.network.bandit.CameraBandit;
 import org.hificamsim.network.statistics.CameraFigures;
 import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.network.statistics.StepTally;
 
 /**
  * CamSim's network of cameras: who owns which target, and how targets are sold within each step
- * (sections 7 and 8). Equal arguments give equal runs.
+ * (behaviour 7 and 8). Equal arguments give equal runs.
  *
  * <p>In a step all cameras look, then all advertise, then all bid, then each settles its auctions.
  * Messages that a camera sends are delivered at the end of its turn.
@@ -31,49 +34,53 @@ public final class Network implements Cooperation, WorldObserver {
   private final Cameras cameras;
   private final Sightings sightings;
   private final MessageQueue queue = new MessageQueue();
-  private final Receiver receiver = this::receive;
+  private final MessageQueue.Receiver receiver = this::receive;
+  private final IntConsumer choosing = this::choose;
+  private final IntConsumer advertising = this::advertise;
+  private final IntConsumer bidding = this::bid;
+  private final IntConsumer settling = this::settle;
+  private final IntConsumer counting = this::count;
   private final CameraErrors errors;
   private final CameraFigures figures;
   private final StepTally tally;
   private final AgentFactory factory;
-  private final Agent.Surroundings around;
+  private final Agent.Shared shared;
   private final Agent[] agents;
-  private final Member[] members;
-  private final ScheduleKind[] schedules;
+  private final CameraBandit[] bandits;
   private int added;
   private int appeared;
   private long step;
   private StepFigures last;
 
   /**
-   * The network at its start; it has itself told what events change in the world.
+   * The network at its start; it listens to the events of the world from now on. Its random streams
+   * are seeded with the run's seed, as the world's are (behaviour 4.1).
    *
    * @param world before its first step
    * @param detection gives the confidences for bids, utility and handovers
    * @throws org.hificamsim.core.InputException when a camera asks for what does not exist
    */
   public Network(World world, Detection detection, NetworkSettings settings, long seed) {
-    NetworkStreams streams = NetworkStreams.of(seed);
     cameras = world.cameras();
     sightings = new Sightings(world, visibility(detection));
-    errors = new CameraErrors(world, settings, streams.error());
+    errors = new CameraErrors(world, settings, new Random(seed));
     figures = new CameraFigures(world);
     tally = new StepTally(world, figures, sightings, queue);
-    factory = new AgentFactory(world, settings, streams);
+    factory = new AgentFactory(world, settings, new Random(seed));
     agents = new Agent[cameras.count()];
-    members = new Member[cameras.count()];
-    schedules = new ScheduleKind[cameras.count()];
-    BidderHashes hashes = new BidderHashes(cameras, sightings, agents, schedules);
+    bandits = new CameraBandit[cameras.count()];
+    BidderHashes hashes = new BidderHashes(cameras, sightings, agents);
     double[] features = new double[world.targets().count()];
     Arrays.setAll(features, target -> world.targetSpec(target).features());
-    around =
-        new Agent.Surroundings(
+    shared =
+        new Agent.Shared(
             cameras,
             features,
             sightings,
             queue,
-            settings.has(Quirk.Q19) ? hashes::of : null,
-            !settings.has(Quirk.Q14));
+            new Random(seed),
+            settings.has(Quirk.TIES_BY_HASH_CODE) ? hashes::of : camera -> 0,
+            !settings.has(Quirk.MISPRICED_SALES));
     world.scenario().cameras().forEach(camera -> cameraAdded(added));
     world.scenario().targets().forEach(target -> targetAppeared(appeared));
     world.observe(this);
@@ -100,64 +107,54 @@ public final class Network implements Cooperation, WorldObserver {
   @Override
   public void cooperate() {
     tally.begin();
-    for (int camera = 0; camera < added; camera++) {
-      if (cameras.online(camera) && members[camera].switching() != null) {
-        choose(camera, members[camera].switching());
-      }
-    }
-    for (int camera = 0; camera < added; camera++) {
-      if (cameras.online(camera)) {
-        members[camera].trader().advertise();
-        queue.deliver(receiver);
-      }
-    }
-    for (int camera = 0; camera < added; camera++) {
-      if (cameras.online(camera)) {
-        members[camera].trader().bid(sightings.visible(camera));
-        queue.deliver(receiver);
-      }
-    }
-    for (int camera = 0; camera < added; camera++) {
-      if (cameras.online(camera)) {
-        update(members[camera]);
-      }
-    }
-    for (int camera = 0; camera < added; camera++) {
-      if (cameras.online(camera)) {
-        tally.valued(agents[camera]);
-      }
-    }
+    inTurn(choosing);
+    inTurn(advertising);
+    inTurn(bidding);
+    inTurn(settling);
+    inTurn(counting);
     last = tally.end(step++);
   }
 
-  private void choose(int camera, ScheduleSwitch switching) {
-    if (switching.select()) {
-      tally.strategyChanged();
+  private void inTurn(IntConsumer turn) {
+    for (int camera = 0; camera < added; camera++) {
+      if (cameras.online(camera)) {
+        turn.accept(camera);
+        queue.deliver(receiver);
+      }
     }
-    schedules[camera] = switching.isActive() ? ScheduleKind.ACTIVE : ScheduleKind.PASSIVE;
-  }
-
-  private void update(Member member) {
-    Agent agent = member.agent();
-    boolean switching = member.switching() != null;
-    double earned = switching ? figures.utility(agent) + agent.received() - agent.paid() : 0;
-    int sent = agent.sent();
-    member.trader().settle();
-    queue.deliver(receiver);
-    figures.measure(agent);
-    if (member.zooming() != null) {
-      member.zooming().updated(agent, figures);
-    }
-    tally.attempted(sent);
-    if (switching) {
-      tally.banditEarned(earned);
-      member.switching().feed(earned, sent);
-    }
-    tally.updated(agent);
   }
 
   private void receive(MessageKind kind, int from, int to, int target, double value) {
     agents[to].receive(kind, from, target, value);
+  }
+
+  private void choose(int camera) {
+    if (bandits[camera].choose()) {
+      tally.strategyChanged();
+    }
+  }
+
+  private void advertise(int camera) {
+    Auctions.advertise(agents[camera]);
+  }
+
+  private void bid(int camera) {
+    Auctions.bid(agents[camera]);
+  }
+
+  /** Settles, then learns and counts (behaviour 7, step 8). */
+  private void settle(int camera) {
+    Agent agent = agents[camera];
+    double earned = bandits[camera].earned(figures);
+    int sent = agent.sent();
+    Auctions.settle(agent);
+    figures.measure(agent);
+    bandits[camera].learn(earned, sent, figures);
+    tally.settled(agent, earned, sent);
+  }
+
+  private void count(int camera) {
+    tally.count(agents[camera]);
   }
 
   /** The figures of the last step. */
@@ -170,9 +167,8 @@ public final class Network implements Cooperation, WorldObserver {
     if (agents[camera] == null) {
       return List.of();
     }
-    return IntStream.range(0, agents[camera].owned().size())
-        .mapToObj(agents[camera].owned()::get)
-        .toList();
+    HashOrder owned = agents[camera].owned();
+    return IntStream.range(0, owned.size()).mapToObj(owned::get).toList();
   }
 
   /** What each camera saw in the last step. */
@@ -180,16 +176,15 @@ public final class Network implements Cooperation, WorldObserver {
     return sightings;
   }
 
-  /** A new camera knows all cameras; those that are online get to know it (section 8.1). */
+  /** A new camera knows all cameras; those that are online get to know it (behaviour 8.1). */
   @Override
   public void cameraAdded(int camera) {
-    schedules[camera] = factory.schedule(camera);
-    members[camera] = factory.make(camera, around);
-    agents[camera] = members[camera].agent();
+    agents[camera] = factory.agent(camera, shared);
+    bandits[camera] = factory.bandit(agents[camera]);
     for (int other = 0; other < camera; other++) {
-      agents[camera].neighbours().add(other);
+      agents[camera].meet(other);
       if (cameras.online(other)) {
-        agents[other].neighbours().add(camera);
+        agents[other].meet(camera);
       }
     }
     added = camera + 1;
@@ -200,13 +195,13 @@ public final class Network implements Cooperation, WorldObserver {
     errors.failed(camera, duration);
   }
 
-  /** Every camera that is online looks for a target that nobody owns yet (section 8.1). */
+  /** Every camera that is online looks for a target that nobody owns yet (behaviour 8.1). */
   @Override
   public void targetAppeared(int target) {
     appeared = target + 1;
     for (int camera = 0; camera < added; camera++) {
       if (cameras.online(camera)) {
-        agents[camera].searches().put(target, Searches.NOBODY);
+        agents[camera].lookFor(target);
       }
     }
   }

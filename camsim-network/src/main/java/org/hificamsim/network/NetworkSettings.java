@@ -2,27 +2,27 @@ package org.hificamsim.network;
 
 import java.util.EnumSet;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
-import org.hificamsim.network.auction.HistoricalParameters;
+import org.hificamsim.core.scenario.AgentCheck;
+import org.hificamsim.network.agent.HistoricalParameters;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.bandit.BanditParameters;
 
 /**
- * How a scenario's network is run, apart from what the scenario itself says (section 12.1).
+ * How a scenario's network is run, apart from what the scenario itself says (behaviour 12.1).
  *
- * @param schedule for all cameras of the file, a class name; else what each camera asks for
- * @param comm policy for all cameras of the file, 0 to 4; else what each camera asks for
- * @param customComm class name of the policy where {@code comm} is 4
- * @param bandit for all cameras, a class name; else what each camera asks for
+ * @param schedule for all cameras of the file; else what each camera asks for
+ * @param comm policy for all cameras of the file; else what each camera asks for
+ * @param bandit for all cameras; else what each camera asks for
  * @param errorLevel the highest of 100 draws at which a camera fails in a step; -1 for never
  * @param resetLevel the highest of 100 draws at which a failing camera keeps its neighbours
  * @param quirks those that are reproduced
  */
 public record NetworkSettings(
-    Optional<String> schedule,
-    OptionalInt comm,
-    Optional<String> customComm,
-    Optional<String> bandit,
+    Optional<ScheduleKind> schedule,
+    Optional<Comm> comm,
+    Optional<BanditAlgorithm> bandit,
     GraphUse graph,
     int errorLevel,
     int resetLevel,
@@ -33,7 +33,6 @@ public record NetworkSettings(
   public static final NetworkSettings CAMSIM =
       new NetworkSettings(
           Optional.empty(),
-          OptionalInt.empty(),
           Optional.empty(),
           Optional.empty(),
           GraphUse.AS_IN_FILE,
@@ -46,12 +45,19 @@ public record NetworkSettings(
   /** The same without the quirks that can be left out. */
   public static final NetworkSettings DEFAULT = CAMSIM.withQuirks(EnumSet.noneOf(Quirk.class));
 
+  /** Copies what could change. */
   public NetworkSettings {
     quirks = Set.copyOf(quirks);
   }
 
+  /** Whether a quirk is reproduced. */
   public boolean has(Quirk quirk) {
     return quirks.contains(quirk);
+  }
+
+  /** Checks what the cameras of one scenario ask for under these settings. */
+  public AgentCheck check() {
+    return new RoleReader(this)::read;
   }
 
   /** The same settings with these quirks, and no others. */
@@ -59,7 +65,6 @@ public record NetworkSettings(
     return new NetworkSettings(
         schedule,
         comm,
-        customComm,
         bandit,
         graph,
         errorLevel,
@@ -67,5 +72,23 @@ public record NetworkSettings(
         banditParameters,
         historicalParameters,
         newQuirks);
+  }
+
+  /**
+   * The same settings with one schedule and policy for all cameras of the file.
+   *
+   * @param number of the policy, 0 to 3
+   */
+  public NetworkSettings withAll(ScheduleKind newSchedule, int number) {
+    return new NetworkSettings(
+        Optional.of(newSchedule),
+        Comm.of(number, Optional.empty()),
+        bandit,
+        graph,
+        errorLevel,
+        resetLevel,
+        banditParameters,
+        historicalParameters,
+        quirks);
   }
 }

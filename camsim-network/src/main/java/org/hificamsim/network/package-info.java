@@ -1,2 +1,2 @@
-/** Cameras as a network: vision graph, messages, auctions and handovers, after CamSim. */
+/** CamSim's network of cameras: its settings, its start from a scenario, and its step. */
 package org.hificamsim.network;

@@ -2,16 +2,21 @@ package org.hificamsim.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.Arrays;
 import java.util.List;
+import java.util.Random;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
+import org.hificamsim.network.agent.AuctionSchedule;
+import org.hificamsim.network.agent.BidderHashes;
+import org.hificamsim.network.agent.CommunicationPolicy;
+import org.hificamsim.network.agent.HistoricalParameters;
+import org.hificamsim.network.agent.Links;
 import org.hificamsim.network.agent.MessageQueue;
-import org.hificamsim.network.agent.NameLinks;
+import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.agent.Sightings;
 import org.junit.jupiter.api.Test;
 
@@ -24,17 +29,21 @@ class BidderHashesTest {
     Detection detection = Detection.of(new CamSimVisibilityDetection());
     Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
     Agent[] agents = new Agent[count];
-    ScheduleKind[] schedules = new ScheduleKind[count];
-    Arrays.fill(schedules, ScheduleKind.PASSIVE);
-    BidderHashes hashes = new BidderHashes(world.cameras(), sightings, agents, schedules);
-    Agent.Surroundings around =
-        new Agent.Surroundings(
-            world.cameras(), new double[0], sightings, new MessageQueue(), hashes::of, false);
+    BidderHashes hashes = new BidderHashes(world.cameras(), sightings, agents);
+    Agent.Shared shared =
+        new Agent.Shared(
+            world.cameras(),
+            new double[0],
+            sightings,
+            new MessageQueue(),
+            new Random(0),
+            hashes::of,
+            false);
     for (int camera = 0; camera < count; camera++) {
-      agents[camera] = new Agent(camera, 0, new NameLinks(0, List.of(), false), around);
+      agents[camera] = passive(camera, world, shared);
       for (int other = 0; other < count; other++) {
         if (other != camera) {
-          agents[camera].neighbours().add(other);
+          agents[camera].meet(other);
         }
       }
     }
@@ -49,5 +58,12 @@ class BidderHashesTest {
       grid.camera(TestScenario.camera("Cam_0" + (i + 1), -15 + 10 * i, 18, -180, 70, 16));
     }
     return grid;
+  }
+
+  private static Agent passive(int camera, World world, Agent.Shared shared) {
+    AuctionSchedule schedule =
+        new AuctionSchedule(ScheduleKind.PASSIVE, world.targets(), HistoricalParameters.DEFAULT);
+    Links links = Links.plain(0, List.of(), false);
+    return new Agent(camera, 0, schedule, CommunicationPolicy.BROADCAST, links, shared);
   }
 }

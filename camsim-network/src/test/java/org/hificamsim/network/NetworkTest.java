@@ -7,10 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.EnumSet;
 import org.hificamsim.core.InputException;
 import org.hificamsim.network.agent.Named;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.statistics.StepFigures;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Ownership, auctions, messages and schedules on scenarios small enough to follow by hand. */
@@ -106,9 +109,8 @@ class NetworkTest {
   @Test
   void everyKindAnswersToEachOfItsNames() {
     for (ScheduleKind kind : EnumSet.allOf(ScheduleKind.class)) {
-      kind.classNames()
+      kind.names()
           .forEach(name -> assertEquals(kind, Named.find(ScheduleKind.class, name).orElseThrow()));
-      assertEquals(kind, Named.find(ScheduleKind.class, kind.shortName()).orElseThrow());
     }
   }
 
@@ -128,8 +130,8 @@ class NetworkTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"EpsilonGreedy", "UCB1", "UCB2", "UCBTuned", "SoftMax", "FullRandom"})
-  void everyBanditSwitchesSchedulesAndIsCounted(String bandit) {
+  @EnumSource(BanditAlgorithm.class)
+  void everyBanditSwitchesSchedulesAndIsCounted(BanditAlgorithm bandit) {
     SmallNetwork network = pair(ACTIVE, PASSIVE).bandit(bandit).run(100);
     int changes = 0;
     double utility = 0;
@@ -142,8 +144,8 @@ class NetworkTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"EpsilonGreedy", "UCB1", "UCB2", "UCBTuned", "SoftMax", "FullRandom"})
-  void everyBanditZooms(String bandit) {
+  @EnumSource(BanditAlgorithm.class)
+  void everyBanditZooms(BanditAlgorithm bandit) {
     SmallNetwork network =
         pair("ai_algorithm='BanditZoom'", "ai_algorithm='BanditZoom'").bandit(bandit).run(200);
     StepFigures last = network.last();
@@ -155,7 +157,7 @@ class NetworkTest {
 
   @Test
   void stepsAskForNothingThatGrowsWithTheirNumber() {
-    SmallNetwork network = pair("comm='1'", "comm='2'").bandit("UCBTuned").run(2000);
+    SmallNetwork network = pair("comm='1'", "comm='2'").bandit(BanditAlgorithm.UCB_TUNED).run(2000);
     assertEquals(1999, network.last().step());
   }
 }

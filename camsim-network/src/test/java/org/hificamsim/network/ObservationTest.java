@@ -45,7 +45,7 @@ class ObservationTest {
   void theModelIsAskedOnceForEachPairWithinReach() {
     Counting model = new Counting(new AtomicInteger());
     Simulation simulation = simulation(world(), model);
-    int pairs = 0;
+    long pairs = 0;
     for (int step = 0; step < STEPS; step++) {
       simulation.step();
       pairs += simulation.coverage().detections();
@@ -69,7 +69,7 @@ class ObservationTest {
         for (int camera = 0; camera < view.cameras(); camera++) {
           boolean sees = view.online(camera) && network.sightings().sees(camera, target);
           seen += sees ? 1 : 0;
-          assertEquals(sees, view.online(camera) && view.detects(camera, 0, target));
+          assertEquals(sees, view.online(camera) && view.oracle().detects(camera, 0, target));
         }
         assertEquals(seen, view.coverage(target), "step " + step + " target " + target);
       }
@@ -87,7 +87,7 @@ class ObservationTest {
             .world();
     Simulation simulation = simulation(world, new Counting(new AtomicInteger()));
     simulation.step();
-    assertFalse(simulation.network().detects(0, 0, 0));
+    assertFalse(simulation.network().oracle().detects(0, 0, 0));
     assertEquals(0, simulation.network().detected(0));
     assertEquals(1, simulation.network().coverage(0));
   }
@@ -100,7 +100,7 @@ class ObservationTest {
             .camera(TestScenario.camera("c", -3, 3, 0, 360, 5))
             .events(new FailCamera(9, "c", -1));
     for (int target = 0; target < 12; target++) {
-      scenario.target(target % 4 - 2, target / 4, 33 * target, 0.5);
+      scenario.target(target % 4 - 2, Math.floorDiv(target, 4), 33 * target, 0.5);
     }
     return scenario.world();
   }

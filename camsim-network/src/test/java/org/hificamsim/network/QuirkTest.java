@@ -20,7 +20,7 @@ class QuirkTest {
 
   @Test
   void q3LeftOutSpeedIsSpeed() {
-    SmallNetwork network = withWaypoints().without(Quirk.Q3).run(1);
+    SmallNetwork network = withWaypoints().without(Quirk.WAYPOINT_SPEED_IS_HEADING).run(1);
     assertEquals(0.25, network.world().targets().x(0), 1e-12);
   }
 
@@ -55,7 +55,7 @@ class QuirkTest {
             .camera("B", 0, 0, 10, FIX)
             .still("1", 1, 1)
             .graph(false, nodes)
-            .without(Quirk.Q5)
+            .without(Quirk.LINKS_FREEZE_BY_POLICY)
             .run(2);
     assertEquals(0, mended.last().communication(), "the graph is not static");
   }
@@ -77,7 +77,7 @@ class QuirkTest {
 
   @Test
   void q6LeftOutItComesBackAfterItsTime() {
-    SmallNetwork network = failing().without(Quirk.Q6).run(8);
+    SmallNetwork network = failing().without(Quirk.FAILED_CAMERAS_STAY_OFFLINE).run(8);
     assertFalse(network.world().cameras().online(0));
     assertTrue(network.run(1).world().cameras().online(0));
   }
@@ -184,7 +184,7 @@ class QuirkTest {
   @Test
   void q17AnEventsMoveIsIgnoredUnlessTheQuirkIsLeftOut() {
     assertEquals(0.0, wandering().run(1).world().targets().y(0));
-    assertTrue(wandering().without(Quirk.Q17).run(1).world().targets().y(0) != 0);
+    assertTrue(wandering().without(Quirk.EVENT_MOVE_IGNORED).run(1).world().targets().y(0) != 0);
   }
 
   private static SmallNetwork wandering() {
@@ -197,7 +197,7 @@ class QuirkTest {
 
   @Test
   void q19ATieGoesToTheFirstByHashCodeOrElseByList() {
-    assertEquals("I", tie("I", "H").without(Quirk.Q19).run(2).owners("1.0"));
+    assertEquals("I", tie("I", "H").without(Quirk.TIES_BY_HASH_CODE).run(2).owners("1.0"));
     assertEquals("H", tie("I", "H").run(2).owners("1.0"), "bucket 3 comes before bucket 6");
   }
 
@@ -225,7 +225,7 @@ class QuirkTest {
             .camera("A", 0, 0, 10, ACTIVE)
             .camera("B", 3, 0, 10, ACTIVE)
             .still("1", 1, 1)
-            .without(Quirk.Q6)
+            .without(Quirk.FAILED_CAMERAS_STAY_OFFLINE)
             .errorLevel(100)
             .resetLevel(resetLevel)
             .run(150);

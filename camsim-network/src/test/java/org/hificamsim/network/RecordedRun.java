@@ -1,7 +1,6 @@
 package org.hificamsim.network;
 
 import java.util.List;
-import java.util.OptionalInt;
 import java.util.Set;
 import org.hificamsim.core.CamSimCommand;
 import org.hificamsim.core.detection.Detection;
@@ -12,6 +11,9 @@ import org.hificamsim.core.engine.WidestPolicy;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
+import org.hificamsim.network.agent.Named;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.bandit.BanditAlgorithm;
 
 /** A run of CamSim's that was recorded, to be run again here. */
 record RecordedRun(CamSimCommand command) {
@@ -23,10 +25,9 @@ record RecordedRun(CamSimCommand command) {
   NetworkSettings settings(Set<Quirk> quirks) {
     NetworkSettings camsim = NetworkSettings.CAMSIM;
     return new NetworkSettings(
-        command.option("-a"),
-        command.number("-c").map(OptionalInt::of).orElse(OptionalInt.empty()),
-        command.option("-u"),
-        command.option("-b"),
+        command.option("-a").map(name -> Named.find(ScheduleKind.class, name).orElseThrow()),
+        command.number("-c").map(c -> Comm.of(c, command.option("-u")).orElseThrow()),
+        command.option("-b").map(name -> Named.find(BanditAlgorithm.class, name).orElseThrow()),
         command.number("-v").flatMap(GraphUse::find).orElse(GraphUse.AS_IN_FILE),
         command.number("-e").orElse(camsim.errorLevel()),
         command.number("-r").orElse(camsim.resetLevel()),
@@ -45,7 +46,7 @@ record RecordedRun(CamSimCommand command) {
     NetworkSettings settings = settings(quirks);
     long seed = command.seed();
     World world =
-        new World(CamSimDialect.read(command.read(), settings), Movements.registry(), seed);
+        new World(CamSimScenario.as(command.read(), settings), Movements.registry(), seed);
     Detection detection = Detection.of(new CamSimVisibilityDetection());
     Network network = new Network(world, detection, settings, seed);
     StepListener listener = (view, coverage) -> watcher.stepped(world, network);

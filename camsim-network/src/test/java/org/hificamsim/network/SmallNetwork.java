@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
@@ -20,7 +19,8 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
-import org.hificamsim.network.auction.HistoricalParameters;
+import org.hificamsim.network.agent.HistoricalParameters;
+import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.bandit.BanditParameters;
 import org.hificamsim.network.statistics.StepFigures;
 
@@ -32,7 +32,7 @@ final class SmallNetwork {
   private String graph = "";
   private Set<Quirk> quirks = EnumSet.allOf(Quirk.class);
   private GraphUse use = GraphUse.AS_IN_FILE;
-  private Optional<String> bandit = Optional.empty();
+  private Optional<BanditAlgorithm> bandit = Optional.empty();
   private int errorLevel = -1;
   private int resetLevel = 50;
   private World world;
@@ -84,8 +84,8 @@ final class SmallNetwork {
     return this;
   }
 
-  SmallNetwork bandit(String name) {
-    bandit = Optional.of(name);
+  SmallNetwork bandit(BanditAlgorithm algorithm) {
+    bandit = Optional.of(algorithm);
     return this;
   }
 
@@ -139,7 +139,6 @@ final class SmallNetwork {
     NetworkSettings settings =
         new NetworkSettings(
             Optional.empty(),
-            OptionalInt.empty(),
             Optional.empty(),
             bandit,
             use,
@@ -148,7 +147,7 @@ final class SmallNetwork {
             BanditParameters.DEFAULT,
             HistoricalParameters.DEFAULT,
             quirks);
-    world = new World(CamSimDialect.read(scenario(), settings), Movements.registry(), 0);
+    world = new World(CamSimScenario.as(scenario(), settings), Movements.registry(), 0);
     Detection detection = Detection.of(new CamSimVisibilityDetection());
     network = new Network(world, detection, settings, 0);
     StepListener listener = (view, coverage) -> rows.add(network.figures());

@@ -1,10 +1,11 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.nio.file.Path;
+import java.io.PrintWriter;
 import java.time.Instant;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.BiConsumer;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.report.Report;
@@ -18,9 +19,8 @@ import org.hificamsim.runs.compare.Shard;
 import org.hificamsim.runs.compare.ShardRun;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
-import picocli.CommandLine.Model.CommandSpec;
 
-/** The runs of a command that has many: with progress on standard error and a manifest. */
+/** The runs of a command that has many: with progress, a manifest, the page and a summary. */
 final class BatchRun {
   /** How a comparison makes files of its plans. */
   @FunctionalInterface
@@ -34,13 +34,13 @@ final class BatchRun {
         throws IOException;
   }
 
-  private final CommandSpec command;
+  private final Screen screen;
   private final BatchOptions options;
   private final Catalogue catalogue;
   private final Instant started = Instant.now();
 
-  BatchRun(CommandSpec command, BatchOptions options, Catalogue catalogue) {
-    this.command = command;
+  BatchRun(Screen screen, BatchOptions options, Catalogue catalogue) {
+    this.screen = screen;
     this.options = options;
     this.catalogue = catalogue;
   }
@@ -50,31 +50,40 @@ final class BatchRun {
    *
    * @param writing {@link ComparisonRun#execute} or its like without tables
    * @param extras the command's own files; the manifest is added to them
-   * @return one result per plan, or nothing when they are a part's and wait to be merged
+   * @param summary prints the results; not those of a part, which wait to be merged
+   * @return the exit code
    * @throws org.hificamsim.core.InputException when a plan cannot start; nothing was written then
    */
-  Optional<List<CaseResult>> execute(
-      List<RunPlan> plans, Path out, Writing writing, ComparisonRun.Extras extras)
+  int execute(
+      List<RunPlan> plans,
+      Writing writing,
+      ComparisonRun.Extras extras,
+      BiConsumer<PrintWriter, List<CaseResult>> summary)
       throws IOException {
     plans.forEach(new RunExecutor(catalogue)::check);
     Optional<Shard> shard = options.shard();
     List<RunPlan> all = Comparison.withOptimum(plans);
     RunEngine engine = options.engine(catalogue, all);
     if (shard.isPresent()) {
-      part(shard.get(), engine, all, out);
-      return Optional.empty();
+      part(shard.get(), engine, all);
+    } else {
+      List<CaseResult> results = whole(engine, plans, all, writing, extras);
+      results.forEach(this::warnOfUnproven);
+      summary.accept(screen.out(), results);
     }
-    List<CaseResult> results = whole(engine, plans, out, writing, extras);
-    results.forEach(this::tellUnproven);
-    return Optional.of(results);
+    screen.out().println("files: " + options.out());
+    return 0;
   }
 
   private List<CaseResult> whole(
-      RunEngine engine, List<RunPlan> plans, Path out, Writing writing, ComparisonRun.Extras extras)
+      RunEngine engine,
+      List<RunPlan> plans,
+      List<RunPlan> all,
+      Writing writing,
+      ComparisonRun.Extras extras)
       throws IOException {
-    List<RunPlan> all = Comparison.withOptimum(plans);
     long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
-    try (OutputFolder folder = new OutputFolder(out);
+    try (OutputFolder folder = new OutputFolder(options.out());
         Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
       Comparison comparison = new Comparison(engine, progress::advance);
       List<CaseResult> cases =
@@ -86,18 +95,17 @@ final class BatchRun {
                 extras.write(files, results);
                 manifest(files, steps);
               });
-      Report.write(out, out.resolve(ResultFolder.REPORT));
+      Report.write(options.out(), options.out().resolve(ResultFolder.REPORT));
       return cases;
     }
   }
 
   /** Says so where a policy's claim to be the best is not proven for every step. */
-  private void tellUnproven(CaseResult one) {
+  private void warnOfUnproven(CaseResult one) {
     if (one.proof().unprovenSteps() > 0) {
       RunPlan plan = one.plan();
-      options
-          .quiet()
-          .err(command)
+      screen
+          .err()
           .printf(
               "warning: scenario %s, detection %s: '%s' is not proven to be the best in %s%n",
               plan.scenario().name(),
@@ -107,28 +115,24 @@ final class BatchRun {
     }
   }
 
-  private void part(Shard shard, RunEngine engine, List<RunPlan> all, Path out) throws IOException {
+  private void part(Shard shard, RunEngine engine, List<RunPlan> all) throws IOException {
     ShardRun run = new ShardRun(shard, all);
     try (Progress progress = progress(run.runs())) {
       run.execute(
           engine,
           options.resume(),
           progress::advance,
-          out,
+          options.out(),
           folder -> manifest(folder, run.steps()));
     }
-    options
-        .quiet()
-        .out(command)
-        .println("shard %s: %d runs\nfiles: %s".formatted(shard, run.runs(), out));
+    screen.out().printf("shard %s: %d runs%n", shard, run.runs());
   }
 
   private Progress progress(long runs) {
-    return options.quiet().progress(command, command.name(), " runs", runs);
+    return screen.progress("", " runs", runs);
   }
 
   private void manifest(OutputFolder folder, long steps) throws IOException {
-    ManifestFile.write(
-        folder, command.commandLine().getParent().getParseResult().originalArgs(), started, steps);
+    ManifestFile.write(folder, screen.words(), started, steps);
   }
 }

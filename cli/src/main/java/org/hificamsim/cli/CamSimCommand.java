@@ -1,7 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -16,64 +15,59 @@ import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
+import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.files.CamSimFiles;
-import org.hificamsim.network.files.CamSimScenario;
 import org.hificamsim.network.files.RunSums;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code hificamsim camsim}: CamSim's command line, with CamSim's files and numbers. */
 @Command(
     name = "camsim",
-    description = "Runs a scenario as CamSim does, network and all, and writes CamSim's files.",
-    mixinStandardHelpOptions = true)
+    description = {
+      "Runs a scenario as CamSim does, network and all, and writes CamSim's files.",
+      "A --policy zooms over the file's zoom list, which CamSim ignores."
+    })
 final class CamSimCommand implements Callable<Integer> {
-  private static final int MOST_STEPS = 1_000_000_000;
-
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
   @Option(
       names = {"-o", "--output"},
       paramLabel = "FILE",
-      defaultValue = "output.csv",
-      description = "The table of steps; default: ${DEFAULT-VALUE}.")
+      description = "The table of steps.")
   private Path output;
 
   @Option(
       names = {"-f", "--summaryfile"},
       paramLabel = "FILE",
       description = "The summary, appended to; default: summary.csv beside the output.")
-  private Path summary;
+  private Optional<Path> summary;
 
   @Option(
       names = {"-s", "--seed"},
       paramLabel = "N",
-      defaultValue = "0",
-      description = "Seed; default: ${DEFAULT-VALUE}.")
+      description = "Seed.")
   private int seed;
 
   @Option(
       names = {"-t", "--time"},
       paramLabel = "N",
-      defaultValue = "100",
-      description = "Steps; default: ${DEFAULT-VALUE}.")
+      description = "Steps.")
   private int steps;
 
   @Option(
       names = {"-m", "--movement"},
       paramLabel = "CLASS",
       description = "Movement of all objects.")
-  private String movement;
+  private Optional<String> movement;
 
   @Option(names = "--no-gui", description = "Understood; there is no window here.")
   @SuppressWarnings("UnusedVariable") // understood for CamSim's sake
@@ -81,94 +75,81 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin private CamSimOptions options;
 
-  @Option(
-      names = "--detection",
-      paramLabel = "NAME|FILE.json[@T]",
-      defaultValue = "camsim-visibility",
-      description =
-          "Where confidences come from; default: ${DEFAULT-VALUE}. See 'list detections'.")
-  private String detection;
+  @Mixin private ModelOptions models;
 
   @Mixin private ThresholdOption threshold;
-
-  @Option(
-      names = "--policy",
-      paramLabel = "NAME[:key=value,...]",
-      description = "Zoom policy over the file's zoom list, which CamSim ignores.")
-  private String policy;
 
   @Option(
       names = "--extra-out",
       paramLabel = "FILE",
       description = "Table of cameras that see anything, true overlap area, and handovers.")
-  private Path extra;
+  private Optional<Path> extra;
 
   @Option(
       names = "--coverage-out",
       paramLabel = "DIR",
       description = "k-coverage of the same run: steps.csv, summary.json, manifest.json.")
-  private Path coverage;
+  private Optional<Path> coverage;
 
-  @Spec private CommandSpec spec;
+  @Mixin private Screen screen;
 
   @Override
   public Integer call() throws IOException {
     Instant started = Instant.now();
-    PrintWriter err = spec.commandLine().getErr();
     Catalogue catalogue = Catalogue.load();
-    NetworkSettings settings = options.settings(err);
-    RunPlan plan = plan(catalogue, settings, err);
+    NetworkSettings settings = options.settings(screen.err());
+    RunPlan plan = plan(catalogue, settings);
     World world = new World(plan.scenario(), catalogue.movements(), seed);
     Network network = new Network(world, plan.detection(), settings, seed);
     ZoomPolicy zooms = catalogue.policies().create(plan.policy());
-    CamSimFiles.Places places =
-        new CamSimFiles.Places(output, Optional.ofNullable(summary), extra(), coverage());
+    CamSimFiles.Places places = new CamSimFiles.Places(output, summary, extra, coverage);
     try (CamSimFiles files = new CamSimFiles(places, plan, world, network);
-        Progress progress =
-            new Progress("camsim " + plan.scenario().name(), " steps", steps, err)) {
+        Progress progress = screen.progress(plan.scenario().name(), " steps", steps)) {
       List<StepListener> listeners = new ArrayList<>(files.listeners());
       listeners.add((view, measured) -> progress.advance());
       new Simulation(world, plan.detection(), zooms, network, seed, listeners, Workers.CALLER)
           .run(steps);
-      files.commit(spec.commandLine().getParent().getParseResult().originalArgs(), started);
+      files.commit(screen.words(), started);
       print(plan.scenario(), files.sums());
     }
     return 0;
   }
 
-  private Optional<Path> extra() {
-    return Optional.ofNullable(extra);
-  }
-
-  private Optional<Path> coverage() {
-    return Optional.ofNullable(coverage);
-  }
-
   /** Checks every option before anything is written. */
-  private RunPlan plan(Catalogue catalogue, NetworkSettings settings, PrintWriter err) {
-    Numbers.inRange("-t", steps, 0, MOST_STEPS);
+  private RunPlan plan(Catalogue catalogue, NetworkSettings settings) {
+    Numbers.inRange("-t", steps, 0, RepeatOptions.MAX_STEPS);
     Overrides asked = Overrides.ofThreshold(threshold.value());
-    DetectionSpec spec = DetectionSpec.parse(detection, catalogue::detection);
+    DetectionSpec spec = models.detection(catalogue);
     Scenario scenario =
-        CamSimScenario.read(file, movement, policy != null, settings, catalogue, err);
-    String zooms = policy == null ? "zoom-out" : policy;
+        CamSimScenario.read(
+            file,
+            movement.orElse(null),
+            models.policy().isPresent(),
+            settings,
+            catalogue,
+            screen.err());
     return new RunPlan(
-        scenario, asked.detection(spec, scenario.threshold()), zooms, steps, seed, 1);
+        scenario,
+        asked.detection(spec, scenario.threshold()),
+        models.policy().orElse("zoom-out"),
+        steps,
+        seed,
+        1);
   }
 
   private void print(Scenario scenario, RunSums sums) {
-    PrintWriter out = spec.commandLine().getOut();
-    out.printf(
-        Locale.ROOT,
-        "%s: %d steps, seed %d: utility %.4f, %d messages, %d handovers, %.4f tracked; %s%n",
-        scenario.name(),
-        steps,
-        seed,
-        sums.utility(),
-        sums.communication(),
-        sums.handovers(),
-        sums.meanProportion(),
-        output);
-    out.flush();
+    screen
+        .out()
+        .printf(
+            Locale.ROOT,
+            "%s: %d steps, seed %d: utility %.4f, %d messages, %d handovers, %.4f tracked; %s%n",
+            scenario.name(),
+            steps,
+            seed,
+            sums.utility(),
+            sums.communication(),
+            sums.handovers(),
+            sums.meanProportion(),
+            output);
   }
 }

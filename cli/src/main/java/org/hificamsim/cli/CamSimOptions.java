@@ -5,61 +5,62 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
+import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.network.Comm;
 import org.hificamsim.network.GraphUse;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.Quirk;
+import org.hificamsim.network.agent.CommunicationPolicy;
+import org.hificamsim.network.agent.Named;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.files.ParameterFile;
 import picocli.CommandLine.Option;
 
-/** CamSim's own options that say how the network is run (section 12.1). */
+/** CamSim's own options that say how the network is run (behaviour 12.1). */
 final class CamSimOptions {
-  private static final int MOST_COMM = 4;
-
   @Option(
       names = {"-a", "--algo"},
       paramLabel = "CLASS",
       description = "Auction schedule of all cameras: Active, Passive, HistActive, ...")
-  private String schedule;
+  private Optional<String> schedule;
 
   @Option(
       names = {"-c", "--comm"},
       paramLabel = "0..4",
       description = "Policy of all cameras: 0 Broadcast, 1 Smooth, 2 Step, 3 Fix, 4 see -u.")
-  private String comm;
+  private Optional<String> comm;
 
   @Option(
       names = {"-u", "--custom-comm"},
       paramLabel = "CLASS",
       description = "The policy where -c is 4.")
-  private String customComm;
+  private Optional<String> customComm;
 
   @Option(
       names = {"-b", "--bandit"},
       paramLabel = "CLASS",
       description = "Bandit of all cameras: EpsilonGreedy, UCB1, UCB2, UCBTuned, SoftMax, ...")
-  private String bandit;
+  private Optional<String> bandit;
 
   @Option(
       names = {"-v", "--vg"},
       paramLabel = "-1..2",
-      defaultValue = "-1",
       description = "Vision graph: -1 as in the file, 0 static, 1 ignored, 2 not static.")
   private int graph;
 
   @Option(
       names = {"-e", "--camerr"},
       paramLabel = "N",
-      defaultValue = "-1",
       description = "A camera fails in N + 1 percent of the steps.")
   private int errorLevel;
 
   @Option(
       names = {"-r", "--camreset"},
       paramLabel = "N",
-      defaultValue = "50",
       description = "A failing camera forgets its neighbours in 99 - N percent of the cases.")
   private int resetLevel;
 
@@ -73,23 +74,24 @@ final class CamSimOptions {
       names = {"-p", "--paramfile"},
       paramLabel = "FILE",
       description = "Properties file: Epsilon, Alpha, ObjectCategories, ...")
-  private Path parameters;
+  private Optional<Path> parameters;
 
   @Option(
       names = "--quirks",
-      paramLabel = "all|none|Q3,...",
-      defaultValue = "all",
-      description = "Which of CamSim's quirks Q3, Q5, Q6, Q14, Q17, Q19 are reproduced.")
+      paramLabel = "all|none|NAME,...",
+      description =
+          "Which of CamSim's quirks are reproduced: waypoint-speed-is-heading,"
+              + " links-freeze-by-policy, failed-cameras-stay-offline, mispriced-sales,"
+              + " event-move-ignored, ties-by-hash-code.")
   private String quirks;
 
-  /** Reads the options, telling what is odd on {@code err}. */
+  /** Reads the options, and warns on {@code err} of what is odd. */
   NetworkSettings settings(PrintWriter err) {
-    ParameterFile file = parameters == null ? ParameterFile.none() : ParameterFile.read(parameters);
+    ParameterFile file = parameters.map(ParameterFile::read).orElse(ParameterFile.DEFAULT);
     return new NetworkSettings(
-        Optional.ofNullable(schedule),
+        named(ScheduleKind.class, "-a", schedule),
         comm(err),
-        Optional.ofNullable(customComm),
-        Optional.ofNullable(bandit),
+        named(BanditAlgorithm.class, "-b", bandit),
         GraphUse.find(graph)
             .orElseThrow(
                 () -> new InputException("-v is " + graph + ", expected one of -1, 0, 1, 2")),
@@ -100,41 +102,54 @@ final class CamSimOptions {
         quirks());
   }
 
+  private static <E extends Enum<E> & Named> Optional<E> named(
+      Class<E> type, String option, Optional<String> name) {
+    return name.map(
+        text ->
+            Named.find(type, text).orElseThrow(() -> invalid(option, text, Named.expected(type))));
+  }
+
+  private static InputException invalid(String option, String text, String expected) {
+    return new InputException("%s is '%s', expected %s".formatted(option, text, expected));
+  }
+
   /** As in CamSim, what is no number leaves it to the file. */
-  private OptionalInt comm(PrintWriter err) {
-    if (comm == null) {
-      return OptionalInt.empty();
+  private Optional<Comm> comm(PrintWriter err) {
+    if (comm.isEmpty()) {
+      return Optional.empty();
     }
     try {
-      return OptionalInt.of(Numbers.inRange("-c", Integer.parseInt(comm.strip()), 0, MOST_COMM));
+      int number = Numbers.inRange("-c", Integer.parseInt(comm.get().strip()), 0, Comm.CUSTOM);
+      return Optional.of(Comm.of(number, customComm).orElseThrow(this::invalidPolicy));
     } catch (NumberFormatException e) {
-      err.println("warning: -c '" + comm + "' is no number: each camera's own policy is taken");
-      return OptionalInt.empty();
+      err.println(
+          "warning: -c '" + comm.get() + "' is no number: each camera's own policy is taken");
+      return Optional.empty();
     }
+  }
+
+  private InputException invalidPolicy() {
+    return invalid(
+        "-u", customComm.orElse(""), Named.expected(CommunicationPolicy.class) + " where -c is 4");
   }
 
   private Set<Quirk> quirks() {
     return switch (quirks) {
       case "all" -> EnumSet.allOf(Quirk.class);
       case "none" -> EnumSet.noneOf(Quirk.class);
-      default -> {
-        Set<Quirk> some = EnumSet.noneOf(Quirk.class);
-        for (String name : quirks.split(",")) {
-          some.add(quirk(name.strip()));
-        }
-        yield some;
-      }
+      default ->
+          Arrays.stream(quirks.split(","))
+              .map(name -> quirk(name.strip()))
+              .collect(Collectors.toSet());
     };
   }
 
   private static Quirk quirk(String name) {
-    return Arrays.stream(Quirk.values())
-        .filter(quirk -> quirk.name().equalsIgnoreCase(name))
-        .findFirst()
+    return Quirk.find(name)
         .orElseThrow(
             () ->
                 new InputException(
                     "--quirks names '%s', expected all, none, or some of %s"
-                        .formatted(name, Arrays.toString(Quirk.values()))));
+                        .formatted(name, Spelling.all(Quirk.class))));
   }
 }

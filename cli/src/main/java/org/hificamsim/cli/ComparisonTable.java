@@ -1,7 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import org.hificamsim.runs.Estimate;
@@ -13,7 +12,7 @@ import org.hificamsim.runs.compare.Score;
 final class ComparisonTable {
   private ComparisonTable() {}
 
-  static void print(PrintWriter out, List<CaseResult> cases, Path folder) {
+  static void print(PrintWriter out, List<CaseResult> cases) {
     int scenario = width(cases.stream().map(one -> one.plan().scenario().name()).toList(), 8);
     int detection = width(cases.stream().map(one -> one.plan().detection().name()).toList(), 9);
     int policy = width(cases.stream().map(one -> one.plan().policy()).toList(), 6);
@@ -36,8 +35,6 @@ final class ComparisonTable {
           text("%.0f", Bootstrap.mean(one.figures(Score.PERFORMANCE))),
           text("%.3f", Bootstrap.mean(one.figures(Score.PROPORTION_OF_OPTIMAL))));
     }
-    out.println("files: " + folder);
-    out.flush();
   }
 
   private static String text(String format, Estimate estimate) {

@@ -6,8 +6,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.dataset.Camera;
 import org.hificamsim.profiling.dataset.DatasetReader;
+import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
 import org.hificamsim.profiling.fit.Fitting;
@@ -17,7 +17,7 @@ import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.MeasurementsFile;
-import org.hificamsim.profiling.report.Report;
+import org.hificamsim.profiling.report.FitReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -28,9 +28,7 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim profile fit}: models and a report from measurements. */
 @Command(
     name = "fit",
-    description = "Fits f and g to measurements.csv; writes models/*.json and report.html.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
   @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
   private Path folder;
@@ -38,54 +36,40 @@ final class FitCommand implements Callable<Integer> {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      defaultValue = "lab",
       description = "Prefix of the models' names, as in NAME:orb-lin.")
   private String name;
 
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "Of the folds and of symbolic regression.")
-  private long seed;
-
-  @Option(names = "--folds", paramLabel = "K", defaultValue = "5", description = "Folds.")
+  @Option(names = "--folds", paramLabel = "K", description = "Folds.")
   private int folds;
 
   @Option(
       names = "--population",
       paramLabel = "N",
-      defaultValue = "1000",
       description = "Programs per generation of symbolic regression.")
   private int population;
 
   @Option(
       names = "--generations",
       paramLabel = "N",
-      defaultValue = "30",
       description = "Generations of symbolic regression.")
   private int generations;
 
   @Option(
       names = "--parsimony",
       paramLabel = "X",
-      defaultValue = "0.001",
       description = "What each node of a formula costs, in squared error.")
   private double parsimony;
 
   @Option(
       names = "--epsilon",
       paramLabel = "X",
-      defaultValue = "0.1",
       description = "Errors below this cost support vectors nothing.")
   private double epsilon;
 
-  @Option(
-      names = "--penalty",
-      paramLabel = "C",
-      defaultValue = "1",
-      description = "What larger errors cost them.")
+  @Option(names = "--penalty", paramLabel = "C", description = "What larger errors cost them.")
   private double penalty;
+
+  @Mixin private SeedOption seed;
 
   @Mixin private ThreadsOption threads;
 
@@ -95,11 +79,11 @@ final class FitCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     FitSettings settings = settings();
     int count = threads.count();
-    Camera camera = DatasetReader.camera(folder);
+    PhotoCamera camera = DatasetReader.camera(folder);
     List<Measurement> measurements = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
     int models = new ModelFolder(folder.resolve("models"), name).write(result);
-    Report.write(result, folder.toAbsolutePath().normalize().getFileName().toString(), folder);
+    FitReport.write(result, folder.toAbsolutePath().normalize().getFileName().toString(), folder);
     print(result, models);
     return 0;
   }
@@ -139,8 +123,8 @@ final class FitCommand implements Callable<Integer> {
     Numbers.within("--penalty", penalty, 1e-6, 1e6);
     return new FitSettings(
         folds,
-        seed,
-        new SymbolicSettings(population, generations, parsimony, seed),
+        seed.value(),
+        new SymbolicSettings(population, generations, parsimony, seed.value()),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()));
   }
 }

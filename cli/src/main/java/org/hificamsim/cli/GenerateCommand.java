@@ -10,6 +10,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.generate.RandomField;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -18,35 +19,30 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim generate}: writes a random scenario of any size. */
 @Command(
     name = "generate",
-    description = "Writes a scenario of cameras and targets strewn over a field at random.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    description = "Writes a scenario of cameras and targets strewn over a field at random.")
 final class GenerateCommand implements Callable<Integer> {
-  private static final int MOST = 200_000;
+  private static final int MAX = 200_000;
   private static final double LARGE = 1e9;
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The file to write.")
   private Path file;
 
-  @Option(names = "--cameras", paramLabel = "N", defaultValue = "100", description = "Cameras.")
+  @Option(names = "--cameras", paramLabel = "N", description = "Cameras.")
   private int cameras;
 
   @Option(
       names = "--targets",
       paramLabel = "N",
-      showDefaultValue = picocli.CommandLine.Help.Visibility.NEVER,
       description = "Targets; default: 0.6 for each camera.")
   private Integer targets;
 
   @Option(
       names = "--area",
       paramLabel = "A",
-      showDefaultValue = picocli.CommandLine.Help.Visibility.NEVER,
       description = "Square metres for each camera; default: 42.9, as in the cluster scenarios.")
   private Double area;
 
-  @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "Seed.")
-  private long seed;
+  @Mixin private SeedOption seed;
 
   @Spec private CommandSpec spec;
 
@@ -66,10 +62,10 @@ final class GenerateCommand implements Callable<Integer> {
   }
 
   private RandomField field() {
-    Numbers.inRange("--cameras", cameras, 1, MOST);
-    RandomField usual = RandomField.ofCameras(cameras, seed);
+    Numbers.inRange("--cameras", cameras, 1, MAX);
+    RandomField usual = RandomField.ofCameras(cameras, seed.value());
     if (targets != null) {
-      Numbers.inRange("--targets", targets, 1, MOST);
+      Numbers.inRange("--targets", targets, 1, MAX);
     }
     if (area != null && !(area > 0 && area <= LARGE)) {
       throw new InputException(
@@ -79,6 +75,6 @@ final class GenerateCommand implements Callable<Integer> {
         cameras,
         targets != null ? targets : usual.targets(),
         area != null ? area : usual.area(),
-        seed);
+        seed.value());
   }
 }

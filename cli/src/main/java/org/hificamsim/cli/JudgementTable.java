@@ -1,7 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.util.Locale;
 import org.hificamsim.reproduction.Judgement;
 import org.hificamsim.reproduction.Statement;
@@ -12,7 +11,7 @@ import org.hificamsim.reproduction.Verdict;
 final class JudgementTable {
   private JudgementTable() {}
 
-  static void print(PrintWriter out, Judgement judgement, Path folder) {
+  static void print(PrintWriter out, Judgement judgement) {
     out.printf(
         "%-8s %-15s %-9s %9s  %-20s %s%n",
         "layout", "policy", "detection", "published", "ours [95%]", "verdict");
@@ -43,7 +42,5 @@ final class JudgementTable {
           judgement.statementsWith(verdict),
           judgement.statements().size());
     }
-    out.println("files: " + folder);
-    out.flush();
   }
 }

@@ -10,7 +10,7 @@ import org.hificamsim.core.policy.NetworkView;
  * have one more than others). Repeats may run on several threads: the sums are of whole numbers.
  */
 final class KMinOverTime {
-  private static final int MOST_PARTS = 40;
+  private static final int MAX_PARTS = 40;
 
   private final int steps;
   private final long[] sums;
@@ -21,7 +21,7 @@ final class KMinOverTime {
    */
   KMinOverTime(int steps) {
     this.steps = steps;
-    this.sums = new long[Math.min(steps, MOST_PARTS)];
+    this.sums = new long[Math.min(steps, MAX_PARTS)];
     this.counts = new long[sums.length];
   }
 

@@ -9,19 +9,15 @@ import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
-/** {@code hificamsim profile lab}: renders the laboratory of §3.5. */
+/** {@code hificamsim profile lab}: renders the laboratory of thesis 3.5. */
 @Command(
     name = "lab",
-    description = "Renders photos of textured objects: a data set for 'profile measure'.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    description = "Renders photos of textured objects: a data set for 'profile measure'.")
 final class LabCommand implements Callable<Integer> {
-  private static final int MOST_OBJECTS = 8;
-  private static final int MOST_CLUTTER = 1000;
+  private static final int MAX_OBJECTS = 8;
+  private static final int MAX_CLUTTER = 1000;
 
   @Option(
       names = "--out",
@@ -30,105 +26,83 @@ final class LabCommand implements Callable<Integer> {
       description = "Where the data set goes.")
   private Path out;
 
-  @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "Of everything.")
-  private long seed;
-
   @Option(
       names = "--scale",
       paramLabel = "S",
-      defaultValue = "0.25",
       description = "Share of the sensor's 5184 x 3456 pixels across, 0.02 to 1.")
   private double scale;
 
-  @Option(
-      names = "--focal-lengths",
-      paramLabel = "M,M",
-      split = ",",
-      defaultValue = "0.010,0.015,0.024,0.050,0.070,0.085",
-      description = "Metres.")
+  @Option(names = "--focal-lengths", paramLabel = "M,M", split = ",", description = "Metres.")
   private List<Double> focalLengths;
 
-  @Option(
-      names = "--distances",
-      paramLabel = "M,M",
-      split = ",",
-      defaultValue = "1,2,3,4,5,6,7,8,9,10",
-      description = "Metres.")
+  @Option(names = "--distances", paramLabel = "M,M", split = ",", description = "Metres.")
   private List<Double> distances;
 
   @Option(
       names = "--objects",
       paramLabel = "N",
-      defaultValue = "8",
       description = "How many of the eight objects, from the smallest.")
   private int objects;
 
   @Option(
       names = "--aperture",
       paramLabel = "N",
-      defaultValue = "5.6",
       description = "f-number: blur by distance, and diffraction; 0 for none.")
   private double aperture;
 
   @Option(
       names = "--focus-error",
       paramLabel = "P",
-      defaultValue = "0.02",
       description = "Standard deviation of the focused distance, as a share.")
   private double focusError;
 
   @Option(
       names = "--iso",
       paramLabel = "ISO",
-      defaultValue = "1600",
       description = "Sensitivity, for the sensor's noise; 0 for none.")
   private double iso;
 
   @Option(
       names = "--vignetting",
       paramLabel = "P",
-      defaultValue = "0.5",
       description = "Share of the cos^4 fall-off, 0 to 1.")
   private double vignetting;
 
   @Option(
       names = "--distortion",
       paramLabel = "X",
-      defaultValue = "1",
       description = "Factor on the radial distortion; 0 for none.")
   private double distortion;
 
   @Option(
       names = "--pose",
       paramLabel = "DEG",
-      defaultValue = "4",
       description = "Standard deviation of the objects' yaw and pitch, degrees.")
   private double pose;
 
   @Option(
       names = "--offset",
       paramLabel = "P",
-      defaultValue = "0.08",
       description = "How far off the centre objects stand, as a share of the frame.")
   private double offset;
 
   @Option(
       names = "--lighting",
       paramLabel = "P",
-      defaultValue = "0.08",
       description = "Standard deviation of the brightness, as a share.")
   private double lighting;
 
   @Option(
       names = "--clutter",
       paramLabel = "N",
-      defaultValue = "48",
       description = "Things in the room behind the object.")
   private int clutter;
 
+  @Mixin private SeedOption seed;
+
   @Mixin private ThreadsOption threads;
 
-  @Spec private CommandSpec spec;
+  @Mixin private Screen screen;
 
   @Override
   public Integer call() {
@@ -139,12 +113,11 @@ final class LabCommand implements Callable<Integer> {
     }
     Laboratory laboratory = new Laboratory(settings);
     Laboratory.Outcome outcome;
-    try (Progress progress =
-        new Progress("lab", " photos", laboratory.shots(), spec.commandLine().getErr())) {
+    try (Progress progress = screen.progress("", " photos", laboratory.shots())) {
       outcome = laboratory.render(out, count, progress::advance);
     }
-    spec.commandLine()
-        .getOut()
+    screen
+        .out()
         .printf(
             "%d photos in %s; %d dropped, whose object is larger than the frame%n",
             outcome.taken(), out, outcome.dropped());
@@ -156,17 +129,17 @@ final class LabCommand implements Callable<Integer> {
     Numbers.within("--scale", scale, 0.02, 1);
     focalLengths.forEach(z -> Numbers.within("--focal-lengths", z, 0.001, 1));
     distances.forEach(d -> Numbers.within("--distances", d, 0.2, 11));
-    Numbers.inRange("--objects", objects, 1, MOST_OBJECTS);
+    Numbers.inRange("--objects", objects, 1, MAX_OBJECTS);
     Numbers.within("--aperture", aperture, 0, 64);
     Numbers.within("--focus-error", focusError, 0, 0.2);
     Numbers.within("--iso", iso, 0, 1e6);
-    Numbers.proportion("--vignetting", vignetting);
+    Numbers.within("--vignetting", vignetting, 0, 1);
     Numbers.within("--distortion", distortion, -3, 3);
     Numbers.within("--pose", pose, 0, 20);
     Numbers.within("--offset", offset, 0, 0.4);
     Numbers.within("--lighting", lighting, 0, 0.3);
-    Numbers.inRange("--clutter", clutter, 0, MOST_CLUTTER);
-    return LabSettings.thesis(seed)
+    Numbers.inRange("--clutter", clutter, 0, MAX_CLUTTER);
+    return LabSettings.thesis(seed.value())
         .withScale(scale)
         .withGrid(focalLengths, distances, objects)
         .with(

@@ -14,22 +14,11 @@ import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Spec;
 
 /** {@code hificamsim list}: what can be asked for by name. */
-@Command(
-    name = "list",
-    description = "Lists detection models, policies or scenarios.",
-    mixinStandardHelpOptions = true)
-final class ListCommand implements Runnable {
+@Command(name = "list", description = "Lists detection models, policies or scenarios.")
+final class ListCommand {
   @Spec private CommandSpec spec;
 
-  @Override
-  public void run() {
-    throw new picocli.CommandLine.ParameterException(
-        spec.commandLine(), "list what? Expected detections, policies or scenarios");
-  }
-
-  @Command(
-      description = "Detection models, with their default threshold.",
-      mixinStandardHelpOptions = true)
+  @Command(description = "Detection models, with their default threshold.")
   void detections() {
     for (Registry.Entry<DetectionModel> entry : Catalogue.load().detections().entries()) {
       DetectionModel model = Catalogue.load().detections().create(entry.name());
@@ -40,9 +29,7 @@ final class ListCommand implements Runnable {
     }
   }
 
-  @Command(
-      description = "Zoom policies, with their options and defaults.",
-      mixinStandardHelpOptions = true)
+  @Command(description = "Zoom policies, with their options and defaults.")
   void policies() {
     Registry<ZoomPolicy> policies = Catalogue.load().policies();
     for (Registry.Entry<ZoomPolicy> entry : policies.entries()) {
@@ -59,9 +46,7 @@ final class ListCommand implements Runnable {
     out().flush();
   }
 
-  @Command(
-      description = "The scenarios that come with the simulator.",
-      mixinStandardHelpOptions = true)
+  @Command(description = "The scenarios that come with the simulator.")
   void scenarios() throws IOException {
     Catalogue catalogue = Catalogue.load();
     for (Path file : ShippedScenarios.files()) {

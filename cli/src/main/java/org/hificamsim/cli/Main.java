@@ -1,24 +1,32 @@
 package org.hificamsim.cli;
 
+import java.io.IOException;
+import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Properties;
 import java.util.ServiceConfigurationError;
+import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Unfinished;
 import org.hificamsim.runs.output.ManifestFile;
+import picocli.AutoComplete.GenerateCompletion;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.IVersionProvider;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
+import picocli.CommandLine.PropertiesDefaultProvider;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
  * The command {@code hificamsim}.
  *
- * <p>Exit codes: 0 done; 2 wrong usage or bad input, told in one line; 1 anything else.
+ * <p>Exit codes: 0 done; 2 wrong usage or bad input, in one line; 1 anything else.
  */
 @Command(
     name = "hificamsim",
@@ -35,15 +43,17 @@ import picocli.CommandLine.Spec;
       ValidateCommand.class,
       ListCommand.class,
       CamSimCommand.class,
-      ProfileCommand.class
+      ProfileCommand.class,
+      HelpCommand.class,
+      GenerateCompletion.class
     },
+    scope = ScopeType.INHERIT,
     mixinStandardHelpOptions = true,
+    showDefaultValues = true,
     versionProvider = Main.Version.class)
-public final class Main implements Runnable {
+public final class Main {
+  static final int BAD_INPUT = 2;
   private static final int FAILURE = 1;
-  private static final int BAD_INPUT = 2;
-
-  @Spec private CommandSpec spec;
 
   /** Runs one command and exits with its code. */
   public static void main(String[] args) {
@@ -59,6 +69,7 @@ public final class Main implements Runnable {
         new CommandLine(new Main())
             .setOut(out)
             .setErr(err)
+            .setDefaultValueProvider(new PropertiesDefaultProvider(defaults()))
             .setCaseInsensitiveEnumValuesAllowed(true)
             .setParameterExceptionHandler((fault, words) -> usage(fault))
             .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command));
@@ -69,19 +80,35 @@ public final class Main implements Runnable {
     }
   }
 
-  @Override
-  public void run() {
-    throw new ParameterException(
-        spec.commandLine(),
-        "no command, expected run, compare, reproduce, sensitivity, plot, generate, report, view,"
-            + " validate, list, camsim or profile");
+  /** The defaults of all options. */
+  private static Properties defaults() {
+    Properties defaults = new Properties();
+    try (InputStream in = Main.class.getResourceAsStream("defaults.properties")) {
+      defaults.load(in);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return defaults;
   }
 
   private static int usage(ParameterException fault) {
     CommandLine command = fault.getCommandLine();
     String name = command.getCommandSpec().qualifiedName();
-    print(command, oneLine(fault.getMessage()) + "; see " + name + " --help");
+    print(command, oneLine(fault.getMessage()) + hint(fault) + "; see " + name + " --help");
     return BAD_INPUT;
+  }
+
+  /** What was probably meant, or what there is. */
+  private static String hint(ParameterException fault) {
+    List<String> meant =
+        fault instanceof UnmatchedArgumentException unmatched
+            ? unmatched.getSuggestions()
+            : List.of();
+    Set<String> commands = fault.getCommandLine().getSubcommands().keySet();
+    if (!meant.isEmpty()) {
+      return ", maybe " + String.join(" or ", meant);
+    }
+    return commands.isEmpty() ? "" : ", expected one of " + String.join(", ", commands);
   }
 
   private static int failure(Throwable fault, CommandLine command) {
@@ -94,6 +121,10 @@ public final class Main implements Runnable {
     }
     if (fault instanceof UncheckedIOException io) {
       return failure(io.getCause(), command);
+    }
+    if (fault instanceof OutOfMemoryError) {
+      print(command, "out of memory, expected fewer steps or HIFICAMSIM_OPTS=-Xmx8g or more");
+      return FAILURE;
     }
     print(command, oneLine(fault.getClass().getSimpleName() + ": " + fault.getMessage()));
     return FAILURE;

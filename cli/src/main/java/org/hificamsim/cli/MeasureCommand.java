@@ -11,49 +11,36 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
+import org.hificamsim.profiling.detector.DescriptorDistance;
 import org.hificamsim.profiling.detector.Detectors;
-import org.hificamsim.profiling.detector.Metric;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.hificamsim.profiling.measure.MeasureSettings;
 import org.hificamsim.profiling.measure.Measurer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code hificamsim profile measure}: PIP and the detectors' confidences of every photo. */
 @Command(
     name = "measure",
-    description = "Measures every photo of a data set and writes measurements.csv; resumable.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    description = "Measures every photo of a data set and writes measurements.csv; resumable.")
 final class MeasureCommand implements Callable<Integer> {
-  private static final int BAD_INPUT = 2;
-
   @Parameters(paramLabel = "DIR", description = "The data set's folder.")
   private Path folder;
 
-  @Option(
-      names = "--detectors",
-      paramLabel = "A,B",
-      split = ",",
-      defaultValue = "orb,sift,surf",
-      description = "Which detectors.")
+  @Option(names = "--detectors", paramLabel = "A,B", split = ",", description = "Which detectors.")
   private List<String> detectors;
 
   @Option(
       names = "--metric",
       paramLabel = "euclidean|hamming",
-      defaultValue = "euclidean",
       description = "Distance between descriptors; hamming is for ORB, the others stay euclidean.")
-  private Metric metric;
+  private DescriptorDistance metric;
 
   @Option(
       names = "--ratio",
       paramLabel = "R",
-      defaultValue = "0.8",
       description = "Lowe's ratio test, above 0, at most 1.")
   private double ratio;
 
@@ -65,24 +52,24 @@ final class MeasureCommand implements Callable<Integer> {
 
   @Mixin private ThreadsOption threads;
 
-  @Spec private CommandSpec spec;
+  @Mixin private Screen screen;
 
   @Override
   public Integer call() {
     MeasureSettings settings = settings();
     int count = threads.count();
-    PrintWriter err = spec.commandLine().getErr();
+    PrintWriter err = screen.errors();
     DatasetReading reading = DatasetReader.read(folder);
     reading.problems().forEach(problem -> err.println("error: " + problem));
     if (reading.dataset().isEmpty()) {
       err.flush();
-      return BAD_INPUT;
+      return Main.BAD_INPUT;
     }
-    measure(reading.dataset().get(), settings, count, err);
+    measure(reading.dataset().get(), settings, count);
     return 0;
   }
 
-  private void measure(Dataset dataset, MeasureSettings settings, int count, PrintWriter err) {
+  private void measure(Dataset dataset, MeasureSettings settings, int count) {
     for (String picture : pictures) {
       if (dataset.samples().stream().noneMatch(sample -> sample.image().equals(picture))) {
         throw new InputException(
@@ -91,11 +78,11 @@ final class MeasureCommand implements Callable<Integer> {
     }
     int resumed;
     int photos = dataset.samples().size();
-    try (Progress progress = new Progress("measure", " photos", photos, err)) {
+    try (Progress progress = screen.progress("", " photos", photos)) {
       resumed = new Measurer(dataset, settings).measure(count, progress::advance);
     }
-    spec.commandLine()
-        .getOut()
+    screen
+        .out()
         .printf(
             "%d photos measured%s: %s%n",
             photos,

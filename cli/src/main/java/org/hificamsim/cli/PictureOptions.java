@@ -18,10 +18,10 @@ import picocli.CommandLine.ParseResult;
 final class PictureOptions {
   private static final int PNG_WIDTH = 1600;
   private static final int GIF_WIDTH = 640;
-  private static final int LEAST_WIDTH = 200;
-  private static final int MOST_WIDTH = 8000;
-  private static final int MOST_GIF_WIDTH = 2000;
-  private static final int MOST_PER_SECOND = 50;
+  private static final int MIN_WIDTH = 200;
+  private static final int MAX_WIDTH = 8000;
+  private static final int MAX_GIF_WIDTH = 2000;
+  private static final int MAX_PER_SECOND = 50;
 
   @Option(names = "--png", paramLabel = "FILE", description = "A picture of one step.")
   private Path png;
@@ -32,11 +32,7 @@ final class PictureOptions {
   @Option(names = "--gif", paramLabel = "FILE", description = "An animation of the steps.")
   private Path gif;
 
-  @Option(
-      names = "--run",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "Which repeat pictures show, from 0; default: ${DEFAULT-VALUE}.")
+  @Option(names = "--run", paramLabel = "N", description = "Which repeat pictures show, from 0.")
   private int repeat;
 
   @Option(
@@ -45,11 +41,7 @@ final class PictureOptions {
       description = "Which step --png and --svg show; default: the last one.")
   private Long step;
 
-  @Option(
-      names = "--from",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "First step of --gif; default: ${DEFAULT-VALUE}.")
+  @Option(names = "--from", paramLabel = "N", description = "First step of --gif.")
   private long from;
 
   @Option(
@@ -67,8 +59,7 @@ final class PictureOptions {
   @Option(
       names = "--per-second",
       paramLabel = "N",
-      defaultValue = "10",
-      description = "Pictures of --gif per second, 1 to 50; default: ${DEFAULT-VALUE}.")
+      description = "Pictures of --gif per second, 1 to 50.")
   private int perSecond;
 
   @Option(
@@ -105,9 +96,9 @@ final class PictureOptions {
 
   /** Draws what is asked for, telling each file on {@code out}. */
   void write(Path folder, PrintWriter out) throws IOException {
-    Numbers.inRange("--per-second", perSecond, 1, MOST_PER_SECOND);
+    Numbers.inRange("--per-second", perSecond, 1, MAX_PER_SECOND);
     if (width != null) {
-      Numbers.inRange("--width", width, LEAST_WIDTH, gif == null ? MOST_WIDTH : MOST_GIF_WIDTH);
+      Numbers.inRange("--width", width, MIN_WIDTH, gif == null ? MAX_WIDTH : MAX_GIF_WIDTH);
     }
     RunFrames run = frames(folder);
     StepPicture still = new StepPicture(run, run.at("--step", step == null ? run.last() : step));

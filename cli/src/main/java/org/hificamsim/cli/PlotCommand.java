@@ -20,20 +20,12 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code hificamsim plot}: k_min over time of a few runs, in one picture. */
-@Command(
-    name = "plot",
-    description = "Draws k_min over time from the folders of several runs.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+@Command(name = "plot", description = "Draws k_min over time from the folders of several runs.")
 final class PlotCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "DIR", description = "Folders that 'run' has written.")
   private List<Path> folders;
 
-  @Option(
-      names = "--out",
-      paramLabel = "FILE.png|FILE.svg",
-      defaultValue = "out/k-min.png",
-      description = "The picture.")
+  @Option(names = "--out", paramLabel = "FILE.png|FILE.svg", description = "The picture.")
   private Path out;
 
   @Override

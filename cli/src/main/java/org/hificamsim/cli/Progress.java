@@ -12,7 +12,7 @@ import me.tongfei.progressbar.ProgressBarBuilder;
  */
 final class Progress implements AutoCloseable {
   /** Units between two looks at the clock, at most: more would save nothing. */
-  private static final long MOST_UNSEEN = 64;
+  private static final long MAX_UNSEEN = 64;
 
   /** As often as a look need be, nanoseconds. */
   private static final long SOON = TimeUnit.MILLISECONDS.toNanos(1);
@@ -65,7 +65,7 @@ final class Progress implements AutoCloseable {
     done++;
     if (done >= nextLook && telling != Telling.NOTHING) {
       long now = System.nanoTime();
-      unseen = now - lastLook < SOON ? Math.min(2 * unseen, MOST_UNSEEN) : 1;
+      unseen = now - lastLook < SOON ? Math.min(2 * unseen, MAX_UNSEEN) : 1;
       lastLook = now;
       nextLook = done + unseen;
       look(now);

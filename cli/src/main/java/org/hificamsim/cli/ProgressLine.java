@@ -10,7 +10,7 @@ import java.util.concurrent.TimeUnit;
  * line would lose it first.
  */
 final class ProgressLine {
-  private static final int LEAST_BAR = 10;
+  private static final int MIN_BAR = 10;
 
   private final String task;
   private final String unit;
@@ -48,7 +48,7 @@ final class ProgressLine {
     String tail = speed(done, elapsed) + ", " + left(done, elapsed);
     for (String end : List.of(count(done) + ", " + tail, tail)) {
       int room = width - head.length() - end.length() - " [] ".length();
-      if (room >= LEAST_BAR) {
+      if (room >= MIN_BAR) {
         int full = (int) (done * room / total);
         return head + " [" + "=".repeat(full) + " ".repeat(room - full) + "] " + end;
       }

@@ -18,8 +18,7 @@ import picocli.CommandLine.Spec;
     description = {
       "Makes one HTML file, for any browser, of what run --record or compare wrote.",
       "Asked for pictures of a run, it makes those; and the page too, if --out says where."
-    },
-    mixinStandardHelpOptions = true)
+    })
 final class ReportCommand implements Callable<Integer> {
   @Parameters(paramLabel = "DIR", description = "The folder that the command wrote.")
   private Path folder;

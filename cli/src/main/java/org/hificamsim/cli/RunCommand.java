@@ -1,7 +1,6 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
@@ -27,57 +26,32 @@ import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code hificamsim run}: simulates one scenario and writes what was covered. */
 @Command(
     name = "run",
-    description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.",
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.")
 final class RunCommand implements Callable<Integer> {
-  private static final int MOST_STEPS = 1_000_000_000;
-  private static final int MOST_REPEATS = 1_000_000;
-  private static final int MOST_MEGABYTES = 5; // of a page
+  private static final int MAX_MEGABYTES = 5; // of a page
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Option(
-      names = "--detection",
-      paramLabel = "NAME|FILE.json[@T]",
-      defaultValue = "hifi:orb-lin",
-      description = "The detection model; see 'list detections'.")
-  private String detection;
+  @Mixin private ModelOptions models;
 
-  @Option(
-      names = "--policy",
-      paramLabel = "NAME[:key=value,...]",
-      defaultValue = "epsilon-greedy",
-      description = "The zoom policy; see 'list policies'.")
-  private String policy;
+  @Mixin private ScenarioOptions scenarioOptions;
 
-  @Option(names = "--steps", paramLabel = "N", defaultValue = "1000", description = "Steps.")
-  private int steps;
+  @Mixin private RepeatOptions repeats;
 
-  @Option(
-      names = "--seed",
-      paramLabel = "N",
-      defaultValue = "0",
-      description = "Seed of the first repeat; repeat i uses seed + i.")
-  private long seed;
-
-  @Option(names = "--repeat", paramLabel = "N", defaultValue = "1", description = "Repeats.")
-  private int repeats;
+  @Mixin private ThreadsOption threads;
 
   @Option(
       names = "--out",
       paramLabel = "DIR",
       description = "Where the files go; default: out/<scenario>/.")
-  private Path out;
+  private Optional<Path> out;
 
   @Option(
       names = "--record",
@@ -85,25 +59,12 @@ final class RunCommand implements Callable<Integer> {
   private boolean record;
 
   @Option(
-      names = "--threads",
-      paramLabel = "N",
-      defaultValue = "1",
-      description =
-          "Threads that share each step, worth it from some thousand cameras; 0 for one per"
-              + " processor. Results do not depend on it.")
-  private int threads;
-
-  @Option(
       names = "--listener",
       paramLabel = "NAME",
       description = "A step listener from a jar on the class path; may be repeated.")
   private List<String> listeners = new ArrayList<>();
 
-  @Mixin private QuietOption quiet;
-
-  @Mixin private ScenarioOptions scenarioOptions;
-
-  @Spec private CommandSpec spec;
+  @Mixin private Screen screen;
 
   @Override
   public Integer call() throws IOException {
@@ -112,9 +73,9 @@ final class RunCommand implements Callable<Integer> {
     RunPlan plan = plan(catalogue);
     new RunExecutor(catalogue).check(plan);
     listeners.forEach(catalogue.listeners()::create);
-    Path folder = out != null ? out : Path.of("out", plan.scenario().name());
+    Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (RunFolder output = new RunFolder(folder, record);
-        Workers workers = Workers.of(Threads.number(threads))) {
+        Workers workers = Workers.of(threads.count())) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
       Optional<ReplayRecorder> replay =
           record ? Optional.of(replay(plan, catalogue)) : Optional.empty();
@@ -124,10 +85,7 @@ final class RunCommand implements Callable<Integer> {
                   Stream.of(kMin.listener()), replay.map(film -> film.listener(run)).stream());
       List<RunResult> results =
           execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
-      output.manifest(
-          spec.commandLine().getParent().getParseResult().originalArgs(),
-          started,
-          (long) plan.steps() * plan.repeats());
+      output.manifest(screen.words(), started, (long) plan.steps() * plan.repeats());
       if (replay.isPresent()) {
         replay.get().write(output.replay());
       }
@@ -135,7 +93,7 @@ final class RunCommand implements Callable<Integer> {
       if (replay.isPresent()) {
         report(folder);
       }
-      SummaryTable.print(stdout(), plan, results, kMin.means(), folder);
+      SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
     }
     return 0;
   }
@@ -144,26 +102,22 @@ final class RunCommand implements Callable<Integer> {
     Path page = folder.resolve(ResultFolder.REPORT);
     Report.write(folder, page);
     double megabytes = Files.size(page) / 1e6;
-    if (megabytes >= MOST_MEGABYTES) {
-      stderr()
+    if (megabytes >= MAX_MEGABYTES) {
+      screen
+          .err()
           .printf(
               "warning: %s has %.1f MB: where the cameras of this network stand, and what they see"
                   + " at each zoom level, does not fit into %d MB%n",
-              page, megabytes, MOST_MEGABYTES);
+              page, megabytes, MAX_MEGABYTES);
     }
   }
 
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue) {
-    Numbers.inRange("--steps", steps, 1, MOST_STEPS);
-    Numbers.inRange("--repeat", repeats, 1, MOST_REPEATS);
-    Numbers.seeds(seed, repeats);
-    Threads.check(threads);
-    catalogue.policies().create(policy);
-    DetectionSpec asked = DetectionSpec.parse(detection, catalogue::detection);
-    Scenario scenario = scenarioOptions.read(file, catalogue, stderr());
-    return new RunPlan(
-        scenario, scenarioOptions.detection(asked, scenario), policy, steps, seed, repeats);
+    DetectionSpec detection = models.detection(catalogue);
+    Scenario scenario = scenarioOptions.read(file, catalogue, screen.err());
+    return repeats.plan(
+        scenario, scenarioOptions.detection(detection, scenario), models.policy().orElseThrow());
   }
 
   private List<RunResult> execute(
@@ -174,8 +128,7 @@ final class RunCommand implements Callable<Integer> {
       IntFunction<Stream<StepListener>> own)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
-    try (Progress progress =
-        quiet.progress(spec, "run " + plan.scenario().name(), " steps", total)) {
+    try (Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {
       return executor.execute(
           plan,
           run -> {
@@ -195,13 +148,5 @@ final class RunCommand implements Callable<Integer> {
         Setup.of(world, plan.detection(), plan.policy(), plan.seed()),
         plan.detection(),
         plan.repeats());
-  }
-
-  private PrintWriter stdout() {
-    return quiet.out(spec);
-  }
-
-  private PrintWriter stderr() {
-    return quiet.err(spec);
   }
 }

@@ -2,20 +2,23 @@ package org.hificamsim.cli;
 
 import picocli.CommandLine.Option;
 
-/** {@code --threads} of commands whose results do not depend on it. */
+/** {@code --threads}: results do not depend on it. */
 final class ThreadsOption {
-  private static final int MOST_THREADS = 1024;
+  private static final int MAX_THREADS = 1024;
 
   @Option(
       names = "--threads",
       paramLabel = "N",
-      defaultValue = "0",
       description = "Threads; 0 for one per processor. Results do not depend on it.")
   private int threads;
 
-  /** The number of threads to use, checked. */
+  /**
+   * The number of threads, 1 or more.
+   *
+   * @throws org.hificamsim.core.InputException when it is out of range
+   */
   int count() {
-    Numbers.inRange("--threads", threads, 0, MOST_THREADS);
-    return threads == 0 ? Runtime.getRuntime().availableProcessors() : threads;
+    int count = Numbers.inRange("--threads", threads, 0, MAX_THREADS);
+    return count == 0 ? Runtime.getRuntime().availableProcessors() : count;
   }
 }

@@ -9,6 +9,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.network.NetworkSettings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
@@ -17,11 +18,8 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim validate}: reads scenario files and tells all that is wrong or odd. */
 @Command(
     name = "validate",
-    description = "Checks scenario files: errors (exit code 2) and warnings, with their place.",
-    mixinStandardHelpOptions = true)
+    description = "Checks scenario files: errors (exit code 2) and warnings, with their place.")
 final class ValidateCommand implements Callable<Integer> {
-  private static final int BAD_INPUT = 2;
-
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
@@ -45,12 +43,13 @@ final class ValidateCommand implements Callable<Integer> {
           ScenarioReader.read(
               file,
               catalogue.movements().names()::contains,
+              NetworkSettings.DEFAULT.check(),
               line -> err.println("warning: " + Place.printable(line)));
       out.println(file + ": ok, " + Descriptions.of(scenario));
       return 0;
     } catch (InputException e) {
       err.println("error: " + Place.printable(e.getMessage()));
-      return BAD_INPUT;
+      return Main.BAD_INPUT;
     }
   }
 }

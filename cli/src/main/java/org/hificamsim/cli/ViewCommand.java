@@ -26,55 +26,40 @@ import picocli.CommandLine.Spec;
       "Shows a scenario live in the browser: choose models and policies, drag cameras.",
       "Only this machine can reach the page, and only by the address that is printed.",
       "Closing the page ends the command."
-    },
-    mixinStandardHelpOptions = true,
-    showDefaultValues = true)
+    })
 final class ViewCommand implements Callable<Integer> {
-  private static final int MOST_PORT = 65_535;
+  private static final int MAX_PORT = 65_535;
   private static final Duration GRACE = Duration.ofSeconds(5);
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Option(
-      names = "--detection",
-      paramLabel = "NAME|FILE.json[@T]",
-      defaultValue = "hifi:orb-lin",
-      description = "The detection model at first; see 'list detections'.")
-  private String detection;
+  @Mixin private ModelOptions models;
 
-  @Option(
-      names = "--policy",
-      paramLabel = "NAME[:key=value,...]",
-      defaultValue = "epsilon-greedy",
-      description = "The zoom policy at first; see 'list policies'.")
-  private String policy;
+  @Mixin private ScenarioOptions scenarioOptions;
 
-  @Option(names = "--seed", paramLabel = "N", defaultValue = "0", description = "Seed at first.")
-  private long seed;
+  @Mixin private SeedOption seed;
 
   @Option(
       names = "--port",
       paramLabel = "N",
-      defaultValue = "0",
       description = "Port on the loopback device; 0 for any that is free.")
   private int port;
 
   @Option(names = "--no-browser", description = "Print the address, open no browser.")
   private boolean noBrowser;
 
-  @Mixin private ScenarioOptions scenarioOptions;
-
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() throws IOException, InterruptedException {
-    Numbers.inRange("--port", port, 0, MOST_PORT);
+    Numbers.inRange("--port", port, 0, MAX_PORT);
     Catalogue catalogue = Catalogue.load();
     Scenario scenario = scenarioOptions.read(file, catalogue, spec.commandLine().getErr());
-    Choice choice = new Choice(detection, scenarioOptions.threshold(), policy);
-    LiveRun run = new LiveRun(catalogue, scenario, choice, seed);
-    String page = LivePage.html(catalogue, scenario.name(), detection);
+    Choice choice =
+        new Choice(models.detection(), scenarioOptions.threshold(), models.policy().orElseThrow());
+    LiveRun run = new LiveRun(catalogue, scenario, choice, seed.value());
+    String page = LivePage.html(catalogue, scenario.name(), models.detection());
     try (Session session = new Session(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {
       spec.commandLine().getOut().println(server.address());

@@ -7,9 +7,9 @@ import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.optics.Optics;
 
 /**
- * The high-fidelity detection model: confidence {@code g(f(q, d, z))} (§3.4, Table 6.1), with any
- * feature abstraction f and any detector line g. It looks at size, distance and zoom, and not at
- * the bearing.
+ * The high-fidelity detection model: confidence {@code g(f(q, d, z))} (thesis 3.4, Table 6.1), with
+ * any feature abstraction f and any detector line g. It looks at size, distance and zoom, and not
+ * at the bearing.
  *
  * @param name the name on the command line and in result files
  * @param f predicts the share of the image that the target fills

@@ -1,2 +1,2 @@
-/** High-fidelity target detection: confidence as {@code g(f(q, d, z))} (§3.4). */
+/** High-fidelity target detection: confidence as {@code g(f(q, d, z))} (thesis 3.4). */
 package org.hificamsim.hifi;

@@ -25,7 +25,7 @@ public final class DetectionStatements {
   private Statement underestimates() {
     List<Margin> cells = new ArrayList<>();
     for (Layout layout : Layout.values()) {
-      for (String policy : Published.POLICIES) {
+      for (String policy : PublishedCell.POLICIES) {
         cells.add(
             new Margin(
                 layout.label() + ", " + policy,
@@ -44,9 +44,9 @@ public final class DetectionStatements {
   private Statement sameOrder() {
     List<Margin> pairs = new ArrayList<>();
     for (String scenario : Layout.SCENARIOS) {
-      pairs.add(pair(scenario, Preset.EPSILON_GREEDY, Preset.SARSA));
-      pairs.add(pair(scenario, Preset.EPSILON_GREEDY, Preset.ZOOM_OUT));
-      pairs.add(pair(scenario, Preset.SARSA, Preset.ZOOM_OUT));
+      pairs.add(pair(scenario, ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.SARSA));
+      pairs.add(pair(scenario, ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.ZOOM_OUT));
+      pairs.add(pair(scenario, ReproductionPlans.SARSA, ReproductionPlans.ZOOM_OUT));
     }
     return new Statement(
         "same-order",
@@ -75,7 +75,7 @@ public final class DetectionStatements {
     List<Margin> others = new ArrayList<>();
     for (String scenario : Layout.SCENARIOS) {
       if (!scenario.equals(third)) {
-        others.add(lessGap(scenario, List.of(scenario), List.of(third), Published.POLICIES));
+        others.add(lessGap(scenario, List.of(scenario), List.of(third), PublishedCell.POLICIES));
       }
     }
     return new Statement(
@@ -88,7 +88,7 @@ public final class DetectionStatements {
 
   private Statement cluster() {
     List<Margin> others = new ArrayList<>();
-    for (String policy : Published.POLICIES) {
+    for (String policy : PublishedCell.POLICIES) {
       for (Layout layout : List.of(Layout.LATTICE, Layout.RING)) {
         others.add(
             lessGap(
@@ -130,10 +130,10 @@ public final class DetectionStatements {
   }
 
   private Ratio hifi(List<String> scenarios, String policy) {
-    return table.ratio(scenarios, Preset.HIFI, policy);
+    return table.ratio(scenarios, ReproductionPlans.HIFI, policy);
   }
 
   private Ratio camsim(List<String> scenarios, String policy) {
-    return table.ratio(scenarios, Preset.CAMSIM, policy);
+    return table.ratio(scenarios, ReproductionPlans.CAMSIM, policy);
   }
 }

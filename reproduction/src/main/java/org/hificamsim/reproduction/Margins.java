@@ -27,11 +27,11 @@ final class Margins {
   }
 
   CaseResult hifi(String scenario, String policy) {
-    return cases.find(scenario, Preset.HIFI, policy);
+    return cases.find(scenario, ReproductionPlans.HIFI, policy);
   }
 
   CaseResult camsim(String scenario, String policy) {
-    return cases.find(scenario, Preset.CAMSIM, policy);
+    return cases.find(scenario, ReproductionPlans.CAMSIM, policy);
   }
 
   /** What one case has more of a figure than another. */

@@ -56,11 +56,11 @@ final class MarkdownReport {
     for (Table81.Cell cell : judgement.cells()) {
       line(
           "| %s | %.2f | %.2f | %s | %s |",
-          Why.id(cell),
+          Reason.id(cell),
           cell.published().proportion(),
           cell.ours().mean(),
           cell.verdict().label(),
-          Why.of(cell));
+          Reason.of(cell));
     }
     line("");
     line("| statement | source | verdict | why |");
@@ -68,7 +68,7 @@ final class MarkdownReport {
     for (Statement statement : judgement.statements()) {
       line(
           "| %s | %s | %s | %s |",
-          statement.text(), statement.source(), statement.verdict().label(), Why.of(statement));
+          statement.text(), statement.source(), statement.verdict().label(), Reason.of(statement));
     }
   }
 

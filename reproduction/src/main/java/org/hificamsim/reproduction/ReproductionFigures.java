@@ -29,10 +29,14 @@ public final class ReproductionFigures {
 
   private static final List<String> BARS =
       List.of(
-          Preset.OPTIMAL, Preset.SARSA, Preset.QB_SARSA, Preset.EPSILON_GREEDY, Preset.ZOOM_OUT);
+          ReproductionPlans.OPTIMAL,
+          ReproductionPlans.SARSA,
+          ReproductionPlans.QB_SARSA,
+          ReproductionPlans.EPSILON_GREEDY,
+          ReproductionPlans.ZOOM_OUT);
 
   private static final Map<String, Color> MODELS =
-      Map.of(Preset.CAMSIM, Palette.BLUE, Preset.HIFI, Palette.VERMILION);
+      Map.of(ReproductionPlans.CAMSIM, Palette.BLUE, ReproductionPlans.HIFI, Palette.VERMILION);
 
   private final Cases cases;
 
@@ -56,7 +60,7 @@ public final class ReproductionFigures {
     return overTime(
         "Figure 7.3: the baselines and greedy, scenario 1",
         List.of(1),
-        List.of("random", Preset.ZOOM_OUT, Preset.OPTIMAL),
+        List.of("random", ReproductionPlans.ZOOM_OUT, ReproductionPlans.OPTIMAL),
         Double.NaN);
   }
 
@@ -64,8 +68,8 @@ public final class ReproductionFigures {
     return overTime(
         "Figure 7.4: epsilon-greedy and greedy, random and scripted targets",
         List.of(1, 4),
-        List.of(Preset.EPSILON_GREEDY, Preset.OPTIMAL),
-        Published.EPSILON_GREEDY_IN_4);
+        List.of(ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.OPTIMAL),
+        PublishedCell.EPSILON_GREEDY_IN_4);
   }
 
   private Figure figure76() {
@@ -73,10 +77,10 @@ public final class ReproductionFigures {
         "Figure 7.6: SARSA's epsilon, scenario 4",
         List.of(4),
         List.of(
-            Preset.SARSA,
-            Preset.epsilon(Preset.SARSA, 0.2),
-            Preset.epsilon(Preset.SARSA, 0.3),
-            Preset.OPTIMAL),
+            ReproductionPlans.SARSA,
+            ReproductionPlans.epsilon(ReproductionPlans.SARSA, 0.2),
+            ReproductionPlans.epsilon(ReproductionPlans.SARSA, 0.3),
+            ReproductionPlans.OPTIMAL),
         Double.NaN);
   }
 
@@ -84,7 +88,11 @@ public final class ReproductionFigures {
     return overTime(
         "Figure 7.7: SARSA's learning rate, scenario 4",
         List.of(4),
-        List.of(Preset.SARSA, Preset.alpha(0.2), Preset.alpha(0.3), Preset.OPTIMAL),
+        List.of(
+            ReproductionPlans.SARSA,
+            ReproductionPlans.alpha(0.2),
+            ReproductionPlans.alpha(0.3),
+            ReproductionPlans.OPTIMAL),
         Double.NaN);
   }
 
@@ -92,8 +100,8 @@ public final class ReproductionFigures {
     return overTime(
         "Figure 7.8: SARSA and greedy, random and scripted targets",
         List.of(1, 4),
-        List.of(Preset.SARSA, Preset.OPTIMAL),
-        Published.SARSA_IN_4);
+        List.of(ReproductionPlans.SARSA, ReproductionPlans.OPTIMAL),
+        PublishedCell.SARSA_IN_4);
   }
 
   /**
@@ -127,7 +135,7 @@ public final class ReproductionFigures {
     int width = panels.size() == 1 ? WIDTH + WIDTH / 3 : WIDTH;
     return new Figure(
         title,
-        Preset.HIFI + ". " + OverTime.note(all),
+        ReproductionPlans.HIFI + ". " + OverTime.note(all),
         legend,
         panels,
         panels.size(),
@@ -145,7 +153,7 @@ public final class ReproductionFigures {
       groups.add(new CoverageFigure.Group(title(number), hifi(number, BARS)));
     }
     return CoverageFigure.of(
-        "Figure 7.9: targets covered by no, one, and more cameras (" + Preset.HIFI + ")",
+        "Figure 7.9: targets covered by no, one, and more cameras (" + ReproductionPlans.HIFI + ")",
         groups,
         3);
   }
@@ -153,20 +161,24 @@ public final class ReproductionFigures {
   private Figure figure81() {
     List<XYChart> panels = new ArrayList<>();
     for (int number = 1; number <= Layout.SCENARIOS.size(); number++) {
-      double most = OverTime.ceiling(both(number, Published.POLICIES));
-      for (String policy : Published.POLICIES) {
+      double most = OverTime.ceiling(both(number, PublishedCell.POLICIES));
+      for (String policy : PublishedCell.POLICIES) {
         panels.add(models(number, policy, most));
       }
     }
     return new Figure(
         "Figure 8.1: k_min under the two detection models",
         "By scenario (rows) and policy (columns); x: time (steps), y: k_min (cameras). "
-            + OverTime.note(both(1, Published.POLICIES)),
+            + OverTime.note(both(1, PublishedCell.POLICIES)),
         List.of(
-            new LegendEntry(Preset.CAMSIM, MODELS.get(Preset.CAMSIM), LegendEntry.Mark.LINE),
-            new LegendEntry(Preset.HIFI, MODELS.get(Preset.HIFI), LegendEntry.Mark.LINE)),
+            new LegendEntry(
+                ReproductionPlans.CAMSIM,
+                MODELS.get(ReproductionPlans.CAMSIM),
+                LegendEntry.Mark.LINE),
+            new LegendEntry(
+                ReproductionPlans.HIFI, MODELS.get(ReproductionPlans.HIFI), LegendEntry.Mark.LINE)),
         panels,
-        Published.POLICIES.size(),
+        PublishedCell.POLICIES.size(),
         SMALL_WIDTH,
         SMALL_HEIGHT);
   }
@@ -188,15 +200,15 @@ public final class ReproductionFigures {
   private List<CaseResult> both(int number, List<String> policies) {
     List<CaseResult> all = new ArrayList<>();
     for (String policy : policies) {
-      all.add(cases.find(scenario(number), Preset.CAMSIM, policy));
-      all.add(cases.find(scenario(number), Preset.HIFI, policy));
+      all.add(cases.find(scenario(number), ReproductionPlans.CAMSIM, policy));
+      all.add(cases.find(scenario(number), ReproductionPlans.HIFI, policy));
     }
     return all;
   }
 
   private List<CaseResult> hifi(int number, List<String> policies) {
     return policies.stream()
-        .map(policy -> cases.find(scenario(number), Preset.HIFI, policy))
+        .map(policy -> cases.find(scenario(number), ReproductionPlans.HIFI, policy))
         .toList();
   }
 

@@ -41,7 +41,7 @@ public final class ReproductionFiles {
         table.row(
             cell.published().layout().label(),
             cell.published().policy(),
-            cell.published().hifi() ? Preset.HIFI : Preset.CAMSIM,
+            cell.published().hifi() ? ReproductionPlans.HIFI : ReproductionPlans.CAMSIM,
             cell.published().proportion(),
             cell.ours().mean(),
             cell.ours().low(),
@@ -61,7 +61,7 @@ public final class ReproductionFiles {
       for (Table81.Cell cell : judgement.cells()) {
         table.row(
             "cell",
-            Why.id(cell),
+            Reason.id(cell),
             "Table 8.1",
             "proportion of the optimum",
             cell.published().proportion(),
@@ -71,7 +71,7 @@ public final class ReproductionFiles {
             1,
             cell.verdict() == Verdict.REPRODUCED ? 1 : 0,
             cell.verdict().label(),
-            Why.of(cell));
+            Reason.of(cell));
       }
       for (Statement statement : judgement.statements()) {
         Statement.Margin weakest = statement.weakest();
@@ -87,7 +87,7 @@ public final class ReproductionFiles {
             statement.margins().size(),
             statement.held(),
             statement.verdict().label(),
-            Why.of(statement));
+            Reason.of(statement));
       }
     }
   }

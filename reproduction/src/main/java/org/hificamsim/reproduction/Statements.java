@@ -2,12 +2,12 @@ package org.hificamsim.reproduction;
 
 import static org.hificamsim.reproduction.Margins.K_MIN;
 import static org.hificamsim.reproduction.Margins.more;
-import static org.hificamsim.reproduction.Preset.EPSILON_GREEDY;
-import static org.hificamsim.reproduction.Preset.OPTIMAL;
-import static org.hificamsim.reproduction.Preset.QB_SARSA;
-import static org.hificamsim.reproduction.Preset.SARSA;
-import static org.hificamsim.reproduction.Preset.STATELESS;
-import static org.hificamsim.reproduction.Preset.ZOOM_OUT;
+import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
+import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
+import static org.hificamsim.reproduction.ReproductionPlans.QB_SARSA;
+import static org.hificamsim.reproduction.ReproductionPlans.SARSA;
+import static org.hificamsim.reproduction.ReproductionPlans.STATELESS;
+import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -65,7 +65,8 @@ public final class Statements {
   private List<Statement> epsilonGreedy() {
     List<Margin> best = new ArrayList<>();
     for (double epsilon : new double[] {0.01, 0.001}) {
-      best.addAll(margins.inAllSix(EPSILON_GREEDY, Preset.epsilon(EPSILON_GREEDY, epsilon)));
+      best.addAll(
+          margins.inAllSix(EPSILON_GREEDY, ReproductionPlans.epsilon(EPSILON_GREEDY, epsilon)));
     }
     return List.of(
         new Statement(
@@ -89,10 +90,10 @@ public final class Statements {
 
   private List<Statement> sarsa() {
     var low = margins.hifi(SCENARIO_4, SARSA);
-    var middle = margins.hifi(SCENARIO_4, Preset.epsilon(SARSA, 0.2));
-    var high = margins.hifi(SCENARIO_4, Preset.epsilon(SARSA, 0.3));
-    var two = margins.hifi(SCENARIO_4, Preset.alpha(0.2));
-    var three = margins.hifi(SCENARIO_4, Preset.alpha(0.3));
+    var middle = margins.hifi(SCENARIO_4, ReproductionPlans.epsilon(SARSA, 0.2));
+    var high = margins.hifi(SCENARIO_4, ReproductionPlans.epsilon(SARSA, 0.3));
+    var two = margins.hifi(SCENARIO_4, ReproductionPlans.alpha(0.2));
+    var three = margins.hifi(SCENARIO_4, ReproductionPlans.alpha(0.3));
     var optimum = margins.hifi(SCENARIO_4, OPTIMAL);
     return List.of(
         new Statement(
@@ -124,11 +125,11 @@ public final class Statements {
   private List<Statement> scenarioFour() {
     var bandit = margins.hifi(SCENARIO_4, EPSILON_GREEDY);
     var sarsa = margins.hifi(SCENARIO_4, SARSA);
-    var count = margins.hifi(SCENARIO_4, Preset.COUNT);
+    var count = margins.hifi(SCENARIO_4, ReproductionPlans.COUNT);
     return List.of(
-        number("epsilon-greedy-81", EPSILON_GREEDY, bandit, Published.EPSILON_GREEDY_IN_4),
-        number("sarsa-87", SARSA, sarsa, Published.SARSA_IN_4),
-        number("sarsa-87-count", Preset.COUNT, count, Published.SARSA_IN_4),
+        number("epsilon-greedy-81", EPSILON_GREEDY, bandit, PublishedCell.EPSILON_GREEDY_IN_4),
+        number("sarsa-87", SARSA, sarsa, PublishedCell.SARSA_IN_4),
+        number("sarsa-87-count", ReproductionPlans.COUNT, count, PublishedCell.SARSA_IN_4),
         new Statement(
             "sarsa-above-epsilon-greedy",
             "7.4.4",

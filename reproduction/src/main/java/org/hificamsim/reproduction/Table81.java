@@ -24,7 +24,7 @@ public final class Table81 {
    * @param origin the cluster with the script about the field's centre
    */
   public record Cell(
-      Published published,
+      PublishedCell published,
       Estimate ours,
       Verdict verdict,
       double overHifi,
@@ -39,23 +39,23 @@ public final class Table81 {
 
   /** The eighteen cells, in the order of the publication. */
   public List<Cell> cells() {
-    return Published.table().stream().map(this::cell).toList();
+    return PublishedCell.table().stream().map(this::cell).toList();
   }
 
-  private Cell cell(Published published) {
+  private Cell cell(PublishedCell published) {
     Estimate ours = ratio(published).estimate();
     return new Cell(
         published,
         ours,
         Verdict.of(ours, published.proportion()),
-        overHifi(published, Preset.CAMSIM),
-        overHifi(published, Preset.CAMSIM_45),
+        overHifi(published, ReproductionPlans.CAMSIM),
+        overHifi(published, ReproductionPlans.CAMSIM_45),
         exploreAny(published),
         origin(published));
   }
 
   /** The ratio of a cell. */
-  Ratio ratio(Published cell) {
+  Ratio ratio(PublishedCell cell) {
     return ratio(cell.layout().scenarios(), detection(cell), cell.policy());
   }
 
@@ -64,33 +64,37 @@ public final class Table81 {
     return Ratio.of(find(scenarios, detection, policy));
   }
 
-  private double overHifi(Published cell, String detection) {
+  private double overHifi(PublishedCell cell, String detection) {
     if (cell.hifi()) {
       return Double.NaN;
     }
     List<String> scenarios = cell.layout().scenarios();
     return Ratio.over(
-            find(scenarios, detection, cell.policy()), find(scenarios, Preset.HIFI, Preset.OPTIMAL))
+            find(scenarios, detection, cell.policy()),
+            find(scenarios, ReproductionPlans.HIFI, ReproductionPlans.OPTIMAL))
         .estimate()
         .mean();
   }
 
-  private double exploreAny(Published cell) {
-    return cell.policy().equals(Preset.EPSILON_GREEDY)
-        ? ratio(cell.layout().scenarios(), detection(cell), Preset.ANY).estimate().mean()
+  private double exploreAny(PublishedCell cell) {
+    return cell.policy().equals(ReproductionPlans.EPSILON_GREEDY)
+        ? ratio(cell.layout().scenarios(), detection(cell), ReproductionPlans.ANY).estimate().mean()
         : Double.NaN;
   }
 
-  private double origin(Published cell) {
+  private double origin(PublishedCell cell) {
     return cell.layout() == Layout.CLUSTER
-        ? ratio(List.of(cell.layout().random(), Preset.ORIGIN), detection(cell), cell.policy())
+        ? ratio(
+                List.of(cell.layout().random(), ReproductionPlans.ORIGIN),
+                detection(cell),
+                cell.policy())
             .estimate()
             .mean()
         : Double.NaN;
   }
 
-  private static String detection(Published cell) {
-    return cell.hifi() ? Preset.HIFI : Preset.CAMSIM;
+  private static String detection(PublishedCell cell) {
+    return cell.hifi() ? ReproductionPlans.HIFI : ReproductionPlans.CAMSIM;
   }
 
   private List<CaseResult> find(List<String> scenarios, String detection, String policy) {

@@ -28,8 +28,8 @@ final class TableFigure {
             new LegendEntry("hi-fi, published", pale(true), LegendEntry.Mark.DIAMOND),
             new LegendEntry("CamSim, ours", color(false), LegendEntry.Mark.DOT),
             new LegendEntry("CamSim, published", pale(false), LegendEntry.Mark.DIAMOND)),
-        Published.POLICIES.stream().map(policy -> panel(policy, cells)).toList(),
-        Published.POLICIES.size(),
+        PublishedCell.POLICIES.stream().map(policy -> panel(policy, cells)).toList(),
+        PublishedCell.POLICIES.size(),
         WIDTH,
         HEIGHT);
   }
@@ -40,7 +40,7 @@ final class TableFigure {
             .y(0, 1)
             .names(LAYOUTS.stream().map(Layout::label).toList());
     for (Table81.Cell cell : cells) {
-      Published published = cell.published();
+      PublishedCell published = cell.published();
       if (published.policy().equals(policy) && !Double.isNaN(cell.ours().mean())) {
         add(panel, cell, published);
       }
@@ -48,7 +48,7 @@ final class TableFigure {
     return panel.chart();
   }
 
-  private static void add(XyPanel panel, Table81.Cell cell, Published published) {
+  private static void add(XyPanel panel, Table81.Cell cell, PublishedCell published) {
     Color color = color(published.hifi());
     double x = LAYOUTS.indexOf(published.layout()) + 1 + (published.hifi() ? APART : -APART);
     panel.interval(x - BESIDE, cell.ours().low(), cell.ours().high(), color);

@@ -32,11 +32,12 @@ class Table81Test {
 
   private static List<Table81.Cell> cells() {
     Map<String, Scenario> scenarios = new LinkedHashMap<>();
-    for (String name : Preset.scenarioNames()) {
+    for (String name : ReproductionPlans.scenarioNames()) {
       Path file = ROOT.resolve("scenarios").resolve(name + ".xml");
       scenarios.put(name, ScenarioReader.read(file, movement -> true, warning -> {}));
     }
-    List<RunPlan> plans = new Preset(scenarios, 10, 0, 2).plans(Catalogue.load()::detection);
+    List<RunPlan> plans =
+        new ReproductionPlans(scenarios, 10, 0, 2).plans(Catalogue.load()::detection);
     return new Table81(new Cases(plans.stream().map(Table81Test::result).toList())).cells();
   }
 
@@ -57,7 +58,7 @@ class Table81Test {
   @Test
   void otherReadingsStandWhereTheyApply() {
     for (Table81.Cell cell : cells()) {
-      Published published = cell.published();
+      PublishedCell published = cell.published();
       assertEquals(published.hifi(), Double.isNaN(cell.overHifi()));
       assertEquals(published.hifi(), Double.isNaN(cell.at45()));
       assertEquals(published.policy().equals("epsilon-greedy"), !Double.isNaN(cell.exploreAny()));

@@ -12,7 +12,7 @@ import org.hificamsim.runs.compare.RunTask;
  * @param fault null when there is none
  */
 record Answer(RunTask task, Outcome outcome, RuntimeException fault) implements Serializable {
-  static Answer to(RunTask task, PortableSweep sweep) {
+  static Answer to(RunTask task, PortableComparison sweep) {
     try {
       return new Answer(task, sweep.outcome(task), null);
     } catch (RuntimeException e) {

@@ -39,12 +39,12 @@ record PortablePlan(
         new PortablePlan(
             plan.scenario().name(),
             ScenarioWriter.write(plan.scenario()),
-            PortableDetection.of(plan.detection(), catalogue),
+            PortableDetection.of(plan.detection()),
             plan.policy(),
             plan.steps(),
             plan.seed(),
             plan.repeats(),
-            RunKey.of(plan));
+            RunKey.of(plan).text());
     portable.plan(catalogue);
     return portable;
   }
@@ -58,10 +58,12 @@ record PortablePlan(
     RunPlan plan =
         new RunPlan(
             readScenario(catalogue), detection.detection(catalogue), policy, steps, seed, repeats);
-    if (!RunKey.of(plan).equals(key)) {
+    RunKey there = RunKey.of(plan);
+    if (!there.text().equals(key)) {
+      String input = there.changed(RunKey.read(key)).orElse("a user's jar");
       throw new InputException(
-          "scenario '%s' with detection '%s' is another on an executor than here, expected the same version and jars"
-              .formatted(scenario, detection.name()));
+          "scenario '%s' with detection '%s': %s is another on an executor than here, expected the same version and jars"
+              .formatted(scenario, detection.name(), input));
     }
     return plan;
   }

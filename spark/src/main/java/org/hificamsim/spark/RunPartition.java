@@ -14,9 +14,9 @@ final class RunPartition extends AbstractFunction2<TaskContext, Iterator<RunTask
     implements Serializable {
   private static final long serialVersionUID = 1L;
 
-  private final Broadcast<PortableSweep> sweep;
+  private final Broadcast<PortableComparison> sweep;
 
-  RunPartition(Broadcast<PortableSweep> sweep) {
+  RunPartition(Broadcast<PortableComparison> sweep) {
     this.sweep = sweep;
   }
 

@@ -35,7 +35,7 @@ public final class SparkEngine implements RunEngine {
   @Override
   public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
     if (!tasks.isEmpty()) {
-      new SparkJob(master, PortableSweep.of(plans, catalogue)).run(tasks, finished);
+      new SparkJob(master, PortableComparison.of(plans, catalogue)).run(tasks, finished);
     }
   }
 

@@ -22,13 +22,13 @@ import scala.reflect.ClassTag$;
 
 /** A sweep as one Spark job. Every run is a task of its own, until there are too many for Spark. */
 final class SparkJob {
-  private static final int MOST_PARTITIONS = 10_000;
+  private static final int MAX_PARTITIONS = 10_000;
   private static final int PATIENCE_SECONDS = 30;
 
   private final SparkMaster master;
-  private final PortableSweep sweep;
+  private final PortableComparison sweep;
 
-  SparkJob(SparkMaster master, PortableSweep sweep) {
+  SparkJob(SparkMaster master, PortableComparison sweep) {
     this.master = master;
     this.sweep = sweep;
   }
@@ -49,9 +49,9 @@ final class SparkJob {
   private void compute(JavaSparkContext context, List<RunTask> tasks, RunEngine.Finished finished)
       throws IOException {
     RDD<RunTask> partitions =
-        context.parallelize(tasks, Math.min(tasks.size(), MOST_PARTITIONS)).rdd();
-    Broadcast<PortableSweep> shared = context.broadcast(sweep);
-    Taking taking = new Taking(finished);
+        context.parallelize(tasks, Math.min(tasks.size(), MAX_PARTITIONS)).rdd();
+    Broadcast<PortableComparison> shared = context.broadcast(sweep);
+    AnswerCollector taking = new AnswerCollector(finished);
     try {
       context
           .sc()

@@ -55,14 +55,17 @@ class PortablePlanTest {
             here.scenario(),
             here.xml(),
             PortableDetection.of(
-                new Detection(CATALOGUE.detection("hifi:orb-lin"), 0.1), CATALOGUE),
+                new Detection("geometric", CATALOGUE.detection("hifi:orb-lin"), 0.5)),
             here.policy(),
             here.steps(),
             here.seed(),
             here.repeats(),
             here.key());
     InputException fault = assertThrows(InputException.class, () -> there.plan(CATALOGUE));
-    assertTrue(fault.getMessage().contains("expected the same version and jars"));
+    assertEquals(
+        "scenario 'cluster-scripted' with detection 'geometric': detection 'geometric' is another"
+            + " on an executor than here, expected the same version and jars",
+        fault.getMessage());
   }
 
   private static RunPlan plan(DetectionModel model) {

@@ -2,7 +2,7 @@ package org.hificamsim.bench.plain;
 
 /** The confidence of {@code hifi:orb-lin}: g of Table 6.1 over f of Eq 4.4. */
 final class DetectionFunction {
-  private static final double LONGEST_FOCAL_LENGTH = 0.085;
+  private static final double MAX_FOCAL_LENGTH = 0.085;
   private static final double THRESHOLD = 0.0441;
 
   boolean detects(Camera camera, Target target) {
@@ -12,7 +12,7 @@ final class DetectionFunction {
   }
 
   private static double focalLength(Camera camera) {
-    return LONGEST_FOCAL_LENGTH * camera.narrowestRadius() / camera.radius();
+    return MAX_FOCAL_LENGTH * camera.narrowestRadius() / camera.radius();
   }
 
   private static double confidence(double size, double distance, double focalLength) {

@@ -2,9 +2,7 @@ package org.hificamsim.bench.plain;
 
 import java.util.Random;
 
-/**
- * The bandit of section 7.4.3: the level that detected most on average, or now and then another.
- */
+/** The bandit of thesis 7.4.3: the level that detected most on average, or now and then another. */
 final class EpsilonGreedy implements LevelPolicy {
   private final double epsilon;
   private final Random random;

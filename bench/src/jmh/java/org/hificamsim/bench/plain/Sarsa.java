@@ -4,7 +4,7 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Random;
 
-/** SARSA of section 7.4.4, rewarded with the change in the number of detected targets. */
+/** SARSA of thesis 7.4.4, rewarded with the change in the number of detected targets. */
 final class Sarsa implements LevelPolicy {
   private static final double ALPHA = 0.1;
   private static final double GAMMA = 0.9;

@@ -10,7 +10,7 @@ import java.util.function.BiConsumer;
  */
 public final class BridgeAgent {
   private static final String INSTALLER = "org.hificamsim.bridge.Installer";
-  private static final double OLDEST_JAVA = 17;
+  private static final double MIN_JAVA = 17;
 
   private BridgeAgent() {}
 
@@ -22,7 +22,7 @@ public final class BridgeAgent {
       return;
     }
     String java = System.getProperty("java.specification.version");
-    if (Double.parseDouble(java) < OLDEST_JAVA) {
+    if (Double.parseDouble(java) < MIN_JAVA) {
       refuse(options, "Java 17 or later is needed, this is " + java);
       return;
     }
@@ -42,6 +42,6 @@ public final class BridgeAgent {
   }
 
   private static void refuse(String options, String problem) {
-    Trouble.tell(problem, Trouble.strict(options));
+    FaultLine.tell(problem, FaultLine.strict(options));
   }
 }

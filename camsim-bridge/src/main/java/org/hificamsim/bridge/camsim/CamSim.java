@@ -101,6 +101,7 @@ public final class CamSim {
     return number(range, camera);
   }
 
+  /** Whether the camera has failed. */
   public boolean offline(Object camera) {
     try {
       return (boolean) offline.invokeExact(camera);
@@ -109,7 +110,7 @@ public final class CamSim {
     }
   }
 
-  /** The camera's name; {@code Offline} while it is (CamSim's quirk Q7). */
+  /** The camera's name; {@code Offline} while it is (behaviour 11, Q7). */
   public String cameraName(Object camera) {
     return String.valueOf(any(cameraName, camera));
   }
@@ -166,7 +167,7 @@ public final class CamSim {
   }
 
   /** A method as a handle of this type; null where this CamSim has none, and no option needs it. */
-  private MethodHandle bind(Method method, MethodType type) {
+  private MethodHandle bind(CamSimMethod method, MethodType type) {
     try {
       for (Class<?> owner = Class.forName(method.type(), false, loader);
           owner != null;

@@ -1,7 +1,7 @@
 package org.hificamsim.bridge.camsim;
 
 import java.util.List;
-import org.hificamsim.bridge.camsim.Method.Returned;
+import org.hificamsim.bridge.camsim.CamSimMethod.Returned;
 
 /** The names of CamSim that the bridge relies on; the misspelt one is CamSim's own. */
 final class Names {
@@ -9,31 +9,33 @@ final class Names {
   static final String CAMERA = "epics.camsim.core.CameraController";
   static final String OBJECT = "epics.camsim.core.TraceableObject";
 
-  static final Method UPDATE = woven(CORE, "update", List.of(), Returned.ANYTHING);
-  static final Method CLOSE_FILES = woven(CORE, "close_files", List.of(), Returned.ANYTHING);
-  static final Method LOOK = woven(CAMERA, "update_visiblity", List.of(OBJECT), Returned.NUMBER);
+  static final CamSimMethod UPDATE = woven(CORE, "update", List.of(), Returned.ANYTHING);
+  static final CamSimMethod CLOSE_FILES = woven(CORE, "close_files", List.of(), Returned.ANYTHING);
+  static final CamSimMethod LOOK =
+      woven(CAMERA, "update_visiblity", List.of(OBJECT), Returned.NUMBER);
 
-  static final Method CAMERAS = getter(CORE, "getCameras", Returned.SOMETHING);
-  static final Method OBJECTS = getter(CORE, "getObjects", Returned.SOMETHING);
+  static final CamSimMethod CAMERAS = getter(CORE, "getCameras", Returned.SOMETHING);
+  static final CamSimMethod OBJECTS = getter(CORE, "getObjects", Returned.SOMETHING);
 
-  static final Method CAMERA_X = getter(CAMERA, "getX", Returned.NUMBER);
-  static final Method CAMERA_Y = getter(CAMERA, "getY", Returned.NUMBER);
-  static final Method HEADING = getter(CAMERA, "getHeading", Returned.NUMBER);
-  static final Method ANGLE = getter(CAMERA, "getAngle", Returned.NUMBER);
-  static final Method RANGE = getter(CAMERA, "getRange", Returned.NUMBER);
-  static final Method OFFLINE = getter(CAMERA, "isOffline", Returned.FLAG);
-  static final Method CAMERA_NAME = getter(CAMERA, "getName", Returned.SOMETHING);
+  static final CamSimMethod CAMERA_X = getter(CAMERA, "getX", Returned.NUMBER);
+  static final CamSimMethod CAMERA_Y = getter(CAMERA, "getY", Returned.NUMBER);
+  static final CamSimMethod HEADING = getter(CAMERA, "getHeading", Returned.NUMBER);
+  static final CamSimMethod ANGLE = getter(CAMERA, "getAngle", Returned.NUMBER);
+  static final CamSimMethod RANGE = getter(CAMERA, "getRange", Returned.NUMBER);
+  static final CamSimMethod OFFLINE = getter(CAMERA, "isOffline", Returned.FLAG);
+  static final CamSimMethod CAMERA_NAME = getter(CAMERA, "getName", Returned.SOMETHING);
 
-  static final Method OBJECT_X = getter(OBJECT, "getX", Returned.NUMBER);
-  static final Method OBJECT_Y = getter(OBJECT, "getY", Returned.NUMBER);
-  static final Method FEATURES = getter(OBJECT, "getFeatures", Returned.SOMETHING);
+  static final CamSimMethod OBJECT_X = getter(OBJECT, "getX", Returned.NUMBER);
+  static final CamSimMethod OBJECT_Y = getter(OBJECT, "getY", Returned.NUMBER);
+  static final CamSimMethod FEATURES = getter(OBJECT, "getFeatures", Returned.SOMETHING);
 
-  static final Method ADD_VISIBLE =
-      new Method(CAMERA, "addVisibleObject", List.of(OBJECT, "double"), Returned.ANYTHING, false);
-  static final Method REMOVE_VISIBLE =
-      new Method(CAMERA, "removeVisibleObject", List.of(OBJECT), Returned.ANYTHING, false);
-  static final Method CHANGE =
-      new Method(
+  static final CamSimMethod ADD_VISIBLE =
+      new CamSimMethod(
+          CAMERA, "addVisibleObject", List.of(OBJECT, "double"), Returned.ANYTHING, false);
+  static final CamSimMethod REMOVE_VISIBLE =
+      new CamSimMethod(CAMERA, "removeVisibleObject", List.of(OBJECT), Returned.ANYTHING, false);
+  static final CamSimMethod CHANGE =
+      new CamSimMethod(
           CAMERA,
           "change",
           List.of("double", "double", "double", "double", "double"),
@@ -41,7 +43,7 @@ final class Names {
           false);
 
   /** Needed by any setup. */
-  static final List<Method> ALWAYS =
+  static final List<CamSimMethod> ALWAYS =
       List.of(
           UPDATE,
           CAMERAS,
@@ -58,18 +60,19 @@ final class Names {
           OBJECT_Y);
 
   /** Needed to decide what cameras see. */
-  static final List<Method> TO_DETECT = List.of(ADD_VISIBLE, REMOVE_VISIBLE);
+  static final List<CamSimMethod> TO_DETECT = List.of(ADD_VISIBLE, REMOVE_VISIBLE);
 
   /** Needed to write files. */
-  static final List<Method> TO_RECORD = List.of(CLOSE_FILES, FEATURES);
+  static final List<CamSimMethod> TO_RECORD = List.of(CLOSE_FILES, FEATURES);
 
   private Names() {}
 
-  private static Method woven(String type, String name, List<String> parameters, Returned value) {
-    return new Method(type, name, parameters, value, true);
+  private static CamSimMethod woven(
+      String type, String name, List<String> parameters, Returned value) {
+    return new CamSimMethod(type, name, parameters, value, true);
   }
 
-  private static Method getter(String type, String name, Returned value) {
-    return new Method(type, name, List.of(), value, false);
+  private static CamSimMethod getter(String type, String name, Returned value) {
+    return new CamSimMethod(type, name, List.of(), value, false);
   }
 }

@@ -38,7 +38,7 @@ public final class Weaver implements ClassFileTransformer {
   /**
    * Has the hooks woven from now on.
    *
-   * @param onFailure told when a class cannot be changed; CamSim then gets it as it was
+   * @param onFailure called when a class cannot be changed; CamSim then gets it as it was
    */
   public static void weave(Instrumentation instrumentation, Consumer<Throwable> onFailure) {
     instrumentation.addTransformer(new Weaver(onFailure));
@@ -73,7 +73,7 @@ public final class Weaver implements ClassFileTransformer {
     return builder.make(TypePool.Default.of(locator)).getBytes();
   }
 
-  private static AsmVisitorWrapper hook(Class<?> advice, Method method) {
+  private static AsmVisitorWrapper hook(Class<?> advice, CamSimMethod method) {
     ElementMatcher.Junction<MethodDescription> matcher =
         ElementMatchers.<MethodDescription>named(method.name())
             .and(takesArguments(method.parameters().size()));

@@ -26,7 +26,7 @@ public record BridgeSettings(
     int seed,
     Optional<Path> out) {
   /**
-   * A policy by its name and options, made anew for each run.
+   * A policy by its name and options, made for each run.
    *
    * @param spec as result files name it
    */

@@ -7,13 +7,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.bridge.agent.Bridge;
-import org.hificamsim.bridge.agent.Trouble;
+import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
 /**
  * The bridge at work: finds the run that a call from CamSim belongs to, and keeps CamSim from harm.
- * Whatever goes wrong here is told in one line, and from then on CamSim is on its own.
+ * A failure is reported in one line, and from then on CamSim runs on its own.
  *
  * <p>A run begins with the first step of a {@code SimCore} and ends with its {@code close_files()},
  * or with the JVM. Cores that step in turn, or in several threads, do not meet.
@@ -91,7 +91,7 @@ public final class LiveBridge implements Bridge {
     }
   }
 
-  /** Tells what went wrong, and leaves CamSim alone from now on. */
+  /** Reports what failed, and leaves CamSim alone from now on. */
   public void fail(Throwable fault) {
     fail(fault, strict);
   }
@@ -104,7 +104,7 @@ public final class LiveBridge implements Bridge {
       off = true;
     }
     letGo();
-    Trouble.tell(Place.printable(message(fault)), stop);
+    FaultLine.tell(Place.printable(message(fault)), stop);
   }
 
   private static String message(Throwable fault) {
@@ -120,7 +120,7 @@ public final class LiveBridge implements Bridge {
         run.letGo();
         run.end();
       } catch (IOException | RuntimeException e) {
-        // What went wrong first is told.
+        // What failed first is reported.
       }
     }
   }

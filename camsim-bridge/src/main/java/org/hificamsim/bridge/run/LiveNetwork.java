@@ -4,7 +4,7 @@ import java.util.List;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.visibility.Visibility;
 
@@ -14,8 +14,8 @@ import org.hificamsim.core.visibility.Visibility;
  * <p>CamSim does not say who is to come: the counts hold room for some that are not online (not
  * present) yet, see {@link #expect}.
  */
-final class LiveNetwork implements NetworkView {
-  private static final int LEAST_ROOM = 8;
+final class LiveNetwork implements OracleView {
+  private static final int MIN_ROOM = 8;
 
   private final CamSim camsim;
   private final Object core;
@@ -76,7 +76,7 @@ final class LiveNetwork implements NetworkView {
 
   /** Counts the cameras there are, and twice the targets, which come more often. */
   void makeRoom() {
-    expect(cameras.all().size(), 2 * targets.all().size() + LEAST_ROOM);
+    expect(cameras.all().size(), 2 * targets.all().size() + MIN_ROOM);
   }
 
   /** Sets a camera's level, and CamSim's range by it. */

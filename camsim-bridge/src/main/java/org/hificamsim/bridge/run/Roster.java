@@ -9,7 +9,7 @@ import java.util.function.Function;
 
 /**
  * CamSim's cameras, or its objects, in the order in which they were first seen; each keeps its
- * number for the whole run. They are told apart by identity: CamSim's own hash codes change as a
+ * number for the whole run. They are distinguished by identity: CamSim's own hash codes change as a
  * camera does.
  *
  * @param <T> what stands for one of them

@@ -2,7 +2,7 @@ package org.hificamsim.bridge.run;
 
 import java.util.Optional;
 import java.util.SplittableRandom;
-import org.hificamsim.bridge.agent.Trouble;
+import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.runs.Proof;
 
@@ -10,7 +10,7 @@ import org.hificamsim.runs.Proof;
  * A zoom policy that sets the ranges of CamSim's cameras.
  *
  * <p>Policies size their tables when they begin. Where events bring more cameras or targets than
- * were expected then, the policy begins anew and has to learn again, which is told.
+ * were expected then, the policy starts over and has to learn again, which is reported.
  */
 final class Steering {
   private final BridgeSettings.Policy given;
@@ -62,8 +62,8 @@ final class Steering {
 
   private void begin(LiveNetwork network) {
     if (policy != null) {
-      Trouble.note(
-          "step %d: more cameras or objects than expected: policy %s begins anew"
+      FaultLine.note(
+          "step %d: more cameras or objects than expected: policy %s starts over"
               .formatted(network.step(), given.spec()));
     }
     if (network.outgrown()) {

@@ -1,11 +1,11 @@
 package org.hificamsim.core.engine;
 
 /**
- * An angle between 0 and pi, from its cosine, to within {@value #ERROR} radians: many times cheaper
- * than an arc cosine, and near enough to tell most decisions apart.
+ * An angle between 0 and pi, from its cosine, to within {@value #ERROR} radians: many times faster
+ * than an arc cosine, and close enough for most decisions.
  *
  * <p>By the polynomial of Abramowitz and Stegun, Handbook of Mathematical Functions, 4.4.46, whose
- * error is at most 2e-8. Where the cosine is no number or outside [-1, 1], so is the angle, as with
+ * error is at most 2e-8. Where the cosine is NaN or outside [-1, 1], the angle is NaN, as with
  * {@link Math#acos}.
  */
 final class AngleBracket {
@@ -14,8 +14,8 @@ final class AngleBracket {
 
   private AngleBracket() {}
 
-  /** Near the angle, radians. */
-  static double near(double cosine) {
+  /** About the angle, radians. */
+  static double about(double cosine) {
     double c = Math.abs(cosine);
     double sum = -0.0012624911;
     sum = sum * c + 0.0066700901;
@@ -29,13 +29,13 @@ final class AngleBracket {
     return cosine < 0 ? Math.PI - angle : angle;
   }
 
-  /** At most the angle that {@link #near} is near to. */
-  static double least(double near) {
-    return Math.max(0, near - ERROR);
+  /** At most the angle that {@link #about} approximates. */
+  static double lower(double about) {
+    return Math.max(0, about - ERROR);
   }
 
-  /** At least the angle that {@link #near} is near to. */
-  static double most(double near) {
-    return Math.min(Math.PI, near + ERROR);
+  /** At least the angle that {@link #about} approximates. */
+  static double upper(double about) {
+    return Math.min(Math.PI, about + ERROR);
   }
 }

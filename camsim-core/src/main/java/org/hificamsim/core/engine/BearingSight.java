@@ -43,7 +43,7 @@ final class BearingSight implements Sight {
       return false;
     }
     double cosine = pose.cosine(x, y);
-    return detects(targets.size(target), distance, cosine, AngleBracket.near(cosine), zoom);
+    return detects(targets.size(target), distance, cosine, AngleBracket.about(cosine), zoom);
   }
 
   @Override
@@ -72,12 +72,12 @@ final class BearingSight implements Sight {
       int target = grid.point(i);
       double size = targets.size(target);
       double cosine = pose.cosine(x, y);
-      double near = AngleBracket.near(cosine);
+      double about = AngleBracket.about(cosine);
       for (int level = 0; level < levels; level++) {
         ZoomLevel zoom = cameras.zoom(camera, level);
         if (distance <= zoom.radius()
             && visibility.isInAngle(pose, zoom, x, y)
-            && detects(size, distance, cosine, near, zoom)) {
+            && detects(size, distance, cosine, about, zoom)) {
           masks[level * words + (target >> 6)] |= 1L << target;
         }
       }
@@ -85,9 +85,9 @@ final class BearingSight implements Sight {
   }
 
   private boolean detects(
-      double size, double distance, double cosine, double near, ZoomLevel zoom) {
-    boolean detects = decides(size, distance, AngleBracket.least(near), zoom);
-    return detects == decides(size, distance, AngleBracket.most(near), zoom)
+      double size, double distance, double cosine, double about, ZoomLevel zoom) {
+    boolean detects = decides(size, distance, AngleBracket.lower(about), zoom);
+    return detects == decides(size, distance, AngleBracket.upper(about), zoom)
         ? detects
         : decides(size, distance, Math.acos(cosine), zoom);
   }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.CameraTask;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
@@ -12,7 +12,7 @@ import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /** The cameras' observations of a world, and all that policies and listeners may know of it. */
-final class ObservedNetwork implements NetworkView {
+final class ObservedNetwork implements OracleView {
   private final Cameras cameras;
   private final Targets targets;
   private final Visibility visibility;

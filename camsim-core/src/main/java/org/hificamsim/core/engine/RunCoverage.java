@@ -5,7 +5,7 @@ import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The coverage of a whole run, added up step by step (section 7.1, Eq 7.2; Figure 7.9), and how
+ * The coverage of a whole run, added up step by step (thesis 7.1, Eq 7.2; Figure 7.9), and how
  * often cameras changed their zoom for it.
  */
 public final class RunCoverage implements StepListener {

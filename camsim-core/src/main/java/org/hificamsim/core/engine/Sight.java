@@ -58,7 +58,7 @@ interface Sight {
   /**
    * Marks the targets that the camera would detect at each of its levels, among some that are near.
    *
-   * @param masks as {@link org.hificamsim.core.policy.NetworkView#detections} has them
+   * @param masks as {@link org.hificamsim.core.policy.OracleView#detections} has them
    */
   void mark(int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words);
 }

@@ -72,7 +72,7 @@ public final class Simulation {
     return this;
   }
 
-  /** Runs this many steps, and tells the listeners that the run has ended. */
+  /** Runs this many steps, and then calls the listeners' {@code ended}. */
   public void run(long steps) {
     for (long i = 0; i < steps; i++) {
       step();
@@ -82,7 +82,7 @@ public final class Simulation {
     }
   }
 
-  /** Runs one step; the first one tells the listeners that the run has started. */
+  /** Runs one step; the first one calls the listeners' {@code started}. */
   public void step() {
     if (!started) {
       start();

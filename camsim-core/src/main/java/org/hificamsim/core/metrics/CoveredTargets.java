@@ -8,6 +8,6 @@ public interface CoveredTargets {
   /** Whether the target has appeared and not been removed. */
   boolean present(int target);
 
-  /** How many cameras detected the target at the last observation: k_j of section 7.1. */
+  /** How many cameras detected the target at the last observation: k_j of thesis 7.1. */
   int coverage(int target);
 }

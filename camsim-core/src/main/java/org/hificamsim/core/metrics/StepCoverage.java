@@ -1,7 +1,7 @@
 package org.hificamsim.core.metrics;
 
 /**
- * How the targets present are covered in one step (section 7.1, Eq 7.1); filled anew each step.
+ * How the targets present are covered in one step (thesis 7.1, Eq 7.1); measured again each step.
  *
  * <p>Without any target everything is 0.
  */

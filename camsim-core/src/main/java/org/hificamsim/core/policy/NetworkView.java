@@ -1,6 +1,5 @@
 package org.hificamsim.core.policy;
 
-import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.CoveredTargets;
 
@@ -13,8 +12,8 @@ import org.hificamsim.core.metrics.CoveredTargets;
  * after an event removes them. Zoom levels are numbered from 0, the narrowest. What was detected is
  * what the last observation saw: at a decision that is the step before (0 everywhere at the first).
  *
- * <p>{@link #detects}, {@link #dominates} and the target positions are knowledge that no camera has
- * on its own: upper bounds such as the exact optimum use them, learning policies must not.
+ * <p>This is what cameras know between them. Positions of targets, and what a camera would detect
+ * at another level, are in {@link OracleView}.
  */
 public interface NetworkView extends CoveredTargets {
   /** The step that is under way, from 0. */
@@ -56,45 +55,14 @@ public interface NetworkView extends CoveredTargets {
   /** The name in result files: the features value, as CamSim prints it. */
   String targetName(int target);
 
-  /** Metres. */
-  double targetX(int target);
-
-  /** Metres. */
-  double targetY(int target);
-
   /**
    * The detection model's confidence for the target where both are now, at the camera's current
    * level, in [0, 1]; 0 outside the field of view, or when the target is not present.
    */
   double confidence(int camera, int target);
 
-  /** Whether the camera would detect the target where both are now, were it at this level. */
-  boolean detects(int camera, int level, int target);
-
-  /**
-   * Whether {@code level} is proven to detect everything that {@code other} does, wherever the
-   * targets stand; false where that is not known.
-   */
-  boolean dominates(int camera, int level, int other);
-
-  /**
-   * What the camera would detect at each of its levels, where all are now: {@link #detects} for all
-   * targets at once.
-   *
-   * @param masks filled with {@code words} words for each level, level 0 first; target t is at bit
-   *     {@code t % 64} of word {@code t / 64}
-   * @param words the number of words of a level, enough for all targets
-   */
-  default void detections(int camera, long[] masks, int words) {
-    Arrays.fill(masks, 0, levels(camera) * words, 0);
-    for (int level = 0; level < levels(camera); level++) {
-      for (int target = 0; target < targets(); target++) {
-        if (present(target) && detects(camera, level, target)) {
-          masks[level * words + (target >> 6)] |= 1L << target;
-        }
-      }
-    }
-  }
+  /** The same network with what no camera knows, for upper bounds and records; see there. */
+  OracleView oracle();
 
   /**
    * Does a task for all cameras, in parts side by side where the run has several threads.

@@ -39,8 +39,7 @@ public interface ZoomPolicy {
   default void learn(NetworkView network) {}
 
   /**
-   * What a camera's agent has learned about its levels, for whoever looks on; called at the end of
-   * a step.
+   * What a camera's agent has learned about its levels, for listeners; called at the end of a step.
    *
    * @param estimates one entry per level, receives the estimates; NaN where the agent has none
    * @param counts one entry per level, receives how many observations each estimate rests on; NaN

@@ -14,7 +14,7 @@ import org.hificamsim.core.Spelling;
  *
  * <p>Each getter declares one option: its key, default, range and meaning. A value that is missing
  * takes the default; one that is malformed or out of range is an {@link InputException}. After all
- * getters have been called, {@link #rejectUnknown} refuses what nobody declared and lists what is
+ * getters have been called, {@link #rejectUnknown} refuses undeclared options and lists what is
  * valid. A token without {@code =} continues the list before it, or, at the start, belongs to the
  * option that is read with {@link #integers}: {@code fixed:0,1,2} equals {@code
  * fixed:levels=0,1,2}.
@@ -62,32 +62,32 @@ public final class Options {
     return options;
   }
 
-  /** A finite number in [{@code least}, {@code most}]. */
-  public double number(String key, double defaultValue, double least, double most, String meaning) {
+  /** A finite number in [{@code min}, {@code max}]. */
+  public double number(String key, double defaultValue, double min, double max, String meaning) {
     String text = take(key, Double.toString(defaultValue), meaning);
     if (text == null) {
       return defaultValue;
     }
     try {
       double value = Double.parseDouble(text);
-      if (Double.isFinite(value) && value >= least && value <= most) {
+      if (Double.isFinite(value) && value >= min && value <= max) {
         return value;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
-    throw invalid(key, text, "a number " + range(least, most));
+    throw invalid(key, text, "a number " + range(min, max));
   }
 
-  /** A whole number in [{@code least}, {@code most}]. */
-  public int integer(String key, int defaultValue, int least, int most, String meaning) {
+  /** A whole number in [{@code min}, {@code max}]. */
+  public int integer(String key, int defaultValue, int min, int max, String meaning) {
     String text = take(key, Integer.toString(defaultValue), meaning);
-    return text == null ? defaultValue : integer(key, text, least, most);
+    return text == null ? defaultValue : integer(key, text, min, max);
   }
 
   /** A comma-separated list of whole numbers, the one option that may be given without its key. */
   public List<Integer> integers(
-      String key, List<Integer> defaultValue, int least, int most, String meaning) {
+      String key, List<Integer> defaultValue, int min, int max, String meaning) {
     String text =
         take(
             key,
@@ -101,7 +101,7 @@ public final class Options {
     }
     List<Integer> list = new ArrayList<>();
     for (String item : text.split(",", -1)) {
-      list.add(integer(key, item.strip(), least, most));
+      list.add(integer(key, item.strip(), min, max));
     }
     return List.copyOf(list);
   }
@@ -153,23 +153,23 @@ public final class Options {
     return values.remove(key);
   }
 
-  private int integer(String key, String text, int least, int most) {
+  private int integer(String key, String text, int min, int max) {
     try {
       int value = Integer.parseInt(text);
-      if (value >= least && value <= most) {
+      if (value >= min && value <= max) {
         return value;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
-    throw invalid(key, text, "a whole number from " + least + " to " + most);
+    throw invalid(key, text, "a whole number from " + min + " to " + max);
   }
 
-  /** The least number that is above 0 says no more than that. */
-  private static String range(double least, double most) {
-    return least == Double.MIN_VALUE
-        ? "above 0 and at most " + BigDecimal.valueOf(most).stripTrailingZeros().toPlainString()
-        : "from " + least + " to " + most;
+  /** The smallest number above 0 is written as "above 0". */
+  private static String range(double min, double max) {
+    return min == Double.MIN_VALUE
+        ? "above 0 and at most " + BigDecimal.valueOf(max).stripTrailingZeros().toPlainString()
+        : "from " + min + " to " + max;
   }
 
   private InputException invalid(String key, String text, String expected) {

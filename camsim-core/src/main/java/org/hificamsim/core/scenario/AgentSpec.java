@@ -4,7 +4,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 
 /**
- * What CamSim's network agents are told about a camera: carried, and simulated by the network.
+ * A camera's settings for CamSim's network of agents.
  *
  * @param algorithm auction schedule, a class name as the file gives it
  * @param comm communication policy, 0 to 4

@@ -12,14 +12,14 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 
 /**
- * The attributes of one element, read by name, type and range; what nobody read is left over.
+ * The attributes of one element, read by name, type and range; what was not read is left over.
  *
  * <p>Each getter that finds something wrong throws an {@link InputException} that names the place,
  * the value and what was expected.
  */
 final class Attributes {
   /** Characters of a value that an error line shows. */
-  static final int MOST_QUOTED = 60;
+  static final int MAX_QUOTED = 60;
 
   private static final Pattern XML_OWN = Pattern.compile("xmlns(:.*)?|xml:.*|xsi:.*");
 
@@ -47,14 +47,14 @@ final class Attributes {
     return text == null ? OptionalDouble.empty() : OptionalDouble.of(parse(name, text, range));
   }
 
-  int integer(String name, int least, int most) {
-    String expected = wholeNumber(least, most);
-    return parse(name, required(name, expected), least, most);
+  int integer(String name, int min, int max) {
+    String expected = wholeNumber(min, max);
+    return parse(name, required(name, expected), min, max);
   }
 
-  OptionalInt optionalInteger(String name, int least, int most) {
+  OptionalInt optionalInteger(String name, int min, int max) {
     String text = rest.remove(name);
-    return text == null ? OptionalInt.empty() : OptionalInt.of(parse(name, text, least, most));
+    return text == null ? OptionalInt.empty() : OptionalInt.of(parse(name, text, min, max));
   }
 
   /** Any text, even none. */
@@ -78,8 +78,8 @@ final class Attributes {
   }
 
   /**
-   * What nobody read; each is a warning but for those that are {@code known} to be of no use, and
-   * for XML's own: names with a prefix belong to others and are left out.
+   * What was not read; each is a warning, except for those that are {@code known} to have no
+   * effect, and for XML's own: names with a prefix belong to others and are left out.
    */
   Map<String, String> leftOver(Consumer<String> warnings, String... known) {
     rest.keySet().removeIf(XML_OWN.asMatchPredicate());
@@ -90,7 +90,7 @@ final class Attributes {
                 + ": unknown attribute "
                 + one.getKey()
                 + "=\""
-                + XmlText.shortened(one.getValue(), MOST_QUOTED)
+                + XmlText.shortened(one.getValue(), MAX_QUOTED)
                 + "\" of <"
                 + element.name()
                 + ">, ignored");
@@ -102,8 +102,13 @@ final class Attributes {
     return kept;
   }
 
-  /** An error about one attribute's value. */
+  /** An error about one attribute's value, or that it has none. */
   InputException invalid(String name, String expected) {
+    if (!element.attributes().containsKey(name)) {
+      return element
+          .place()
+          .error("<" + element.name() + "> has no " + name + ", expected " + expected);
+    }
     return element
         .place(name)
         .error(
@@ -112,7 +117,7 @@ final class Attributes {
                 + "> "
                 + name
                 + " is '"
-                + XmlText.shortened(element.attributes().getOrDefault(name, ""), MOST_QUOTED)
+                + XmlText.shortened(element.attributes().get(name), MAX_QUOTED)
                 + "', expected "
                 + expected);
   }
@@ -120,9 +125,7 @@ final class Attributes {
   private String required(String name, String expected) {
     String text = rest.remove(name);
     if (text == null) {
-      throw element
-          .place()
-          .error("<" + element.name() + "> has no " + name + ", expected " + expected);
+      throw invalid(name, expected);
     }
     return text;
   }
@@ -139,21 +142,21 @@ final class Attributes {
     throw invalid(name, range.expected());
   }
 
-  private int parse(String name, String text, int least, int most) {
+  private int parse(String name, String text, int min, int max) {
     try {
       int value = Integer.parseInt(text);
-      if (value >= least && value <= most) {
+      if (value >= min && value <= max) {
         return value;
       }
     } catch (NumberFormatException e) {
       // reported below
     }
-    throw invalid(name, wholeNumber(least, most));
+    throw invalid(name, wholeNumber(min, max));
   }
 
-  private static String wholeNumber(int least, int most) {
-    return most == Integer.MAX_VALUE
-        ? "a whole number of " + least + " or more"
-        : "a whole number from " + least + " to " + most;
+  private static String wholeNumber(int min, int max) {
+    return max == Integer.MAX_VALUE
+        ? "a whole number of " + min + " or more"
+        : "a whole number from " + min + " to " + max;
   }
 }

@@ -10,21 +10,27 @@ import java.util.function.Consumer;
 final class CameraReader {
   private final Range across;
   private final Range along;
+  private final AgentCheck agents;
   private final Consumer<String> warnings;
   private final Set<String> names = new HashSet<>();
 
-  CameraReader(Field field, Consumer<String> warnings) {
+  CameraReader(Field field, AgentCheck agents, Consumer<String> warnings) {
     across = inField(field.minX(), field.maxX());
     along = inField(field.minY(), field.maxY());
+    this.agents = agents;
     this.warnings = warnings;
   }
 
   CameraSpec camera(XmlElement element) {
-    return camera(element, new Attributes(element));
+    return camera(new Attributes(element), false);
   }
 
-  /** The camera of an element, some of whose attributes have been read already. */
-  CameraSpec camera(XmlElement element, Attributes attributes) {
+  /** The camera that an event adds; the event's own attributes have been read already. */
+  CameraSpec added(Attributes attributes) {
+    return camera(attributes, true);
+  }
+
+  private CameraSpec camera(Attributes attributes, boolean added) {
     String name = attributes.text("name", "a name that no other camera has");
     if (!names.add(name)) {
       throw attributes.invalid("name", "a camera name that is not taken");
@@ -35,6 +41,7 @@ final class CameraReader {
     double angle = attributes.number("viewing_angle", Range.OPENING_ANGLE);
     double range = attributes.number("range", Range.LENGTH);
     AgentSpec agent = agent(attributes);
+    agents.check(agent, added, attributes::invalid);
     return new CameraSpec(
         name,
         x,

@@ -40,7 +40,7 @@ final class EventReader {
     String kind = attributes.text("event", "add, change or error");
     ScenarioEvent event =
         switch (participant) {
-          case "camera" -> cameraEvent(element, attributes, step, kind);
+          case "camera" -> cameraEvent(attributes, step, kind);
           case "object" -> targetEvent(element, attributes, step, kind);
           case "grc" -> registrationEvent(attributes, step, kind);
           default -> throw attributes.invalid("participant", "camera, object or grc");
@@ -49,10 +49,9 @@ final class EventReader {
     return new Placed(event, element);
   }
 
-  private ScenarioEvent cameraEvent(
-      XmlElement element, Attributes attributes, int step, String kind) {
+  private ScenarioEvent cameraEvent(Attributes attributes, int step, String kind) {
     return switch (kind) {
-      case "add" -> new ScenarioEvent.AddCamera(step, cameras.camera(element, attributes));
+      case "add" -> new ScenarioEvent.AddCamera(step, cameras.added(attributes));
       case "change" -> cameras.change(attributes, step);
       case "error" ->
           new ScenarioEvent.FailCamera(

@@ -44,7 +44,7 @@ public record Scenario(
     extras = Map.copyOf(extras);
   }
 
-  /** Whether the file is in the coverage study's dialect, told by its zoom list. */
+  /** Whether the file is in the coverage study's dialect, recognised by its zoom list. */
   public boolean inCoverageDialect() {
     return !zooms.isEmpty();
   }

@@ -1,16 +1,15 @@
 package org.hificamsim.core.scenario;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /**
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
@@ -43,12 +42,15 @@ public final class ScenarioReader {
   private final Path path;
   private final XmlElement root;
   private final Predicate<String> movements;
+  private final AgentCheck agents;
   private final Consumer<String> warnings;
 
-  private ScenarioReader(Path path, Predicate<String> movements, Consumer<String> warnings) {
+  private ScenarioReader(
+      Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
     this.path = path;
     this.root = XmlParser.parse(path);
     this.movements = movements;
+    this.agents = agents;
     this.warnings = warnings;
   }
 
@@ -60,7 +62,19 @@ public final class ScenarioReader {
    * @throws org.hificamsim.core.InputException when the file is missing or wrong
    */
   public static Scenario read(Path path, Predicate<String> movements, Consumer<String> warnings) {
-    return new ScenarioReader(path, movements, warnings).scenario();
+    return read(path, movements, AgentCheck.NONE, warnings);
+  }
+
+  /**
+   * Reads one file, and checks what its cameras ask of the network.
+   *
+   * @param movements tells whether a movement of this short name exists
+   * @param warnings takes one line for each thing that is odd, with its place
+   * @throws org.hificamsim.core.InputException when the file is missing or wrong
+   */
+  public static Scenario read(
+      Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
+    return new ScenarioReader(path, movements, agents, warnings).scenario();
   }
 
   private Scenario scenario() {
@@ -72,15 +86,40 @@ public final class ScenarioReader {
     Attributes attributes = new Attributes(simulation);
     Field field = field(simulation, attributes);
     List<Double> zooms = new ZoomListReader(root).zooms();
-    CameraReader cameraReader = new CameraReader(field, warnings);
+    CameraReader cameraReader = new CameraReader(field, agents, warnings);
     TargetReader targetReader = new TargetReader(field, !zooms.isEmpty(), movements, warnings);
     List<CameraSpec> cameras = root.all("camera").stream().map(cameraReader::camera).toList();
-    List<TargetSpec> targets = new ArrayList<>();
-    root.all("object").forEach(element -> targets.add(targetReader.object(element)));
-    root.all("object_with_waypoints")
-        .forEach(element -> targets.add(targetReader.objectWithWaypoints(element)));
+    List<TargetSpec> targets = targets(targetReader);
     List<ScenarioEvent> events =
         new EventReader(cameraReader, targetReader, warnings).events(root.all("event"));
+    requireSome(simulation, cameras, targets, events);
+    return new Scenario(
+        name(),
+        field,
+        attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE),
+        attributes.choice("headings", Headings.DEGREES),
+        attributes.optionalNumber("threshold", Range.PROPORTION),
+        attributes.optionalNumber("mount_height", Range.POSITIVE_LENGTH),
+        zooms,
+        cameras,
+        targets,
+        events,
+        visionGraph(),
+        attributes.leftOver(warnings));
+  }
+
+  private List<TargetSpec> targets(TargetReader reader) {
+    return Stream.concat(
+            root.all("object").stream().map(reader::object),
+            root.all("object_with_waypoints").stream().map(reader::objectWithWaypoints))
+        .toList();
+  }
+
+  private static void requireSome(
+      XmlElement simulation,
+      List<CameraSpec> cameras,
+      List<TargetSpec> targets,
+      List<ScenarioEvent> events) {
     if (cameras.isEmpty() && events.stream().noneMatch(ScenarioEvent.AddCamera.class::isInstance)) {
       throw simulation.place().error("no <camera>, expected at least one");
     }
@@ -89,26 +128,6 @@ public final class ScenarioReader {
           .place()
           .error("no <object> and no event that adds one, expected at least one target");
     }
-    StepOrder order =
-        attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE);
-    Headings headings = attributes.choice("headings", Headings.DEGREES);
-    OptionalDouble threshold = attributes.optionalNumber("threshold", Range.PROPORTION);
-    OptionalDouble mountHeight = attributes.optionalNumber("mount_height", Range.POSITIVE_LENGTH);
-    Scenario scenario =
-        new Scenario(
-            name(),
-            field,
-            order,
-            headings,
-            threshold,
-            mountHeight,
-            zooms,
-            cameras,
-            targets,
-            events,
-            visionGraph(),
-            attributes.leftOver(warnings));
-    return scenario;
   }
 
   private String name() {
@@ -158,7 +177,7 @@ public final class ScenarioReader {
         warnings.accept(
             node.place("name")
                 + ": a second <graphnode> for '"
-                + XmlText.shortened(camera, Attributes.MOST_QUOTED)
+                + XmlText.shortened(camera, Attributes.MAX_QUOTED)
                 + "', the last one counts");
         neighbours.remove(camera);
       }

@@ -118,35 +118,46 @@ public final class ScenarioWriter {
     for (ScenarioEvent event : events) {
       Map<String, Object> attributes = new LinkedHashMap<>();
       attributes.put("timestep", event.step());
-      List<Waypoint> waypoints = List.of();
-      if (event instanceof ScenarioEvent.AddCamera add) {
-        kind(attributes, "camera", "add");
-        attributes.putAll(camera(add.camera()));
-      } else if (event instanceof ScenarioEvent.ChangeCamera change) {
-        kind(attributes, "camera", "change");
-        change(attributes, change);
-      } else if (event instanceof ScenarioEvent.FailCamera fail) {
-        kind(attributes, "camera", "error");
-        attributes.put("name", fail.camera());
-        attributes.put("duration", fail.duration());
-      } else if (event instanceof ScenarioEvent.AddTarget add) {
-        kind(attributes, "object", "add");
-        attributes.put("name", add.target().features());
-        if (!add.target().movement().name().isEmpty()) {
-          attributes.put("fqName", add.target().movement().name());
-        }
-        motion(add.target(), attributes);
-        waypoints = add.target().movement().waypoints();
-      } else if (event instanceof ScenarioEvent.RemoveTarget remove) {
-        kind(attributes, "object", "error");
-        attributes.put("name", remove.features());
-      } else if (event instanceof ScenarioEvent.FailRegistration fail) {
-        kind(attributes, "grc", "error");
-        attributes.put("duration", fail.duration());
-      }
-      withWaypoints("event", attributes, waypoints);
+      describe(event, attributes);
+      withWaypoints(
+          "event",
+          attributes,
+          event instanceof ScenarioEvent.AddTarget add
+              ? add.target().movement().waypoints()
+              : List.of());
     }
     close();
+  }
+
+  private static void describe(ScenarioEvent event, Map<String, Object> attributes) {
+    if (event instanceof ScenarioEvent.AddCamera add) {
+      kind(attributes, "camera", "add");
+      attributes.putAll(camera(add.camera()));
+    } else if (event instanceof ScenarioEvent.ChangeCamera change) {
+      kind(attributes, "camera", "change");
+      change(attributes, change);
+    } else if (event instanceof ScenarioEvent.FailCamera fail) {
+      kind(attributes, "camera", "error");
+      attributes.put("name", fail.camera());
+      attributes.put("duration", fail.duration());
+    } else if (event instanceof ScenarioEvent.AddTarget add) {
+      kind(attributes, "object", "add");
+      add(attributes, add.target());
+    } else if (event instanceof ScenarioEvent.RemoveTarget remove) {
+      kind(attributes, "object", "error");
+      attributes.put("name", remove.features());
+    } else if (event instanceof ScenarioEvent.FailRegistration fail) {
+      kind(attributes, "grc", "error");
+      attributes.put("duration", fail.duration());
+    }
+  }
+
+  private static void add(Map<String, Object> attributes, TargetSpec target) {
+    attributes.put("name", target.features());
+    if (!target.movement().name().isEmpty()) {
+      attributes.put("fqName", target.movement().name());
+    }
+    motion(target, attributes);
   }
 
   private static void kind(Map<String, Object> attributes, String participant, String event) {

@@ -8,6 +8,8 @@ import java.util.function.Predicate;
 
 /** Reads targets, from their own element or from an event that adds one. */
 final class TargetReader {
+  private static final Set<String> ON_PATH = Set.of("Waypoints", "Scripted");
+
   private final Field field;
   private final boolean coverageDialect;
   private final Predicate<String> movements;
@@ -68,21 +70,42 @@ final class TargetReader {
       TargetSpec.Origin origin,
       double identity,
       String movement) {
-    double x = attributes.number("x", Range.COORDINATE);
-    double y = attributes.number("y", Range.COORDINATE);
+    Waypoint position = point(attributes);
     double heading = attributes.number("heading");
     double speed = attributes.number("speed", Range.SPEED);
     double size = size(attributes);
+    MovementSpec spec = movement(element, attributes, origin, movement);
+    boolean onPath = spec.shortName().equals("Waypoints");
+    Waypoint start = onPath && movement.isEmpty() ? spec.waypoints().get(0) : position;
+    if (!field.contains(start.x(), start.y()) && !(onPath && coverageDialect)) {
+      warnings.accept(
+          "%s: <%s> starts outside the field at (%s, %s); it stays there, turning, unless one step"
+                  .formatted(element.place("x"), element.name(), start.x(), start.y())
+              + " leads inside");
+    }
+    return new TargetSpec(
+        origin,
+        identity,
+        position.x(),
+        position.y(),
+        heading,
+        speed,
+        size,
+        spec,
+        attributes.leftOver(warnings, "move"));
+  }
+
+  private MovementSpec movement(
+      XmlElement element, Attributes attributes, TargetSpec.Origin origin, String name) {
     double mean = attributes.optionalNumber("mean", Range.COORDINATE).orElse(0);
     double std = attributes.optionalNumber("std", Range.LENGTH).orElse(1);
-    MovementSpec spec = new MovementSpec(movement, mean, std, waypoints(element));
+    MovementSpec spec = new MovementSpec(name, mean, std, waypoints(element));
     if (!movements.test(spec.shortName())) {
       throw attributes.invalid(
           origin == TargetSpec.Origin.EVENT ? "fqName" : "move",
           "a movement such as Straight, Waypoints, Brownian, DirectedBrownian, or one in a jar");
     }
-    boolean onPath = spec.shortName().equals("Waypoints");
-    if (spec.waypoints().isEmpty() && (onPath || spec.shortName().equals("Scripted"))) {
+    if (spec.waypoints().isEmpty() && ON_PATH.contains(spec.shortName())) {
       throw element
           .place()
           .error(
@@ -90,20 +113,12 @@ final class TargetReader {
                   + spec.shortName()
                   + " without <waypoint>, expected at least two of them");
     }
-    Waypoint start = onPath && movement.isEmpty() ? spec.waypoints().get(0) : new Waypoint(x, y);
-    if (!field.contains(start.x(), start.y()) && !(onPath && coverageDialect)) {
-      warnings.accept(
-          element.place("x")
-              + ": <"
-              + element.name()
-              + "> starts outside the field at ("
-              + start.x()
-              + ", "
-              + start.y()
-              + "); it stays there, turning, unless one step leads inside");
-    }
-    return new TargetSpec(
-        origin, identity, x, y, heading, speed, size, spec, attributes.leftOver(warnings, "move"));
+    return spec;
+  }
+
+  private static Waypoint point(Attributes attributes) {
+    return new Waypoint(
+        attributes.number("x", Range.COORDINATE), attributes.number("y", Range.COORDINATE));
   }
 
   private double identity(Attributes attributes) {
@@ -128,9 +143,7 @@ final class TargetReader {
 
   private Waypoint waypoint(XmlElement element) {
     Attributes attributes = new Attributes(element);
-    Waypoint waypoint =
-        new Waypoint(
-            attributes.number("x", Range.COORDINATE), attributes.number("y", Range.COORDINATE));
+    Waypoint waypoint = point(attributes);
     attributes.leftOver(warnings);
     if (!field.contains(waypoint.x(), waypoint.y()) && !coverageDialect) {
       warnings.accept(element.place() + ": <waypoint> lies outside the field, out of reach");

@@ -17,13 +17,13 @@ import org.hificamsim.core.InputException;
  * Turns the bytes of an XML file into text, in the encoding that the file declares, else UTF-16
  * where its first bytes show that, else UTF-8.
  *
- * <p>The parser could do so too, but tells faults by the place that it has read up to, in blocks.
+ * <p>The parser could do so too, but reads in blocks and places faults at a block's end.
  */
 final class XmlDecoder {
   private static final Pattern DECLARED =
       Pattern.compile("\\A<\\?xml\\s[^>]*?\\s(encoding\\s*=\\s*([\"'])(.*?)\\2)", Pattern.DOTALL);
   private static final Pattern BYTE_ORDER_MARK = Pattern.compile("\\A(ï»¿|þÿ|ÿþ|\uFEFF)");
-  private static final int LONGEST_DECLARATION = 400;
+  private static final int MAX_DECLARATION = 400;
   private static final char REPLACEMENT = '\uFFFD';
 
   private final String file;
@@ -62,7 +62,7 @@ final class XmlDecoder {
           .at(declaration.start(1))
           .error(
               "the encoding is '"
-                  + XmlText.shortened(name, Attributes.MOST_QUOTED)
+                  + XmlText.shortened(name, Attributes.MAX_QUOTED)
                   + "', expected UTF-8 or another one that is known");
     }
     if (!start(charset).startsWith("<?xml")) {
@@ -91,7 +91,7 @@ final class XmlDecoder {
   }
 
   private String start(Charset charset) {
-    return withoutMark(new String(bytes, 0, Math.min(bytes.length, LONGEST_DECLARATION), charset));
+    return withoutMark(new String(bytes, 0, Math.min(bytes.length, MAX_DECLARATION), charset));
   }
 
   private static String withoutMark(String text) {

@@ -19,7 +19,7 @@ final class XmlElement {
   private StringBuilder text;
 
   /**
-   * @param endLine where the start tag ends, as the parser tells it
+   * @param endLine where the start tag ends, as the parser reports it
    */
   XmlElement(XmlText source, String name, int endLine, int endColumn) {
     this.source = source;

@@ -22,29 +22,29 @@ import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
 
 /**
- * Reads XML that nobody vouches for: no document types, no entities but the five of XML itself,
- * bounded size and depth.
+ * Reads untrusted XML: no document types, no entities but the five of XML itself, bounded size and
+ * depth.
  *
  * <p>Namespaces are not looked at: {@code a:camera} is a name like any other. The JDK's SAX parser
- * rather than its StAX one, which tells some faults on standard error, others as message keys, and
- * all in the machine's language.
+ * rather than its StAX one, which reports some faults on standard error, others as message keys,
+ * and all in the machine's language.
  */
 final class XmlParser extends DefaultHandler {
   /** Bytes; a scenario of 100,000 cameras takes about 12 million. */
-  static final int MOST_BYTES = 64 << 20;
+  static final int MAX_BYTES = 64 << 20;
 
   /** Elements inside each other; a real scenario has six. */
-  static final int MOST_DEPTH = 32;
+  static final int MAX_DEPTH = 32;
 
   /** Elements and attributes; a scenario of 100,000 cameras has about a million. */
-  static final int MOST_PARTS = 4_000_000;
+  static final int MAX_PARTS = 4_000_000;
 
   private static final String FEATURES = "http://apache.org/xml/features/";
 
   // Parts of the parser's messages.
   private static final String NO_DOCTYPE = "disallow-doctype-decl";
   private static final String CUT_OFF = "must start and end within the same entity";
-  private static final int MOST_WORDS = 300;
+  private static final int MAX_WORDS = 300;
 
   private final String file;
   private final XmlText text;
@@ -74,9 +74,9 @@ final class XmlParser extends DefaultHandler {
       throw start.error("is a folder, expected a scenario file (XML)");
     }
     try (InputStream in = Files.newInputStream(path)) {
-      byte[] bytes = Files.size(path) > MOST_BYTES ? null : in.readNBytes(MOST_BYTES + 1);
-      if (bytes == null || bytes.length > MOST_BYTES) {
-        throw start.error("the file is too big, expected at most " + MOST_BYTES + " bytes");
+      byte[] bytes = Files.size(path) > MAX_BYTES ? null : in.readNBytes(MAX_BYTES + 1);
+      if (bytes == null || bytes.length > MAX_BYTES) {
+        throw start.error("the file is too big, expected at most " + MAX_BYTES + " bytes");
       }
       return bytes;
     } catch (NoSuchFileException e) {
@@ -138,21 +138,21 @@ final class XmlParser extends DefaultHandler {
   }
 
   private void checkSize(XmlElement element) {
-    if (open.size() >= MOST_DEPTH) {
+    if (open.size() >= MAX_DEPTH) {
       throw element
           .place()
           .error(
               "<"
                   + element.name()
                   + "> is nested too deep, expected at most "
-                  + MOST_DEPTH
+                  + MAX_DEPTH
                   + " levels");
     }
     parts += 1 + element.attributes().size();
-    if (parts > MOST_PARTS) {
+    if (parts > MAX_PARTS) {
       throw element
           .place()
-          .error("the file is too big, expected at most " + MOST_PARTS + " elements, attributes");
+          .error("the file is too big, expected at most " + MAX_PARTS + " elements, attributes");
     }
   }
 
@@ -188,6 +188,6 @@ final class XmlParser extends DefaultHandler {
       return place.error("the file ends inside <" + name + ">, expected </" + name + ">");
     }
     return place.error(
-        "not well-formed XML, expected a scenario file: " + XmlText.shortened(words, MOST_WORDS));
+        "not well-formed XML, expected a scenario file: " + XmlText.shortened(words, MAX_WORDS));
   }
 }

@@ -6,8 +6,8 @@ import org.hificamsim.core.Place;
 /**
  * The characters of a scenario file, for finding places.
  *
- * <p>The parser tells where a start tag ends; since no attribute can hold {@code <}, the tag begins
- * at the last one before that. Only asked when there is something to report.
+ * <p>The parser reports where a start tag ends; since no attribute can hold {@code <}, the tag
+ * begins at the last one before that. Only asked when there is something to report.
  */
 final class XmlText {
   private final String file;
@@ -20,9 +20,9 @@ final class XmlText {
   }
 
   /** A value as error lines quote it: on one line, and not too long. */
-  static String shortened(String value, int most) {
-    String flat = value.substring(0, Math.min(value.length(), most + 1)).replaceAll("\\s+", " ");
-    return value.length() > most ? flat.substring(0, Math.min(flat.length(), most)) + "..." : flat;
+  static String shortened(String value, int max) {
+    String flat = value.substring(0, Math.min(value.length(), max + 1)).replaceAll("\\s+", " ");
+    return value.length() > max ? flat.substring(0, Math.min(flat.length(), max)) + "..." : flat;
   }
 
   Place tag(int endLine, int endColumn) {

@@ -5,7 +5,7 @@ import java.util.List;
 
 /** Reads the coverage study's list of candidate radii. */
 final class ZoomListReader {
-  private static final int MOST_LEVELS = 1000;
+  private static final int MAX_LEVELS = 1000;
 
   private final XmlElement root;
 
@@ -34,16 +34,16 @@ final class ZoomListReader {
         throw list.place()
             .error(
                 "<zoom> has '"
-                    + XmlText.shortened(item, Attributes.MOST_QUOTED)
+                    + XmlText.shortened(item, Attributes.MAX_QUOTED)
                     + "' after "
                     + radii.get(radii.size() - 1)
                     + ", expected rising radii, each once");
       }
       radii.add(radius);
     }
-    if (radii.size() > MOST_LEVELS) {
+    if (radii.size() > MAX_LEVELS) {
       throw list.place()
-          .error("<zoom> has " + radii.size() + " radii, expected at most " + MOST_LEVELS);
+          .error("<zoom> has " + radii.size() + " radii, expected at most " + MAX_LEVELS);
     }
     return radii;
   }
@@ -60,7 +60,7 @@ final class ZoomListReader {
     throw list.place()
         .error(
             "<zoom> has '"
-                + XmlText.shortened(item, Attributes.MOST_QUOTED)
+                + XmlText.shortened(item, Attributes.MAX_QUOTED)
                 + "', expected radii above 0 and at most 1e9 (m), between spaces");
   }
 }

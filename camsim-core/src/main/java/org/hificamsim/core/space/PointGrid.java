@@ -14,7 +14,7 @@ import java.util.Arrays;
  * Nothing is allocated after construction.
  */
 public final class PointGrid {
-  /** Cells per point that a grid has room for, so that empty cells never cost most. */
+  /** Cells per point that a grid has room for, so that empty cells cost little. */
   private static final int CELLS_PER_POINT = 4;
 
   private final double minX;
@@ -32,7 +32,7 @@ public final class PointGrid {
   private final double[] y;
   private int count;
 
-  private PointGrid(double minX, double minY, double side, int columns, int rows, int mostPoints) {
+  private PointGrid(double minX, double minY, double side, int columns, int rows, int maxPoints) {
     this.minX = minX;
     this.minY = minY;
     this.perMetre = 1 / side;
@@ -40,18 +40,18 @@ public final class PointGrid {
     this.rows = rows;
     boolean sorts = columns * rows > 1;
     ends = new int[columns * rows + 1];
-    cells = new int[sorts ? mostPoints : 0];
-    points = new int[mostPoints];
-    x = new double[mostPoints];
-    y = new double[mostPoints];
-    added = sorts ? new int[mostPoints] : points;
-    addedX = sorts ? new double[mostPoints] : x;
-    addedY = sorts ? new double[mostPoints] : y;
+    cells = new int[sorts ? maxPoints : 0];
+    points = new int[maxPoints];
+    x = new double[maxPoints];
+    y = new double[maxPoints];
+    added = sorts ? new int[maxPoints] : points;
+    addedX = sorts ? new double[maxPoints] : x;
+    addedY = sorts ? new double[maxPoints] : y;
   }
 
   /** A grid of one cell. */
-  public static PointGrid single(int mostPoints) {
-    return new PointGrid(0, 0, 1, 1, 1, mostPoints);
+  public static PointGrid single(int maxPoints) {
+    return new PointGrid(0, 0, 1, 1, 1, maxPoints);
   }
 
   /**
@@ -62,15 +62,15 @@ public final class PointGrid {
    * @param side of a cell, metres, 0 or more; larger where the area would take too many cells
    */
   public static PointGrid over(
-      double minX, double minY, double width, double height, double side, int mostPoints) {
-    double most = CELLS_PER_POINT * (mostPoints + 1.0);
-    double enough = Math.max(side, Math.max(width, height) / most);
-    while (Math.ceil(width / enough) * Math.ceil(height / enough) > most) {
+      double minX, double minY, double width, double height, double side, int maxPoints) {
+    double maxCells = CELLS_PER_POINT * (maxPoints + 1.0);
+    double enough = Math.max(side, Math.max(width, height) / maxCells);
+    while (Math.ceil(width / enough) * Math.ceil(height / enough) > maxCells) {
       enough *= 1.25;
     }
     int columns = Math.max(1, (int) Math.ceil(width / enough));
     int rows = Math.max(1, (int) Math.ceil(height / enough));
-    return new PointGrid(minX, minY, enough, columns, rows, mostPoints);
+    return new PointGrid(minX, minY, enough, columns, rows, maxPoints);
   }
 
   /** The number of cells. */

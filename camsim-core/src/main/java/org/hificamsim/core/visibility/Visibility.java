@@ -35,7 +35,7 @@ public final class Visibility {
 
   /**
    * As in CamSim (behaviour 6.1 and 6.2): neither the border of a sector nor the camera's own
-   * position belongs to it (quirk Q9), and a target of confidence 0 is not seen.
+   * position belongs to it, and a target of confidence 0 is not seen.
    */
   public static Visibility asInCamSim(Detection detection) {
     double threshold = Math.max(detection.threshold(), Double.MIN_VALUE);

@@ -82,7 +82,7 @@ public final class World {
     return targetSpecs.get(target);
   }
 
-  /** Has the events of the steps to come told to one observer, as they fire. */
+  /** Sets the one observer of the events that fire from now on. */
   public void observe(WorldObserver newObserver) {
     observer = newObserver;
   }

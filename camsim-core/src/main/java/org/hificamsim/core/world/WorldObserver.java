@@ -1,8 +1,8 @@
 package org.hificamsim.core.world;
 
-/** Is told what events change in a world, in the order in which they fire. */
+/** Observes what events change in a world, in the order in which they fire. */
 public interface WorldObserver {
-  /** Takes no notice. */
+  /** Ignores everything. */
   WorldObserver NONE = new WorldObserver() {};
 
   /** A camera was added. */

@@ -9,9 +9,9 @@ import org.hificamsim.core.scenario.Scenario;
 /** Makes a camera's zoom levels from a scenario's zoom list, or from the camera's range alone. */
 final class ZoomLevels {
   /** CamSim's constant: a camera created with this range or more gets {@link #CLAMPED} instead. */
-  private static final double MOST = 20;
+  private static final double MAX_RANGE = 20;
 
-  private static final double CLAMPED = MOST - MOST * 0.2;
+  private static final double CLAMPED = MAX_RANGE - MAX_RANGE * 0.2;
 
   private record Kind(double range, double viewingAngle) {}
 
@@ -22,9 +22,9 @@ final class ZoomLevels {
     this.scenario = scenario;
   }
 
-  /** CamSim's rule for the range of a camera that is created (its quirk Q10). */
+  /** CamSim's rule for the range of a camera that is created (behaviour 6.3). */
   static double clampedRange(double range) {
-    return range >= MOST ? CLAMPED : range;
+    return range >= MAX_RANGE ? CLAMPED : range;
   }
 
   /**

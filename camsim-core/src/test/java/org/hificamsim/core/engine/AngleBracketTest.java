@@ -30,15 +30,15 @@ class AngleBracketTest {
   @ParameterizedTest
   @ValueSource(doubles = {Double.NaN, 1.0000000000000002, -1.0000000000000002, 7})
   void isNoAngleWhereTheArcCosineIsNone(double cosine) {
-    assertEquals(Double.NaN, AngleBracket.least(AngleBracket.near(cosine)));
-    assertEquals(Double.NaN, AngleBracket.most(AngleBracket.near(cosine)));
+    assertEquals(Double.NaN, AngleBracket.lower(AngleBracket.about(cosine)));
+    assertEquals(Double.NaN, AngleBracket.upper(AngleBracket.about(cosine)));
   }
 
   private static void assertHolds(double cosine) {
     double angle = Math.acos(cosine);
-    double least = AngleBracket.least(AngleBracket.near(cosine));
-    double most = AngleBracket.most(AngleBracket.near(cosine));
-    assertTrue(least <= angle && angle <= most, () -> least + " " + angle + " " + most);
-    assertTrue(most - least <= 2.001 * AngleBracket.ERROR, "wide at " + cosine);
+    double lower = AngleBracket.lower(AngleBracket.about(cosine));
+    double upper = AngleBracket.upper(AngleBracket.about(cosine));
+    assertTrue(lower <= angle && angle <= upper, () -> lower + " " + angle + " " + upper);
+    assertTrue(upper - lower <= 2.001 * AngleBracket.ERROR, "wide at " + cosine);
   }
 }

@@ -122,6 +122,34 @@ class BigNetworkTest {
   }
 
   @Test
+  void targetsAtTheVeryEndOfReachAreSeenAcrossTheBordersOfCells() {
+    TestScenario scenario =
+        new TestScenario()
+            .camera(TestScenario.camera("a", 0, 0, 45, 360, 5))
+            .target(5, 0)
+            .target(0, 5)
+            .target(-5, 0)
+            .target(0, -5);
+    for (int beyond = 0; beyond < 20; beyond++) {
+      scenario.target(9, 9); // so that the grid may have 64 cells
+    }
+    World world = scenario.world();
+    for (DetectionModel model :
+        List.of(new GeometricDetection(), new CamSimVisibilityDetection())) {
+      ObservedNetwork network =
+          new ObservedNetwork(
+              world,
+              Visibility.of(Detection.of(model)),
+              Workers.CALLER,
+              GridChoice.grid(world, 2.5));
+      assertEquals(64, GridChoice.grid(world, 2.5).cells());
+      network.locate();
+      network.observe();
+      assertEquals(4, network.detected(0), model.name());
+    }
+  }
+
+  @Test
   void bigWorldsHaveAGridAndSmallOnesDoNot() {
     assertEquals(1, GridChoice.of(strewn(20, 20, 100).world()).cells());
     assertTrue(GridChoice.of(strewn(300, 200, 100).world()).cells() > 100);

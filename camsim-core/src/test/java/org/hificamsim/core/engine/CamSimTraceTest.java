@@ -65,7 +65,7 @@ class CamSimTraceTest {
       if (network.present(target)) {
         into.put(
             new Key((int) network.step(), "", network.targetName(target)),
-            new Position(network.targetX(target), network.targetY(target)));
+            new Position(network.oracle().targetX(target), network.oracle().targetY(target)));
       }
     }
   }
@@ -73,7 +73,8 @@ class CamSimTraceTest {
   private static void addConfidences(NetworkView network, Map<Key, Double> into) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       for (int target = 0; target < network.targets(); target++) {
-        if (network.online(camera) && network.detects(camera, network.level(camera), target)) {
+        if (network.online(camera)
+            && network.oracle().detects(camera, network.level(camera), target)) {
           into.put(
               new Key((int) network.step(), network.cameraName(camera), network.targetName(target)),
               network.confidence(camera, target));

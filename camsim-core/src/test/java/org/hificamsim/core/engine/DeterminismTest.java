@@ -98,8 +98,8 @@ class DeterminismTest {
     }
     for (int target = 0; target < network.targets(); target++) {
       all.add(network.present(target));
-      all.add(network.targetX(target));
-      all.add(network.targetY(target));
+      all.add(network.oracle().targetX(target));
+      all.add(network.oracle().targetY(target));
       all.add(network.coverage(target));
       all.add(network.confidence(0, target));
     }

@@ -25,6 +25,8 @@ import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Asked once per level or asked in full, a model detects the same. */
 class SightTest {
@@ -84,6 +86,34 @@ class SightTest {
     assertLooksAsItDetects(world, Sight.of(world, inFull(detection)));
   }
 
+  /** Three words of masks, in the middle of an array whose other words stay as they are. */
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void marksTargetsBeyondTheFirstSixtyFour(boolean inFull) {
+    TestScenario scenario =
+        new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 200, 5)).zooms(2, 5);
+    for (int target = 0; target < 150; target++) {
+      scenario.target(target % 13 - 6, target % 7 - 3);
+    }
+    World world = scenario.world();
+    Detection detection = Detection.of(new GeometricDetection());
+    Sight sight = Sight.of(world, inFull ? inFull(detection) : Visibility.of(detection));
+    long[] masks = new long[7];
+    masks[6] = 5;
+    sight.mark(0, 2, grid(world), 0, 150, masks, 3);
+    int seen = 0;
+    for (int level = 0; level < 2; level++) {
+      for (int target = 0; target < 150; target++) {
+        boolean marked = (masks[3 * level + target / 64] >>> target % 64 & 1) != 0;
+        assertEquals(sight.detects(0, level, target), marked, level + " " + target);
+        seen += marked ? 1 : 0;
+      }
+    }
+    assertTrue(seen > 50, seen + " seen");
+    assertEquals(5, masks[6]);
+    assertEquals(0, (masks[2] | masks[5]) >>> 22);
+  }
+
   @Test
   void aTargetRightOnTheBorderIsSeenAndTheNextOneFurtherOutIsNot() {
     TestScenario scenario = new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, 360, 5));
@@ -96,7 +126,7 @@ class SightTest {
     World world = scenario.zooms(5).world();
     Sight sight = Sight.of(world, Visibility.of(Detection.of(new GeometricDetection())));
     int[] counts = new int[places.length];
-    assertEquals(3, sight.look(0, 0, places(world), 0, places.length, counts));
+    assertEquals(3, sight.look(0, 0, grid(world), 0, places.length, counts));
     assertArrayEquals(new int[] {1, 1, 1, 0}, counts);
   }
 
@@ -151,14 +181,14 @@ class SightTest {
   }
 
   private static void assertLooksAsItDetects(World world, Sight sight) {
-    PointGrid places = places(world);
+    PointGrid grid = grid(world);
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       int levels = world.cameras().levels(camera);
       long[] masks = new long[levels];
-      sight.mark(camera, levels, places, 0, places.count(), masks, 1);
+      sight.mark(camera, levels, grid, 0, grid.count(), masks, 1);
       for (int level = 0; level < levels; level++) {
-        int[] counts = new int[places.count()];
-        int seen = sight.look(camera, level, places, 0, places.count(), counts);
+        int[] counts = new int[grid.count()];
+        int seen = sight.look(camera, level, grid, 0, grid.count(), counts);
         for (int target = 0; target < counts.length; target++) {
           int expected = sight.detects(camera, level, target) ? 1 : 0;
           assertEquals(expected, counts[target]);
@@ -169,13 +199,13 @@ class SightTest {
     }
   }
 
-  private static PointGrid places(World world) {
-    PointGrid places = PointGrid.single(world.targets().count());
+  private static PointGrid grid(World world) {
+    PointGrid grid = PointGrid.single(world.targets().count());
     for (int target = 0; target < world.targets().count(); target++) {
-      places.add(target, world.targets().x(target), world.targets().y(target));
+      grid.add(target, world.targets().x(target), world.targets().y(target));
     }
-    places.sort();
-    return places;
+    grid.sort();
+    return grid;
   }
 
   @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)

@@ -93,7 +93,7 @@ class SimulationTest {
   }
 
   private static StepListener recorder(List<String> seen) {
-    return (network, coverage) -> seen.add(network.targetX(0) + ":" + coverage.kMin());
+    return (network, coverage) -> seen.add(network.oracle().targetX(0) + ":" + coverage.kMin());
   }
 
   @Test
@@ -278,7 +278,7 @@ class SimulationTest {
           for (int camera = 0; camera < network.cameras(); camera++) {
             int detected = 0;
             for (int target = 0; target < k.length; target++) {
-              boolean sees = network.detects(camera, network.level(camera), target);
+              boolean sees = network.oracle().detects(camera, network.level(camera), target);
               k[target] += sees ? 1 : 0;
               detected += sees ? 1 : 0;
             }

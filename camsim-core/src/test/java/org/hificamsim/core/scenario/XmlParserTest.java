@@ -162,8 +162,8 @@ class XmlParserTest {
 
   @Test
   void depthIsBounded() throws IOException {
-    parse("<a>".repeat(XmlParser.MOST_DEPTH) + "</a>".repeat(XmlParser.MOST_DEPTH));
-    int most = XmlParser.MOST_DEPTH;
+    parse("<a>".repeat(XmlParser.MAX_DEPTH) + "</a>".repeat(XmlParser.MAX_DEPTH));
+    int most = XmlParser.MAX_DEPTH;
     assertEquals(
         "1:%d: <a> is nested too deep, expected at most 32 levels".formatted(3 * most + 1),
         fault("<a>".repeat(most + 1).getBytes(StandardCharsets.UTF_8)));
@@ -171,13 +171,13 @@ class XmlParserTest {
 
   @Test
   void theNumberOfElementsAndAttributesIsBounded() {
-    byte[] text = ("<r>" + "<a/>".repeat(XmlParser.MOST_PARTS)).getBytes(StandardCharsets.UTF_8);
+    byte[] text = ("<r>" + "<a/>".repeat(XmlParser.MAX_PARTS)).getBytes(StandardCharsets.UTF_8);
     assertTimeoutPreemptively(
         Duration.ofSeconds(60),
         () ->
             assertEquals(
                 "1:%d: the file is too big, expected at most 4000000 elements, attributes"
-                    .formatted(4 * XmlParser.MOST_PARTS),
+                    .formatted(4 * XmlParser.MAX_PARTS),
                 fault(text)));
   }
 

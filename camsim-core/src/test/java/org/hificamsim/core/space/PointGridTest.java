@@ -62,6 +62,42 @@ class PointGridTest {
   }
 
   @Test
+  void aCellHoldsItsLeftAndLowerBorderAndTheOutermostOnesAllBeyond() {
+    PointGrid grid = PointGrid.over(10, 20, 4, 3, 1, 40);
+    assertEquals(12, grid.cells());
+    double[] columns = {-1e9, 9.9, 10, 10.999, 11, 12.5, 13, 13.999, 14, 1e9};
+    double[] rows = {-1e9, 19.9, 20, 20.999, 21, 21.5, 22, 22.999, 23, 1e9};
+    int[] column = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
+    int[] row = {0, 0, 0, 0, 1, 1, 2, 2, 2, 2};
+    for (int i = 0; i < columns.length; i++) {
+      assertEquals(column[i], grid.column(columns[i]), "x " + columns[i]);
+      assertEquals(row[i], grid.row(rows[i]), "y " + rows[i]);
+    }
+  }
+
+  @Test
+  void theCellsOfARowLieSideBySideAndRowsFollowEachOther() {
+    PointGrid grid = PointGrid.over(0, 0, 3, 2, 1, 12);
+    for (int round = 0; round < 2; round++) {
+      grid.clear();
+      for (int point = 11; point >= 0; point--) {
+        grid.add(point, point % 3 + 0.5, point / 3 % 2 + 0.5);
+      }
+      grid.sort();
+      for (int cell = 0; cell < 6; cell++) {
+        int row = cell / 3;
+        int column = cell % 3;
+        assertEquals(2 * cell, grid.start(row, column));
+        assertEquals(2 * cell + 2, grid.end(row, column));
+        assertEquals(cell + 6, grid.point(2 * cell));
+        assertEquals(cell, grid.point(2 * cell + 1));
+        assertEquals(column + 0.5, grid.x(2 * cell));
+        assertEquals(row + 0.5, grid.y(2 * cell));
+      }
+    }
+  }
+
+  @Test
   void aGridOfOneCellKeepsTheOrder() {
     PointGrid grid = PointGrid.single(3);
     grid.clear();

@@ -2,61 +2,55 @@ package org.hificamsim.network.agent;
 
 import java.util.BitSet;
 
-/** The targets that a camera has advertised, and which cameras it asked about each. */
-public final class Advertised {
+/** The targets that a camera has advertised, and whom it asked about each. */
+final class Advertised {
+  private final BitSet open = new BitSet();
   private final BitSet[] asked;
-  private final boolean[] open;
-  private int size;
 
   Advertised(int targets) {
     asked = new BitSet[targets];
-    open = new boolean[targets];
   }
 
-  /** Notes that the target is advertised, though no camera that can be named was asked. */
-  public void open(int target) {
-    if (open[target]) {
+  /** Notes that a target is advertised, though no camera that can be named was asked. */
+  void open(int target) {
+    if (open.get(target)) {
       return;
     }
-    open[target] = true;
-    size++;
+    open.set(target);
     if (asked[target] == null) {
       asked[target] = new BitSet();
     }
     asked[target].clear();
   }
 
-  /** Notes that a camera was asked. */
-  public void add(int target, int camera) {
+  /** Notes that a name was asked. */
+  void add(int target, int name) {
     open(target);
-    asked[target].set(camera);
+    asked[target].set(name);
   }
 
-  /** Forgets that a camera was asked; the target stays advertised. */
-  public void remove(int target, int camera) {
-    if (open[target]) {
-      asked[target].clear(camera);
+  /** Forgets that a name was asked; the target stays advertised. */
+  void remove(int target, int name) {
+    if (open.get(target)) {
+      asked[target].clear(name);
     }
   }
 
-  /** Notes that the target is no longer advertised. */
-  public void close(int target) {
-    if (open[target]) {
-      open[target] = false;
-      size--;
-    }
+  /** Notes that a target is no longer advertised. */
+  void close(int target) {
+    open.clear(target);
   }
 
-  public boolean contains(int target) {
-    return open[target];
+  boolean contains(int target) {
+    return open.get(target);
   }
 
-  public boolean isEmpty() {
-    return size == 0;
+  boolean isEmpty() {
+    return open.isEmpty();
   }
 
-  /** The first camera from {@code camera} on that was asked about an advertised target, or -1. */
-  public int nextAsked(int target, int camera) {
-    return asked[target].nextSetBit(camera);
+  /** The first name from {@code from} on that was asked about an advertised target, or -1. */
+  int nextAsked(int target, int from) {
+    return asked[target].nextSetBit(from);
   }
 }

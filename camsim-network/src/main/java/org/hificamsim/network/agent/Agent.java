@@ -1,138 +1,149 @@
 package org.hificamsim.network.agent;
 
+import java.util.Random;
 import java.util.function.IntUnaryOperator;
 import org.hificamsim.core.world.Cameras;
 
-/** One camera as a member of the network: its state (section 8.1) and its mail (section 8.2). */
+/**
+ * One camera as a member of the network: its state (behaviour 8.1) and its mail (behaviour 8.2).
+ */
 public final class Agent {
   /**
    * What all agents share.
    *
    * @param features of all targets that there will ever be
-   * @param bidderHash the hash code that orders a camera's bids, or null for the order of arrival
-   * @param pricesAddUp whether prices paid within a step add up; in CamSim the last one stands
-   *     (quirk Q14)
+   * @param random draws whom Smooth and Step ask
+   * @param bidderHash orders the bids of several cameras; the same number for all means the order
+   *     of arrival
+   * @param exactPrices whether a price is the second highest value, and prices paid add up; quirk
+   *     Q14 otherwise
    */
-  public record Surroundings(
+  public record Shared(
       Cameras cameras,
       double[] features,
       Sightings sightings,
       MessageQueue queue,
+      Random random,
       IntUnaryOperator bidderHash,
-      boolean pricesAddUp) {}
+      boolean exactPrices) {}
 
+  final Links links;
+  final InsertionOrder neighbours;
+  final OwnedTargets owned;
+  final Searches searches;
+  final Advertised advertised;
+  final Bids bids;
+  final ViewTally tally = new ViewTally();
   private final int camera;
   private final int limit;
-  private final Surroundings around;
-  private final Links links;
-  private final Neighbours neighbours;
-  private final OwnedTargets owned;
-  private final Searches searches;
-  private final Advertised advertised;
-  private final BidBook bids;
-  private final ViewTally tally = new ViewTally();
+  private final Shared shared;
+  private final AuctionSchedule schedule;
+  private CommunicationPolicy policy;
+  private boolean countsFallback = true;
   private int sent;
   private double received;
   private double paid;
 
   /**
-   * @param limit most targets the camera may own before it claims no further one; 0 for no limit
+   * An agent that owns nothing and knows nobody.
+   *
+   * @param limit number of targets owned from which on it claims no other; 0 for no limit
    */
-  public Agent(int camera, int limit, Links links, Surroundings around) {
+  public Agent(
+      int camera,
+      int limit,
+      AuctionSchedule schedule,
+      CommunicationPolicy policy,
+      Links links,
+      Shared shared) {
     this.camera = camera;
     this.limit = limit;
-    this.around = around;
+    this.schedule = schedule;
+    this.policy = policy;
     this.links = links;
-    int targets = around.features().length;
-    neighbours = new Neighbours(around.cameras().count());
-    owned = new OwnedTargets(around.features());
+    this.shared = shared;
+    int targets = shared.features().length;
+    neighbours = new InsertionOrder(shared.cameras().count());
+    owned = new OwnedTargets(shared.features());
     searches = new Searches(targets);
     advertised = new Advertised(targets);
-    bids = new BidBook(targets, around.bidderHash() != null);
+    bids = new Bids(targets);
   }
 
+  /** The camera's number. */
   public int camera() {
     return camera;
   }
 
-  public Neighbours neighbours() {
-    return neighbours;
+  /** The kind of schedule in force. */
+  public ScheduleKind schedule() {
+    return schedule.kind();
   }
 
-  public Links links() {
-    return links;
+  /** The policy in force. */
+  public CommunicationPolicy policy() {
+    return policy;
   }
 
-  public OwnedTargets owned() {
-    return owned;
+  /**
+   * Takes over another schedule and policy, as a bandit chooses (behaviour 9.4): all state is kept,
+   * links are no longer frozen, and what is sent by falling back to Broadcast is not counted.
+   */
+  public void follow(ScheduleKind newSchedule, CommunicationPolicy newPolicy) {
+    schedule.switchTo(newSchedule);
+    policy = newPolicy;
+    countsFallback = false;
+    links.thaw();
   }
 
-  public Searches searches() {
-    return searches;
+  /** Gets to know another camera, the last in its list. */
+  public void meet(int other) {
+    neighbours.add(other);
   }
 
-  public Advertised advertised() {
-    return advertised;
+  /** Forgets all other cameras, for good (behaviour 7, step 4). */
+  public void forgetNeighbours() {
+    neighbours.clear();
   }
 
-  public BidBook bids() {
-    return bids;
+  /** Looks for a new target that nobody owns. */
+  public void lookFor(int target) {
+    searches.put(target, Searches.NOBODY);
   }
 
-  public ViewTally tally() {
-    return tally;
+  /** The targets owned, for reading only. */
+  public HashOrder owned() {
+    return owned.order();
   }
 
   /** How sure the camera is of a target now; 0 where it does not see it. */
   public double confidence(int target) {
-    return around.sightings().confidence(camera, target);
+    return shared.sightings().confidence(camera, target);
   }
 
+  /** Whether the camera sees a target now. */
   public boolean sees(int target) {
-    return around.sightings().sees(camera, target);
+    return shared.sightings().sees(camera, target);
   }
 
-  public boolean online(int other) {
-    return around.cameras().online(other);
+  /** Which of its targets others see too. */
+  public ViewTally tally() {
+    return tally;
   }
 
-  /** Whether the camera may claim one more target that nobody owns. */
-  public boolean mayClaim(int claimedInThisStep) {
-    return limit == 0 || limit > claimedInThisStep + owned.size();
+  /** The prices received at the last settlement. */
+  public double received() {
+    return received;
   }
 
-  /** Strength of the link to a camera under its current name: one that is offline has none. */
-  public double linkTo(int other, int target) {
-    return online(other) ? links.strength(other, target) : Links.NONE;
+  /** The prices paid since the last settlement began. */
+  public double paid() {
+    return paid;
   }
 
-  /** Whether a message to this camera would arrive. */
-  public boolean reaches(int other) {
-    return neighbours.contains(other) && online(other);
-  }
-
-  /** Sends a message; one to a camera that is out of reach is lost without a trace. */
-  public void send(MessageKind kind, int to, int target, double value) {
-    if (reaches(to)) {
-      around.queue().send(kind, camera, to, target, value);
-    }
-  }
-
-  /**
-   * Asks a neighbour to bid for a target; one that is offline is asked in vain (quirk Q7).
-   *
-   * @param counted whether the attempt counts as sent
-   */
-  public void ask(int neighbour, int target, boolean counted) {
-    if (counted) {
-      sent++;
-    }
-    if (online(neighbour)) {
-      advertised.add(target, neighbour);
-    } else {
-      advertised.open(target);
-    }
-    send(MessageKind.START_SEARCH, neighbour, target, 0);
+  /** How many StartSearch messages were attempted since the last settlement began. */
+  public int sent() {
+    return sent;
   }
 
   /** Takes a delivered message. */
@@ -146,7 +157,7 @@ public final class Agent {
       case STOP_SEARCH -> stopSearch(target);
       case FOUND -> {
         if (neighbours.contains(from) && advertised.contains(target)) {
-          bids.add(target, from, value, bidderHash(from));
+          bids.add(target, from, value, shared.bidderHash().applyAsInt(from));
         }
       }
       case START_TRACKING -> {
@@ -164,42 +175,93 @@ public final class Agent {
     }
   }
 
-  private int bidderHash(int bidder) {
-    return around.bidderHash() == null ? 0 : around.bidderHash().applyAsInt(bidder);
+  InsertionOrder visible() {
+    return shared.sightings().visible(camera);
+  }
+
+  boolean exactPrices() {
+    return shared.exactPrices();
+  }
+
+  boolean countsFallback() {
+    return countsFallback;
+  }
+
+  /** Whether a target is to be offered in this step; asked once per target and step. */
+  boolean advertises(int target) {
+    return schedule.advertises(target, confidence(target));
+  }
+
+  /** What a target is worth to the camera: its bid, and what a bid has to exceed. */
+  double value(int target) {
+    return schedule.value(target, confidence(target));
+  }
+
+  /** A number in [0, 1) that decides whom to ask. */
+  double draw() {
+    return shared.random().nextDouble();
+  }
+
+  /** Whether the camera may claim one more target that nobody owns. */
+  boolean mayClaim(int claimedInThisStep) {
+    return limit == 0 || limit > claimedInThisStep + owned().size();
+  }
+
+  /** Strength of the link to a camera under its current name: one that is offline has none. */
+  double linkTo(int other, int target) {
+    return shared.cameras().online(other) ? links.strength(other, target) : Links.NONE;
+  }
+
+  /** Whether a message to this name would arrive; not all names are cameras. */
+  boolean reaches(int name) {
+    Cameras cameras = shared.cameras();
+    return name < cameras.count() && neighbours.contains(name) && cameras.online(name);
+  }
+
+  /** Sends a message; one to a name out of reach is lost silently. */
+  void send(MessageKind kind, int to, int target, double value) {
+    if (reaches(to)) {
+      shared.queue().send(kind, camera, to, target, value);
+    }
+  }
+
+  /**
+   * Asks a neighbour to bid for a target; one that is offline is asked in vain (quirk Q7).
+   *
+   * @param counted whether the attempt counts as sent
+   */
+  void ask(int neighbour, int target, boolean counted) {
+    if (counted) {
+      sent++;
+    }
+    if (shared.cameras().online(neighbour)) {
+      advertised.add(target, neighbour);
+    } else {
+      advertised.open(target);
+    }
+    send(MessageKind.START_SEARCH, neighbour, target, 0);
   }
 
   /** Notes a price paid for a target. */
-  public void pay(double price) {
-    paid = around.pricesAddUp() ? paid + price : price;
+  void pay(double price) {
+    paid = exactPrices() ? paid + price : price;
   }
 
   /** Notes a price received for a target. */
-  public void earn(double price) {
+  void earn(double price) {
     received += price;
   }
 
-  /** Prices received at the last settlement, less what was paid since the one before it began. */
-  public double balance() {
-    return received - paid;
-  }
-
-  public double received() {
-    return received;
-  }
-
-  public double paid() {
-    return paid;
-  }
-
-  /** How many StartSearch messages were attempted since {@link #resetCounters}. */
-  public int sent() {
-    return sent;
-  }
-
-  /** Starts the step's counters anew. */
-  public void resetCounters() {
+  /** Begins the settlement: counters start at 0, links fade. */
+  void beginSettlement() {
     sent = 0;
     received = 0;
     paid = 0;
+    links.decay();
+  }
+
+  /** Ends the settlement. */
+  void endSettlement() {
+    schedule.settled();
   }
 }

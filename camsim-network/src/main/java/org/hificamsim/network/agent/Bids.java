@@ -1,59 +1,77 @@
 package org.hificamsim.network.agent;
 
+import java.util.ArrayDeque;
 import java.util.Arrays;
 
-/** The bids for one target: at most one a camera, the first. */
-public final class Bids {
-  private int[] bidders = new int[8];
-  private double[] values = new double[8];
-  private int size;
-  private final HashOrder byHash;
+/** The bids that have arrived at a camera, by target; lists are reused. */
+final class Bids {
+  /**
+   * The bids for one target in the order of CamSim's map (behaviour 4.5): the first of each bidder.
+   */
+  static final class OfTarget {
+    private final HashOrder order = new HashOrder();
+    private int[] bidders = new int[8];
+    private double[] values = new double[8];
+
+    private void add(int bidder, double value, int hash) {
+      int size = size();
+      for (int i = 0; i < size; i++) {
+        if (bidders[i] == bidder) {
+          return;
+        }
+      }
+      if (size == bidders.length) {
+        bidders = Arrays.copyOf(bidders, 2 * size);
+        values = Arrays.copyOf(values, 2 * size);
+      }
+      bidders[size] = bidder;
+      values[size] = value;
+      order.add(size, hash);
+    }
+
+    int size() {
+      return order.size();
+    }
+
+    int bidder(int index) {
+      return bidders[order.get(index)];
+    }
+
+    double value(int index) {
+      return values[order.get(index)];
+    }
+  }
+
+  private final OfTarget[] open;
+  private final ArrayDeque<OfTarget> spare = new ArrayDeque<>();
+
+  Bids(int targets) {
+    open = new OfTarget[targets];
+  }
 
   /**
-   * @param hashed whether the order is that of CamSim's map (section 4.5), not that of arrival
+   * Adds a bid, unless the bidder has bid for this target already.
+   *
+   * @param hash orders bids; those of one hash code stay in the order of arrival
    */
-  Bids(boolean hashed) {
-    byHash = hashed ? new HashOrder() : null;
-  }
-
-  void add(int bidder, double value, int hash) {
-    for (int i = 0; i < size; i++) {
-      if (bidders[i] == bidder) {
-        return;
-      }
+  void add(int target, int bidder, double value, int hash) {
+    if (open[target] == null) {
+      open[target] = spare.isEmpty() ? new OfTarget() : spare.pop();
     }
-    if (size == bidders.length) {
-      bidders = Arrays.copyOf(bidders, 2 * size);
-      values = Arrays.copyOf(values, 2 * size);
+    open[target].add(bidder, value, hash);
+  }
+
+  /** The bids for a target, or null without any. */
+  OfTarget of(int target) {
+    return open[target];
+  }
+
+  /** Discards the bids for a target. */
+  void clear(int target) {
+    if (open[target] != null) {
+      open[target].order.reset();
+      spare.push(open[target]);
+      open[target] = null;
     }
-    bidders[size] = bidder;
-    values[size] = value;
-    if (byHash != null) {
-      byHash.add(size, hash);
-    }
-    size++;
-  }
-
-  void clear() {
-    size = 0;
-    if (byHash != null) {
-      byHash.reset();
-    }
-  }
-
-  public int size() {
-    return size;
-  }
-
-  public int bidder(int index) {
-    return bidders[place(index)];
-  }
-
-  public double value(int index) {
-    return values[place(index)];
-  }
-
-  private int place(int index) {
-    return byHash == null ? index : byHash.get(index);
   }
 }

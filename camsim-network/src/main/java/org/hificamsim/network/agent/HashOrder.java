@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * A list of numbers in the order in which a Java hash map would iterate over their keys: by bucket,
- * and inside a bucket by insertion (section 4.4). Nothing is allocated while it does not grow.
+ * and inside a bucket by insertion (behaviour 4.4). Nothing is allocated while it does not grow.
  *
  * <p>Eight and more keys of one bucket, where a hash map keeps a tree, are treated like fewer.
  */
@@ -22,7 +22,7 @@ public final class HashOrder {
   }
 
   /** The hash code of a one-element list of this number, CamSim's key for a target. */
-  public static int hashOfFeatures(double features) {
+  static int hashOfFeatures(double features) {
     return 31 + Double.hashCode(features);
   }
 
@@ -31,7 +31,7 @@ public final class HashOrder {
    *
    * @param hash its key's hash code
    */
-  public void add(int item, int hash) {
+  void add(int item, int hash) {
     append(item, spread(hash));
   }
 
@@ -67,37 +67,29 @@ public final class HashOrder {
   }
 
   /** Puts another item of the same key in the place of the one at {@code index}. */
-  public void replace(int index, int item) {
+  void replace(int index, int item) {
     items[index] = item;
   }
 
   /** Removes the item at {@code index}. */
-  public void removeAt(int index) {
+  void removeAt(int index) {
     size--;
     System.arraycopy(items, index + 1, items, index, size - index);
     System.arraycopy(hashes, index + 1, hashes, index, size - index);
   }
 
-  /** Where the item is, or -1. */
-  public int indexOf(int item) {
-    for (int i = 0; i < size; i++) {
-      if (items[i] == item) {
-        return i;
-      }
-    }
-    return -1;
-  }
-
+  /** The item at {@code index}. */
   public int get(int index) {
     return items[index];
   }
 
+  /** The number of items. */
   public int size() {
     return size;
   }
 
-  /** Makes the list a new and empty one. */
-  public void reset() {
+  /** Empties the list, as if it were new. */
+  void reset() {
     size = 0;
     capacity = FIRST_CAPACITY;
   }

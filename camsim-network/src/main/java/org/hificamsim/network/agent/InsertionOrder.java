@@ -3,11 +3,11 @@ package org.hificamsim.network.agent;
 import java.util.Arrays;
 
 /**
- * A set of small numbers that is walked through in the order of insertion; inserting a member again
- * keeps its place (section 4.6). Nothing is allocated after construction.
+ * A set of small numbers that is iterated in the order of insertion; inserting a member again keeps
+ * its place (behaviour 4.6). Nothing is allocated after construction.
  */
 public final class InsertionOrder {
-  /** No member: the end of a walk. */
+  /** No member: the end of an iteration. */
   public static final int END = -1;
 
   private final int[] next;
@@ -43,7 +43,7 @@ public final class InsertionOrder {
     last = number;
   }
 
-  /** Removes the number if it is a member; a walk reads {@link #next} before it does so. */
+  /** Removes the number if it is a member; an iteration reads {@link #next} first. */
   public void remove(int number) {
     if (!member[number]) {
       return;
@@ -62,10 +62,19 @@ public final class InsertionOrder {
     }
   }
 
+  /** Removes all members. */
+  public void clear() {
+    while (first != END) {
+      remove(first);
+    }
+  }
+
+  /** Whether the number is a member. */
   public boolean contains(int number) {
     return member[number];
   }
 
+  /** The number of members. */
   public int size() {
     return size;
   }

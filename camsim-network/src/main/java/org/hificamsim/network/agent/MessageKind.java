@@ -1,6 +1,6 @@
 package org.hificamsim.network.agent;
 
-/** The messages that cameras send each other (section 8.2). */
+/** The messages that cameras send each other (behaviour 8.2). */
 public enum MessageKind {
   /** The sender owns a target and takes bids for it. */
   START_SEARCH,

@@ -7,9 +7,22 @@ import java.util.Arrays;
  *
  * <p>The network empties the queue after each camera's turn. No camera reads in its own turn what
  * it writes to another one, so that this gives the same numbers as CamSim's delivery within the
- * call that sends (section 8.2). Late or lost messages are a matter of {@link #deliver}.
+ * call that sends (behaviour 8.2). A channel that delays or loses messages belongs in {@link
+ * #deliver}.
  */
 public final class MessageQueue {
+  /** Takes delivered messages and brings each to the camera that it is for. */
+  @FunctionalInterface
+  public interface Receiver {
+    /**
+     * Takes one.
+     *
+     * @param target what the message is about
+     * @param value confidence or price; 0 where the kind has none
+     */
+    void receive(MessageKind kind, int from, int to, int target, double value);
+  }
+
   private MessageKind[] kinds = new MessageKind[64];
   private int[] froms = new int[64];
   private int[] tos = new int[64];
@@ -20,7 +33,7 @@ public final class MessageQueue {
   private long startTrackings;
 
   /** Appends a message. */
-  public void send(MessageKind kind, int from, int to, int target, double value) {
+  void send(MessageKind kind, int from, int to, int target, double value) {
     if (waiting == kinds.length) {
       grow();
     }
@@ -50,7 +63,7 @@ public final class MessageQueue {
     return startTrackings;
   }
 
-  /** Starts counting anew. */
+  /** Starts counting at 0. */
   public void resetCounts() {
     startSearches = 0;
     startTrackings = 0;

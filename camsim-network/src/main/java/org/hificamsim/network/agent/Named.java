@@ -6,43 +6,39 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Something that scenario files and options name by one of CamSim's class names (section 3.7). */
+/**
+ * What scenario files and options call by a short name of ours or a class name of CamSim's
+ * (behaviour 3.7).
+ */
 public interface Named {
-  /** The name to write today, such as {@code Active}. */
-  String shortName();
-
-  /** CamSim's names for it, the current one first; any of them is understood. */
-  List<String> classNames();
+  /** The short name, such as {@code Active}, then CamSim's class names, the current one first. */
+  List<String> names();
 
   /**
-   * The constant that {@code text} names: in full, by the last part of a class name, or shortly;
-   * upper and lower case are the same.
+   * The constant that {@code text} names: by its short name, a class name, or the last part of one,
+   * in upper or lower case.
    */
   static <E extends Enum<E> & Named> Optional<E> find(Class<E> type, String text) {
     String wanted = plain(text);
     return Arrays.stream(type.getEnumConstants())
-        .filter(constant -> answers(constant, wanted))
+        .filter(constant -> constant.names().stream().anyMatch(name -> answers(name, wanted)))
         .findFirst();
   }
 
-  /** All short names, for error lines. */
-  static <E extends Enum<E> & Named> String all(Class<E> type) {
+  /** What names a constant, for error lines. */
+  static <E extends Enum<E> & Named> String expected(Class<E> type) {
     return Arrays.stream(type.getEnumConstants())
-        .map(Named::shortName)
-        .collect(Collectors.joining(", "));
+        .map(constant -> constant.names().get(0))
+        .collect(Collectors.joining(", ", "one of ", " or a class name of CamSim's"));
   }
 
-  private static boolean answers(Named named, String wanted) {
-    return wanted.equals(plain(named.shortName()))
-        || named.classNames().stream()
-            .anyMatch(name -> wanted.equals(plain(name)) || wanted.equals(plain(lastPart(name))));
+  private static boolean answers(String name, String wanted) {
+    String plain = plain(name);
+    String lastPart = plain(name.substring(name.lastIndexOf('.') + 1));
+    return wanted.equals(plain) || wanted.equals(lastPart);
   }
 
   private static String plain(String name) {
     return name.strip().replace('$', '.').toLowerCase(Locale.ROOT);
-  }
-
-  private static String lastPart(String className) {
-    return className.substring(className.lastIndexOf('.') + 1);
   }
 }

@@ -1,10 +1,10 @@
 package org.hificamsim.network.agent;
 
 /**
- * The targets that a camera tracks, in the order of CamSim's map keyed by features (section 4.4). A
- * target that appears with the features of one that has gone takes its place.
+ * The targets that a camera tracks, in the order of CamSim's map keyed by features (behaviour 4.4).
+ * A target that appears with the features of one that has gone takes its place.
  */
-public final class OwnedTargets {
+final class OwnedTargets {
   private final double[] features;
   private final HashOrder order = new HashOrder();
 
@@ -15,8 +15,7 @@ public final class OwnedTargets {
     this.features = features;
   }
 
-  /** Starts tracking a target. */
-  public void add(int target) {
+  void add(int target) {
     int place = place(target);
     if (place >= 0) {
       order.replace(place, target);
@@ -25,28 +24,19 @@ public final class OwnedTargets {
     }
   }
 
-  /** Stops tracking a target. */
-  public void remove(int target) {
+  void remove(int target) {
     int place = place(target);
     if (place >= 0) {
       order.removeAt(place);
     }
   }
 
-  public boolean contains(int target) {
+  boolean contains(int target) {
     return place(target) >= 0;
   }
 
-  public int size() {
-    return order.size();
-  }
-
-  public int get(int index) {
-    return order.get(index);
-  }
-
-  /** The same order, for reading. */
-  public HashOrder order() {
+  /** The targets, for reading only. */
+  HashOrder order() {
     return order;
   }
 

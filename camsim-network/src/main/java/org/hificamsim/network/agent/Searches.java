@@ -1,9 +1,9 @@
 package org.hificamsim.network.agent;
 
-/** The targets that a camera looks for, and for whom, in the order of insertion (section 4.6). */
-public final class Searches {
+/** The targets that a camera looks for, and for whom, in the order of insertion (behaviour 4.6). */
+final class Searches {
   /** Nobody owns the target: whoever sees it first may have it. */
-  public static final int NOBODY = -1;
+  static final int NOBODY = -1;
 
   private final InsertionOrder order;
   private final int[] searcher;
@@ -14,30 +14,29 @@ public final class Searches {
   }
 
   /** Looks for a target from now on, for this camera or for {@link #NOBODY}. */
-  public void put(int target, int forCamera) {
+  void put(int target, int forCamera) {
     order.add(target);
     searcher[target] = forCamera;
   }
 
-  /** Looks for the target no longer. */
-  public void remove(int target) {
+  void remove(int target) {
     order.remove(target);
   }
 
-  public boolean contains(int target) {
+  boolean contains(int target) {
     return order.contains(target);
   }
 
-  /** For whom a target that is looked for is looked for. */
-  public int searcher(int target) {
+  /** For whom the camera looks for a target that it looks for. */
+  int searcher(int target) {
     return searcher[target];
   }
 
-  public int first() {
+  int first() {
     return order.first();
   }
 
-  public int next(int target) {
+  int next(int target) {
     return order.next(target);
   }
 }

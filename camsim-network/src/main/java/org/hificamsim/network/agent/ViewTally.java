@@ -1,27 +1,27 @@
 package org.hificamsim.network.agent;
 
-/** Which of a camera's targets others see too, counted for the zoom bandit (section 9.6). */
+/** Which of a camera's targets others see too, counted for the zoom bandit (behaviour 9.6). */
 public final class ViewTally {
   private int shared;
   private int yours;
   private int alone;
 
   /** An auction ended without bids; the seller sees the target or not. */
-  public void unsold(boolean visible) {
+  void unsold(boolean visible) {
     if (visible) {
       alone++;
     }
   }
 
   /** An auction was won by the seller itself. */
-  public void kept(boolean visible, int bids) {
+  void kept(boolean visible, int bids) {
     if (visible && bids > 1) {
       shared++;
     }
   }
 
   /** A target was handed over. */
-  public void sold(boolean visible) {
+  void sold(boolean visible) {
     if (visible) {
       shared++;
     } else {
@@ -30,7 +30,7 @@ public final class ViewTally {
   }
 
   /** Another camera keeps a target that this one sees. */
-  public void seenElsewhere() {
+  void seenElsewhere() {
     shared++;
   }
 
@@ -44,7 +44,7 @@ public final class ViewTally {
     return (double) shared / (shared + yours + alone);
   }
 
-  /** Starts counting anew. */
+  /** Starts counting at 0. */
   public void reset() {
     shared = 0;
     yours = 0;

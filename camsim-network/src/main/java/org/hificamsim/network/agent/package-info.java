@@ -1,2 +1,2 @@
-/** A camera as a member of the network: its state, and what messages do to it. */
+/** A camera as a trader of targets: what it owns and knows, whom it asks, what it bids. */
 package org.hificamsim.network.agent;

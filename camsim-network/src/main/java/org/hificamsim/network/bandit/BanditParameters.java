@@ -1,7 +1,7 @@
 package org.hificamsim.network.bandit;
 
 /**
- * The parameters of a bandit (section 9.1).
+ * The parameters of a bandit (behaviour 9.1).
  *
  * @param epsilon chance of exploring, temperature of SoftMax, or alpha of UCB2
  * @param alpha weight of performance against communication, or of the targets kept in view
@@ -14,8 +14,10 @@ public record BanditParameters(
   /** CamSim's defaults. */
   public static final BanditParameters DEFAULT = new BanditParameters(0.1, 0.5, 0.5, 0, 1);
 
-  /** The same parameters for a solver that knows neither beta nor gamma. */
-  BanditParameters withoutShares() {
-    return new BanditParameters(epsilon, alpha, 0, 0, interval);
+  /** What an algorithm takes of them: two know neither beta nor gamma. */
+  BanditParameters of(BanditAlgorithm algorithm) {
+    boolean dropped =
+        algorithm == BanditAlgorithm.EPSILON_GREEDY || algorithm == BanditAlgorithm.UCB1;
+    return dropped ? new BanditParameters(epsilon, alpha, 0, 0, interval) : this;
   }
 }

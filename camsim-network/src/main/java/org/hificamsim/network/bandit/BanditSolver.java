@@ -4,13 +4,13 @@ import java.util.Random;
 
 /**
  * One camera's bandit: chooses among six arms now and then, and learns from what it is fed between
- * (sections 9.1 and 9.2).
+ * (behaviour 9.1 and 9.2).
  */
 public final class BanditSolver {
   /** No arm. */
-  public static final int NONE = -1;
+  static final int NONE = -1;
 
-  private final ArmChoice choice;
+  private final BanditAlgorithm algorithm;
   private final BanditParameters parameters;
   private final Random random;
   private final Arms arms;
@@ -21,17 +21,18 @@ public final class BanditSolver {
   private double performance;
   private double communication;
 
-  BanditSolver(ArmChoice choice, BanditParameters parameters, Random random) {
-    this.choice = choice;
-    this.parameters = parameters;
+  /** A bandit that knows nothing; draws one number per arm. */
+  public BanditSolver(BanditAlgorithm algorithm, BanditParameters parameters, Random random) {
+    this.algorithm = algorithm;
+    this.parameters = parameters.of(algorithm);
     this.random = random;
     this.arms = new Arms(random);
     this.interval = parameters.interval();
     this.steps = interval;
   }
 
-  /** Learns and chooses anew if it is time; returns the current arm, or {@link #NONE}. */
-  public int select() {
+  /** Learns and chooses again if it is time; returns the current arm, or {@link #NONE}. */
+  int select() {
     if (steps >= interval) {
       if (current != NONE) {
         learn();
@@ -42,7 +43,7 @@ public final class BanditSolver {
   }
 
   /** Takes what a step brought under the current arm. */
-  public void feed(double stepPerformance, double stepCommunication) {
+  void feed(double stepPerformance, double stepCommunication) {
     performance += stepPerformance;
     communication += stepCommunication;
     steps++;
@@ -59,11 +60,12 @@ public final class BanditSolver {
 
   /** Chooses an arm at once. */
   void choose() {
-    int arm = choice.choose(arms, random);
+    int arm = algorithm.choose(arms, parameters.epsilon(), random);
     if (arm != NONE) {
       current = arm;
+      interval = algorithm.interval(arms.chosen(arm), parameters);
+      arms.choose(arm);
     }
-    interval = choice.interval(interval);
   }
 
   int current() {

@@ -1,83 +1,60 @@
 package org.hificamsim.network.bandit;
 
-import java.util.Random;
-import org.hificamsim.network.auction.ActiveSchedule;
-import org.hificamsim.network.auction.AuctionSchedule;
-import org.hificamsim.network.auction.Broadcast;
-import org.hificamsim.network.auction.CommunicationPolicy;
-import org.hificamsim.network.auction.PassiveSchedule;
-import org.hificamsim.network.auction.Smooth;
-import org.hificamsim.network.auction.Step;
-import org.hificamsim.network.auction.Trader;
+import java.util.List;
+import org.hificamsim.network.agent.Agent;
+import org.hificamsim.network.agent.CommunicationPolicy;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.statistics.CameraFigures;
 
 /**
- * A bandit whose arms are schedules with policies: gives one camera another one step by step
- * (section 9.4). Arms 0 to 2 are active, 3 to 5 passive, each with Broadcast, Smooth and Step.
+ * A bandit whose arms are schedules with policies (behaviour 9.4). Arms 0 to 2 are active, 3 to 5
+ * passive, each with Broadcast, Smooth and Step.
  */
-public final class ScheduleSwitch {
-  /** CamSim's number for each arm once it is in force: Smooth and Step change places. */
-  private static final int[] IN_FORCE = {0, 2, 1, 3, 5, 4};
+public final class ScheduleSwitch implements CameraBandit {
+  private static final List<CommunicationPolicy> POLICIES =
+      List.of(CommunicationPolicy.BROADCAST, CommunicationPolicy.SMOOTH, CommunicationPolicy.STEP);
 
-  private static final int FIRST_PASSIVE = 3;
+  /** The same as CamSim numbers what is in force: Smooth and Step change places. */
+  private static final List<CommunicationPolicy> IN_FORCE =
+      List.of(CommunicationPolicy.BROADCAST, CommunicationPolicy.STEP, CommunicationPolicy.SMOOTH);
 
   private final BanditSolver solver;
-  private final Trader trader;
-  private final AuctionSchedule active = new ActiveSchedule();
-  private final PassiveSchedule passive;
-  private final CommunicationPolicy[] policies;
-  private int inForce;
-  private boolean isActive;
+  private final Agent agent;
 
-  /**
-   * @param passive keeps the confidences of the camera's last advertisements; may be in use already
-   * @param inForce CamSim's number for what the camera starts with, -1 for what is no arm
-   * @param isActive whether it starts with an active schedule
-   */
-  public ScheduleSwitch(
-      BanditSolver solver,
-      Trader trader,
-      PassiveSchedule passive,
-      int inForce,
-      boolean isActive,
-      Random communication) {
+  /** The bandit of a camera, which starts with what the agent has. */
+  public ScheduleSwitch(BanditSolver solver, Agent agent) {
     this.solver = solver;
-    this.trader = trader;
-    this.passive = passive;
-    this.inForce = inForce;
-    this.isActive = isActive;
-    policies =
-        new CommunicationPolicy[] {
-          Broadcast.COUNTED,
-          new Smooth(communication, Broadcast.UNCOUNTED),
-          new Step(communication, Broadcast.UNCOUNTED)
-        };
+    this.agent = agent;
   }
 
-  /** Follows the bandit's choice; tells whether CamSim counts that as a change of strategy. */
-  public boolean select() {
+  @Override
+  public boolean choose() {
     int arm = solver.select();
     if (arm == BanditSolver.NONE) {
       return false;
     }
-    boolean toActive = arm < FIRST_PASSIVE;
-    if (!toActive && isActive) {
-      passive.forget();
-    }
-    trader.agent().links().thaw();
-    trader.follow(toActive ? active : passive, policies[arm % FIRST_PASSIVE]);
-    isActive = toActive;
-    boolean changed = arm != inForce;
-    inForce = IN_FORCE[arm];
+    boolean changed = arm != inForce();
+    ScheduleKind schedule = arm < POLICIES.size() ? ScheduleKind.ACTIVE : ScheduleKind.PASSIVE;
+    agent.follow(schedule, POLICIES.get(arm % POLICIES.size()));
     return changed;
   }
 
-  /** Whether the schedule in force is an active one. */
-  public boolean isActive() {
-    return isActive;
+  /** CamSim's number for the schedule and policy in force, -1 for what is no arm. */
+  private int inForce() {
+    int policy = IN_FORCE.indexOf(agent.policy());
+    if (agent.schedule().isHistorical() || policy < 0) {
+      return -1;
+    }
+    return agent.schedule().isActive() ? policy : policy + POLICIES.size();
   }
 
-  /** Feeds the bandit what the step brought. */
-  public void feed(double performance, double communication) {
-    solver.feed(performance, communication);
+  @Override
+  public double earned(CameraFigures figures) {
+    return figures.utility(agent) + agent.received() - agent.paid();
+  }
+
+  @Override
+  public void learn(double earned, int sent, CameraFigures figures) {
+    solver.feed(earned, sent);
   }
 }

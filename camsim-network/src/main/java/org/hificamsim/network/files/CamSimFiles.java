@@ -11,7 +11,7 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.Network;
-import org.hificamsim.network.statistics.ExactOverlap;
+import org.hificamsim.network.statistics.OverlapTable;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.SingleRun;
 
@@ -47,12 +47,12 @@ public final class CamSimFiles implements Closeable {
     summary = new SummaryRows(places.summary().orElse(SummaryRows.beside(places.output())));
     listeners.add((view, measured) -> sums.add(network.figures()));
     try {
-      StepsCsv steps = opened(new StepsCsv(file("-o", places.output()).open()));
-      listeners.add((view, measured) -> steps.write(network.figures()));
+      StepTable steps = opened(StepTable.camSim(file("-o", places.output()).open()));
+      listeners.add((view, measured) -> steps.camSim(network.figures()));
       if (places.extra().isPresent()) {
-        ExtraCsv extra = opened(new ExtraCsv(file("--extra-out", places.extra().get()).open()));
-        ExactOverlap overlap = new ExactOverlap(world);
-        listeners.add((view, measured) -> extra.write(network.figures(), overlap.sum()));
+        StepTable extra = opened(StepTable.extra(file("--extra-out", places.extra().get()).open()));
+        OverlapTable overlap = OverlapTable.exact(world.cameras());
+        listeners.add((view, measured) -> extra.extra(network.figures(), overlap.sum()));
       }
       coverage =
           places.coverage().isPresent()

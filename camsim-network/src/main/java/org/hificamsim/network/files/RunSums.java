@@ -1,8 +1,10 @@
 package org.hificamsim.network.files;
 
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.network.statistics.StepFigures;
 
-/** The sums of a run's figures, one row of CamSim's summary file (section 10.5). */
+/** The sums of a run's figures, one row of CamSim's summary file (behaviour 10.5). */
 public final class RunSums {
   /** The columns. Those without CUMULATIVE in front are of a step that never began, hence 0. */
   static final String HEADER =
@@ -30,14 +32,17 @@ public final class RunSums {
     proportion += figures.proportion();
   }
 
+  /** The StartSearch messages delivered. */
   public long communication() {
     return communication;
   }
 
+  /** The StartTracking messages delivered. */
   public long handovers() {
     return handovers;
   }
 
+  /** The utility of all steps together. */
   public double utility() {
     return utility;
   }
@@ -47,24 +52,23 @@ public final class RunSums {
     return steps == 0 ? 0 : proportion / steps;
   }
 
-  /** The row. */
+  /** The row of the summary. */
   String row(long seed) {
-    return seed
-        + ","
-        + steps
-        + ",0.0,"
-        + utility
-        + ",0.0,"
-        + (double) communication
-        + ",0.0,"
-        + (double) handovers
-        + ","
-        + (double) attempts
-        + ",0,"
-        + overlap
-        + ","
-        + confidence
-        + ","
-        + proportion;
+    return Stream.of(
+            seed,
+            steps,
+            0.0,
+            utility,
+            0.0,
+            (double) communication,
+            0.0,
+            (double) handovers,
+            (double) attempts,
+            0,
+            overlap,
+            confidence,
+            proportion)
+        .map(String::valueOf)
+        .collect(Collectors.joining(","));
   }
 }

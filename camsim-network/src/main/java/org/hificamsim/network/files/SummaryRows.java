@@ -11,16 +11,18 @@ import java.nio.file.StandardOpenOption;
 import org.hificamsim.core.InputException;
 
 /**
- * CamSim's summary file: one row is appended per run, under a lock and in one write, so that runs
- * side by side may share it.
+ * CamSim's summary file: one row is appended per run, under a lock and in one write, so that
+ * parallel runs may share it.
  */
-public final class SummaryRows {
+final class SummaryRows {
   private final Path path;
 
   /**
+   * A summary that may exist already.
+   *
    * @throws InputException when the path cannot be a file
    */
-  public SummaryRows(Path path) {
+  SummaryRows(Path path) {
     this.path = path;
     Path folder = path.toAbsolutePath().getParent();
     if (Files.isDirectory(path) || !Files.isDirectory(folder)) {
@@ -29,13 +31,15 @@ public final class SummaryRows {
     }
   }
 
-  /** Where a run with this output writes its summary unless told otherwise (Q20 mended). */
-  public static Path beside(Path output) {
+  /**
+   * Where a run with this output writes its summary unless an option says otherwise (Q20 mended).
+   */
+  static Path beside(Path output) {
     return output.resolveSibling("summary.csv");
   }
 
   /** Appends a run. */
-  public void append(long seed, RunSums sums) throws IOException {
+  void append(long seed, RunSums sums) throws IOException {
     try (FileChannel file =
         FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
       FileLock lock = file.lock();

@@ -5,8 +5,8 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 
 /**
- * CamSim's overlap of two cameras (section 10.2, quirk Q11): two circle segments, opening angles
- * ignored, right for some positions only; kept for its numbers. {@link ExactOverlap} is right.
+ * CamSim's overlap of two cameras (behaviour 10.2, quirk Q11): two circle segments, opening angles
+ * ignored, right for some positions only; kept for its numbers. {@link SectorOverlap} is right.
  */
 final class CamSimOverlap implements OverlapTable.Pair {
   private final Cameras cameras;

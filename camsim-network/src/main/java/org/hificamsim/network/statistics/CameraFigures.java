@@ -8,12 +8,13 @@ import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.HashOrder;
 
 /**
- * What a camera's targets are worth: its utility (section 10.3) and its relative confidence (10.4).
+ * What a camera's targets are worth: its utility (behaviour 10.3) and its relative confidence
+ * (behaviour 10.4).
  *
  * <p>{@link #measure} fills the figures of one camera, to be read before the next is measured.
  */
 public final class CameraFigures {
-  private static final double MOST_RANGE = 20;
+  private static final double MAX_RANGE = 20;
 
   private final Cameras cameras;
   private final Targets targets;
@@ -22,6 +23,7 @@ public final class CameraFigures {
   private double sum;
   private int visible;
 
+  /** Figures of a world's cameras. */
   public CameraFigures(World world) {
     cameras = world.cameras();
     targets = world.targets();
@@ -31,9 +33,10 @@ public final class CameraFigures {
   /** The visibility of the targets owned, weighed by the camera's range. */
   public double utility(Agent agent) {
     double worth = Math.max(worth(agent.camera()), 0);
+    HashOrder owned = agent.owned();
     double utility = 0.0;
-    for (int i = 0; i < agent.owned().size(); i++) {
-      utility += agent.confidence(agent.owned().get(i)) * worth * 1;
+    for (int i = 0; i < owned.size(); i++) {
+      utility += agent.confidence(owned.get(i)) * worth;
     }
     return utility;
   }
@@ -42,7 +45,7 @@ public final class CameraFigures {
   public void measure(Agent agent) {
     sum = 0.0;
     visible = 0;
-    HashOrder order = copied(agent.owned().order());
+    HashOrder order = copied(agent.owned());
     for (int i = 0; i < order.size(); i++) {
       int target = order.get(i);
       if (agent.sees(target)) {
@@ -77,14 +80,14 @@ public final class CameraFigures {
 
   private double worth(int camera) {
     double range = cameras.zoom(camera, cameras.level(camera)).radius();
-    return 0.95 * (1 - range / MOST_RANGE) - 0.15;
+    return 0.95 * (1 - range / MAX_RANGE) - 0.15;
   }
 
   private double certainty(int camera, int target) {
     double dx = (targets.x(target) - field.minX()) - (cameras.x(camera) - field.minX());
     double dy = (field.minY() + targets.y(target)) * -1 - (field.minY() + cameras.y(camera)) * -1;
     double distance = Math.sqrt(dx * dx + dy * dy);
-    double certainty = (1 - distance / MOST_RANGE) * worth(camera);
+    double certainty = (1 - distance / MAX_RANGE) * worth(camera);
     return certainty < 0 ? 0 : certainty;
   }
 }

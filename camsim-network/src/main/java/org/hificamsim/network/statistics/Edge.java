@@ -1,10 +1,12 @@
 package org.hificamsim.network.statistics;
 
+import java.util.function.DoubleConsumer;
+
 /**
  * A piece of a sector's boundary, walked through anticlockwise as its parameter goes from 0 to 1,
  * so that the inside is on the left.
  */
-sealed interface Edge permits Arc, Side {
+sealed interface Edge {
   double x(double t);
 
   double y(double t);
@@ -18,6 +20,150 @@ sealed interface Edge permits Arc, Side {
   /** Half the integral of x dy - y dx from one parameter to another: its share of an area. */
   double areaBetween(double from, double to);
 
-  /** Adds the parameters at which the curve that another edge is part of is crossed. */
-  void cross(Edge other, Cuts cuts);
+  /** Tells the parameters at which the curve that another edge is part of is crossed. */
+  void cross(Edge other, DoubleConsumer cuts);
+
+  /**
+   * Part of a circle.
+   *
+   * @param start mathematical angle of its first point, radians
+   * @param extent radians, above 0
+   */
+  record Arc(double cx, double cy, double radius, double start, double extent) implements Edge {
+    private double angle(double t) {
+      return start + extent * t;
+    }
+
+    @Override
+    public double x(double t) {
+      return cx + radius * Math.cos(angle(t));
+    }
+
+    @Override
+    public double y(double t) {
+      return cy + radius * Math.sin(angle(t));
+    }
+
+    @Override
+    public double leftX(double t) {
+      return -Math.cos(angle(t));
+    }
+
+    @Override
+    public double leftY(double t) {
+      return -Math.sin(angle(t));
+    }
+
+    @Override
+    public double areaBetween(double from, double to) {
+      return (radius * radius * extent * (to - from)
+              + cx * (y(to) - y(from))
+              - cy * (x(to) - x(from)))
+          / 2;
+    }
+
+    @Override
+    public void cross(Edge other, DoubleConsumer cuts) {
+      if (other instanceof Arc arc) {
+        crossCircle(arc.cx, arc.cy, arc.radius, cuts);
+      } else if (other instanceof Side side) {
+        crossLine(side.fromX(), side.fromY(), side.directionX(), side.directionY(), cuts);
+      }
+    }
+
+    private void crossCircle(double ox, double oy, double other, DoubleConsumer cuts) {
+      double distance = Math.hypot(ox - cx, oy - cy);
+      if (distance == 0) {
+        return;
+      }
+      double cosine =
+          (radius * radius + distance * distance - other * other) / (2 * radius * distance);
+      addAround(Math.atan2(oy - cy, ox - cx), cosine, cuts);
+    }
+
+    private void crossLine(double px, double py, double dx, double dy, DoubleConsumer cuts) {
+      double away = (px - cx) * -dy + (py - cy) * dx;
+      addAround(Math.atan2(dx, -dy), away / radius, cuts);
+    }
+
+    /** The two angles on either side of a direction that have this cosine with it, if any. */
+    private void addAround(double direction, double cosine, DoubleConsumer cuts) {
+      if (Math.abs(cosine) > 1) {
+        return;
+      }
+      double half = Math.acos(cosine);
+      addAngle(direction + half, cuts);
+      addAngle(direction - half, cuts);
+    }
+
+    private void addAngle(double angle, DoubleConsumer cuts) {
+      double turn = 2 * Math.PI;
+      double from = (angle - start) % turn;
+      cuts.accept((from < 0 ? from + turn : from) / extent);
+    }
+  }
+
+  /**
+   * A straight piece of a boundary.
+   *
+   * @param directionX of the unit vector along it
+   */
+  record Side(double fromX, double fromY, double directionX, double directionY, double length)
+      implements Edge {
+    static Side between(double fromX, double fromY, double toX, double toY) {
+      double length = Math.hypot(toX - fromX, toY - fromY);
+      return new Side(fromX, fromY, (toX - fromX) / length, (toY - fromY) / length, length);
+    }
+
+    @Override
+    public double x(double t) {
+      return fromX + directionX * length * t;
+    }
+
+    @Override
+    public double y(double t) {
+      return fromY + directionY * length * t;
+    }
+
+    @Override
+    public double leftX(double t) {
+      return -directionY;
+    }
+
+    @Override
+    public double leftY(double t) {
+      return directionX;
+    }
+
+    @Override
+    public double areaBetween(double from, double to) {
+      return (x(from) * y(to) - x(to) * y(from)) / 2;
+    }
+
+    @Override
+    public void cross(Edge other, DoubleConsumer cuts) {
+      if (other instanceof Arc arc) {
+        crossCircle(arc.cx(), arc.cy(), arc.radius(), cuts);
+      } else if (other instanceof Side side) {
+        crossLine(side.fromX, side.fromY, side.directionX, side.directionY, cuts);
+      }
+    }
+
+    private void crossCircle(double cx, double cy, double radius, DoubleConsumer cuts) {
+      double along = (cx - fromX) * directionX + (cy - fromY) * directionY;
+      double away = (cx - fromX) * -directionY + (cy - fromY) * directionX;
+      double squared = radius * radius - away * away;
+      if (squared >= 0) {
+        cuts.accept((along - Math.sqrt(squared)) / length);
+        cuts.accept((along + Math.sqrt(squared)) / length);
+      }
+    }
+
+    private void crossLine(double px, double py, double dx, double dy, DoubleConsumer cuts) {
+      double across = directionX * dy - directionY * dx;
+      if (across != 0) {
+        cuts.accept(((px - fromX) * dy - (py - fromY) * dx) / across / length);
+      }
+    }
+  }
 }

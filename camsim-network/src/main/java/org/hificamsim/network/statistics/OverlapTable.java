@@ -2,10 +2,11 @@ package org.hificamsim.network.statistics;
 
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.world.Cameras;
-import org.hificamsim.core.world.World;
 
-/** An overlap of every pair of cameras, computed again only where a camera has changed. */
-final class OverlapTable {
+/**
+ * An overlap of every pair of cameras, square metres, computed again only where one has changed.
+ */
+public final class OverlapTable {
   /** The overlap of two cameras as they are now, the first being earlier in the list. */
   interface Pair {
     double overlap(int first, int second);
@@ -20,12 +21,30 @@ final class OverlapTable {
   private final View[] views;
   private int revision = -1;
 
-  OverlapTable(World world, Pair pair) {
-    this.cameras = world.cameras();
+  OverlapTable(Cameras cameras, Pair pair) {
+    this.cameras = cameras;
     this.pair = pair;
     int count = cameras.count();
     overlaps = new double[count][count];
     views = new View[count];
+  }
+
+  /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
+  public static OverlapTable exact(Cameras cameras) {
+    return new OverlapTable(
+        cameras,
+        (first, second) -> SectorOverlap.of(Sector.of(cameras, first), Sector.of(cameras, second)));
+  }
+
+  /** The sum over all pairs of cameras that are online. */
+  public double sum() {
+    double sum = 0;
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      if (cameras.online(camera)) {
+        sum = addPairs(camera, sum);
+      }
+    }
+    return sum;
   }
 
   /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */

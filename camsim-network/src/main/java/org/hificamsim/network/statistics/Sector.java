@@ -1,5 +1,7 @@
 package org.hificamsim.network.statistics;
 
+import org.hificamsim.core.world.Cameras;
+
 /**
  * A camera's field of view: a sector of a circle, or a whole circle.
  *
@@ -9,7 +11,17 @@ package org.hificamsim.network.statistics;
  * @param angle full opening, radians, (0, 2 pi]
  * @param radius metres, 0 or more
  */
-public record Sector(double x, double y, double heading, double angle, double radius) {
+record Sector(double x, double y, double heading, double angle, double radius) {
+  /** What a camera sees now. */
+  static Sector of(Cameras cameras, int camera) {
+    return new Sector(
+        cameras.x(camera),
+        cameras.y(camera),
+        cameras.heading(camera),
+        cameras.zoom(camera, 0).viewingAngle(),
+        cameras.zoom(camera, cameras.level(camera)).radius());
+  }
+
   /** Whether the point lies inside. */
   boolean contains(double px, double py) {
     double dx = px - x;
@@ -27,11 +39,6 @@ public record Sector(double x, double y, double heading, double angle, double ra
 
   boolean isCircle() {
     return angle >= 2 * Math.PI;
-  }
-
-  /** Square metres. */
-  public double area() {
-    return radius * radius * Math.min(angle, 2 * Math.PI) / 2;
   }
 
   /** The mathematical angle (0 is +x, anticlockwise) at which the arc starts. */

@@ -1,21 +1,22 @@
 package org.hificamsim.network.statistics;
 
 import java.util.List;
+import java.util.stream.DoubleStream;
 
 /**
  * The area that two fields of view have in common, exact but for rounding: Green's theorem along
  * the parts of each boundary that lie inside the other sector.
  *
- * <p>Whether a part lies inside is asked a hair's breadth beside its middle, so that boundaries
- * that coincide count once where the insides are on the same side, and not at all otherwise.
+ * <p>Whether a part lies inside is tested slightly beside its middle, so that boundaries that
+ * coincide count once where the insides are on the same side, and not at all otherwise.
  */
-public final class SectorOverlap {
-  private static final double HAIR = 1e-9;
+final class SectorOverlap {
+  private static final double OFFSET = 1e-9;
 
   private SectorOverlap() {}
 
   /** Square metres. */
-  public static double of(Sector first, Sector second) {
+  static double of(Sector first, Sector second) {
     double reach = first.radius() + second.radius();
     if (Math.hypot(first.x() - second.x(), first.y() - second.y()) >= reach) {
       return 0;
@@ -25,13 +26,13 @@ public final class SectorOverlap {
     }
     List<Edge> ofFirst = edges(first);
     List<Edge> ofSecond = edges(second);
-    double hair = HAIR * reach;
+    double offset = OFFSET * reach;
     double area = 0;
     for (Edge edge : ofFirst) {
-      area += inside(edge, ofSecond, second, hair, false);
+      area += inside(edge, ofSecond, second, offset, false);
     }
     for (Edge edge : ofSecond) {
-      area += inside(edge, ofFirst, first, hair, true);
+      area += inside(edge, ofFirst, first, offset, true);
     }
     return Math.max(area, 0);
   }
@@ -40,19 +41,25 @@ public final class SectorOverlap {
    * @param bothSides whether a part must have the sector on either side of it
    */
   private static double inside(
-      Edge edge, List<Edge> others, Sector sector, double hair, boolean bothSides) {
-    Cuts cuts = new Cuts();
-    others.forEach(other -> edge.cross(other, cuts));
-    double[] at = cuts.sorted();
+      Edge edge, List<Edge> others, Sector sector, double offset, boolean bothSides) {
+    double[] at = cuts(edge, others);
     double area = 0;
     for (int i = 1; i < at.length; i++) {
       double middle = (at[i - 1] + at[i]) / 2;
-      if (beside(edge, middle, sector, hair)
-          && (!bothSides || beside(edge, middle, sector, -hair))) {
+      if (beside(edge, middle, sector, offset)
+          && (!bothSides || beside(edge, middle, sector, -offset))) {
         area += edge.areaBetween(at[i - 1], at[i]);
       }
     }
     return area;
+  }
+
+  /** The parameters at which an edge is cut: 0, 1, and crossings between, rising. */
+  private static double[] cuts(Edge edge, List<Edge> others) {
+    DoubleStream.Builder crossings = DoubleStream.builder();
+    others.forEach(other -> edge.cross(other, crossings));
+    DoubleStream inside = crossings.build().filter(cut -> cut > 0 && cut < 1);
+    return DoubleStream.concat(inside, DoubleStream.of(0, 1)).sorted().toArray();
   }
 
   private static boolean beside(Edge edge, double t, Sector sector, double left) {
@@ -62,13 +69,13 @@ public final class SectorOverlap {
   private static List<Edge> edges(Sector sector) {
     double start = sector.arcStart();
     double extent = Math.min(sector.angle(), 2 * Math.PI);
-    Arc arc = new Arc(sector.x(), sector.y(), sector.radius(), start, extent);
+    Edge.Arc arc = new Edge.Arc(sector.x(), sector.y(), sector.radius(), start, extent);
     if (sector.isCircle()) {
       return List.of(arc);
     }
     return List.of(
-        Side.between(sector.x(), sector.y(), arc.x(0), arc.y(0)),
+        Edge.Side.between(sector.x(), sector.y(), arc.x(0), arc.y(0)),
         arc,
-        Side.between(arc.x(1), arc.y(1), sector.x(), sector.y()));
+        Edge.Side.between(arc.x(1), arc.y(1), sector.x(), sector.y()));
   }
 }

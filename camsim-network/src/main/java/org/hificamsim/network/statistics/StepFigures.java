@@ -1,7 +1,7 @@
 package org.hificamsim.network.statistics;
 
 /**
- * One row of CamSim's statistics (section 10.1).
+ * One row of CamSim's statistics (behaviour 10.1).
  *
  * @param step from 0
  * @param utility of all cameras at the end of the step

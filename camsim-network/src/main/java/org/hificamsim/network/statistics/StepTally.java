@@ -6,7 +6,7 @@ import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.Sightings;
 
-/** Adds a step's figures up, camera by camera (section 7, steps 8 to 11). */
+/** Adds a step's figures up, camera by camera (behaviour 7, steps 8 to 11). */
 public final class StepTally {
   private final Targets targets;
   private final OverlapTable overlaps;
@@ -22,9 +22,10 @@ public final class StepTally {
   private int tracked;
   private int seeing;
 
+  /** Sums of a world's steps, at 0. */
   public StepTally(World world, CameraFigures figures, Sightings sightings, MessageQueue queue) {
     this.targets = world.targets();
-    this.overlaps = new OverlapTable(world, new CamSimOverlap(world));
+    this.overlaps = new OverlapTable(world.cameras(), new CamSimOverlap(world));
     this.figures = figures;
     this.sightings = sightings;
     this.queue = queue;
@@ -48,18 +49,15 @@ public final class StepTally {
     strategyChanges++;
   }
 
-  /** Counts what a camera attempted to send. */
-  public void attempted(int sent) {
+  /**
+   * Counts an online camera that has settled its auctions and been measured.
+   *
+   * @param earned utility and prices of a camera whose bandit learns from them, else 0
+   * @param sent what the camera attempted to send
+   */
+  public void settled(Agent agent, double earned, int sent) {
     attempts += sent;
-  }
-
-  /** Counts the utility, prices included, of a camera with a bandit. */
-  public void banditEarned(double amount) {
-    banditUtility += amount;
-  }
-
-  /** Counts an online camera after its update; it has just been measured. */
-  public void updated(Agent agent) {
+    banditUtility += earned;
     overlap = overlaps.addPairs(agent.camera(), overlap);
     confidence += figures.relativeConfidence();
     tracked += figures.tracked();
@@ -68,8 +66,8 @@ public final class StepTally {
     }
   }
 
-  /** Counts an online camera's utility, once all have been updated. */
-  public void valued(Agent agent) {
+  /** Counts an online camera's utility, once all have settled. */
+  public void count(Agent agent) {
     utility += figures.utility(agent);
   }
 

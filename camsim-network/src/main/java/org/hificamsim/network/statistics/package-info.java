@@ -1,2 +1,2 @@
-/** The figures of CamSim about a network, per camera and per step. */
+/** CamSim's columns: what a step was worth, and how far fields of view overlap. */
 package org.hificamsim.network.statistics;

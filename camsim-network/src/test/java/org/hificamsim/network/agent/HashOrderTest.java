@@ -40,7 +40,7 @@ class HashOrderTest {
     double[] features = random.doubles(60, 0, 10).toArray();
     for (int i = 0; i < 5000; i++) {
       int item = random.nextInt(features.length);
-      int place = order.indexOf(item);
+      int place = items(order).indexOf(item);
       if (place >= 0) {
         order.removeAt(place);
         map.remove(List.of(features[item]));

@@ -3,16 +3,13 @@ package org.hificamsim.network.agent;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import org.hificamsim.core.scenario.VisionGraph;
 import org.junit.jupiter.api.Test;
 
 /** The vision graph: links that fade, grow, or do neither. */
 class LinksTest {
   @Test
   void linksFadeByAHalfPercentAndGrowByOne() {
-    NameLinks links = new NameLinks(3, List.of(1), false);
+    Links links = Links.plain(3, List.of(1), false);
     links.decay();
     assertEquals(0.995, links.strength(1, 0));
     links.strengthen(1, 0);
@@ -21,16 +18,16 @@ class LinksTest {
     assertEquals(1.0, links.strength(2, 0));
     assertEquals(Links.NONE, links.strength(0, 0));
     assertEquals(1.995, links.strongest(0));
-    assertEquals(2, links.count());
+    assertEquals(2, links.linked().size());
   }
 
   @Test
   void frozenLinksStayUntilTheyThaw() {
-    NameLinks links = new NameLinks(3, List.of(1, 1), true);
+    Links links = Links.plain(3, List.of(1, 1), true);
     links.decay();
     links.strengthen(2, 0);
     assertEquals(1.0, links.strength(1, 0));
-    assertEquals(1, links.count());
+    assertEquals(1, links.linked().size());
     links.thaw();
     links.decay();
     assertEquals(0.995, links.strength(1, 0));
@@ -38,7 +35,7 @@ class LinksTest {
 
   @Test
   void linksByCategoryAreForTargetsOfThatCategoryAlone() {
-    CategoryLinks links = new CategoryLinks(3, 4, target -> target);
+    Links links = Links.byCategory(3, 4, target -> target);
     links.strengthen(1, 2);
     links.strengthen(1, 0);
     assertEquals(1.0, links.strength(1, 2));
@@ -47,17 +44,5 @@ class LinksTest {
     assertEquals(0, links.strongest(0), "category 0 has no links");
     links.decay();
     assertEquals(0.995, links.strongest(2));
-  }
-
-  @Test
-  void theFilesGraphGivesLinksForwardAndBackwardAndToUnknownNames() {
-    VisionGraph graph =
-        new VisionGraph(true, Map.of("A", List.of("B", "Nobody"), "C", List.of("A")));
-    InitialLinks links = new InitialLinks(List.of("A", "B", "C"), Optional.of(graph));
-    assertEquals(4, links.names());
-    assertEquals(List.of(1, 3), links.of("A", false));
-    assertEquals(List.of(1, 3, 2), links.of("A", true));
-    assertEquals(List.of(), links.of("B", false));
-    assertEquals(List.of(0), links.of("B", true));
   }
 }

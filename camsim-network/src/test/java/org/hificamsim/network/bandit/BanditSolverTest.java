@@ -13,18 +13,19 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 /** Bandits alone. */
 class BanditSolverTest {
-  private static BanditSolver solver(BanditKind kind, int interval) {
-    return kind.solver(new BanditParameters(0.1, 1, 0.5, 0, interval), new Random(1));
+  private static BanditSolver solver(BanditAlgorithm algorithm, int interval) {
+    return new BanditSolver(
+        algorithm, new BanditParameters(0.1, 1, 0.5, 0, interval), new Random(1));
   }
 
   /** CamSim's UCB2 weighs an arm's epochs against its own count alone, and wanders. */
   @ParameterizedTest
   @EnumSource(
-      value = BanditKind.class,
+      value = BanditAlgorithm.class,
       names = {"FULL_RANDOM", "UCB2"},
       mode = EnumSource.Mode.EXCLUDE)
-  void theBestArmIsChosenMostOften(BanditKind kind) {
-    BanditSolver solver = solver(kind, 1);
+  void theBestArmIsChosenMostOften(BanditAlgorithm algorithm) {
+    BanditSolver solver = solver(algorithm, 1);
     int best = 0;
     for (int step = 0; step < 3000; step++) {
       int arm = solver.select();
@@ -36,7 +37,7 @@ class BanditSolverTest {
 
   @Test
   void anArmIsKeptForTheInterval() {
-    BanditSolver solver = solver(BanditKind.FULL_RANDOM, 5);
+    BanditSolver solver = solver(BanditAlgorithm.FULL_RANDOM, 5);
     int first = solver.select();
     solver.feed(0, 0);
     int arm = solver.select();
@@ -45,7 +46,7 @@ class BanditSolverTest {
       assertEquals(arm, solver.select());
     }
     assertTrue(first >= 0 && first < Arms.COUNT);
-    assertEquals(1, solver.arms().used(first));
+    assertEquals(2, solver.arms().count(first));
   }
 
   @Test

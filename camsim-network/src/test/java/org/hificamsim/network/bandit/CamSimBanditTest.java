@@ -25,7 +25,8 @@ class CamSimBanditTest {
       int arm = solver.select();
       assertEquals(Integer.parseInt(row[4]), arm, where);
       for (int i = 0; i < Arms.COUNT; i++) {
-        assertEquals(Integer.parseInt(row[7 + i]), solver.arms().used(i), where + " count " + i);
+        assertEquals(
+            Integer.parseInt(row[7 + i]), solver.arms().count(i) - 1, where + " count " + i);
         assertEquals(
             Double.parseDouble(row[13 + i]),
             solver.arms().reward(i),
@@ -42,8 +43,8 @@ class CamSimBanditTest {
   }
 
   private static BanditSolver solver(String name, long seed, int interval) {
-    return Named.find(BanditKind.class, name)
-        .orElseThrow()
-        .solver(new BanditParameters(0.1, 0.5, 0, 0, interval), new Random(seed));
+    BanditAlgorithm algorithm = Named.find(BanditAlgorithm.class, name).orElseThrow();
+    return new BanditSolver(
+        algorithm, new BanditParameters(0.1, 0.5, 0, 0, interval), new Random(seed));
   }
 }

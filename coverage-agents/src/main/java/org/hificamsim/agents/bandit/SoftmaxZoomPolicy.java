@@ -2,21 +2,17 @@ package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.CameraRandoms;
-import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
  * The softmax bandit: each camera draws its level with probability proportional to {@code
  * exp(average / temperature)}, the average being of numbers of detected targets.
  */
-public final class SoftmaxZoomPolicy implements ZoomPolicy {
+public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
   public static final String NAME = "softmax";
 
-  private final CameraTask<int[]> deciding = this::decide;
   private final double temperature;
-  private ArmAverages arms;
   private double[] weights;
   private SplittableRandom[] randoms;
 
@@ -40,45 +36,27 @@ public final class SoftmaxZoomPolicy implements ZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    arms = new ArmAverages(network);
-    weights = new double[arms.means().length];
+    super.begin(network, random);
+    weights = new double[means().length];
     randoms = CameraRandoms.split(network, random);
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
-    network.divide(levels, deciding);
-  }
-
-  private void decide(NetworkView network, int[] levels, int from, int to) {
-    for (int camera = from; camera < to; camera++) {
-      if (network.online(camera)) {
-        double sum = weigh(arms.offset(camera), network.levels(camera));
-        double drawn = randoms[camera].nextDouble() * sum;
-        levels[camera] = levelAt(drawn, arms.offset(camera), network.levels(camera));
-      }
-    }
-  }
-
-  @Override
-  public void learn(NetworkView network) {
-    arms.learn(network);
-  }
-
-  @Override
-  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
-    return arms.estimates(network, camera, estimates, counts);
+  protected int choose(NetworkView network, int camera) {
+    double sum = weigh(offset(camera), network.levels(camera));
+    double drawn = randoms[camera].nextDouble() * sum;
+    return levelAt(drawn, offset(camera), network.levels(camera));
   }
 
   /** Weighs relative to the largest average, whose weight is 1: nothing overflows. */
   private double weigh(int offset, int levels) {
     double most = 0;
     for (int arm = offset; arm < offset + levels; arm++) {
-      most = Math.max(most, arms.means()[arm]);
+      most = Math.max(most, means()[arm]);
     }
     double sum = 0;
     for (int arm = offset; arm < offset + levels; arm++) {
-      weights[arm] = StrictMath.exp((arms.means()[arm] - most) / temperature);
+      weights[arm] = StrictMath.exp((means()[arm] - most) / temperature);
       sum += weights[arm];
     }
     return sum;

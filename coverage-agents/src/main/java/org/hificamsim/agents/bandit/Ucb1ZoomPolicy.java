@@ -2,9 +2,7 @@ package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.Ties;
-import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -15,13 +13,11 @@ import org.hificamsim.core.registry.Options;
  * <p>Rewards are numbers of detected targets over the number of all targets of the scenario, so in
  * [0, 1] as the bound assumes.
  */
-public final class Ucb1ZoomPolicy implements ZoomPolicy {
+public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
   public static final String NAME = "ucb1";
 
-  private final CameraTask<int[]> deciding = this::decide;
   private final double exploration;
   private final Ties ties;
-  private ArmAverages arms;
   private double[] bounds;
   private double scale;
 
@@ -47,47 +43,29 @@ public final class Ucb1ZoomPolicy implements ZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    arms = new ArmAverages(network);
-    bounds = new double[arms.means().length];
+    super.begin(network, random);
+    bounds = new double[means().length];
     scale = 1.0 / Math.max(1, network.targets());
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
-    network.divide(levels, deciding);
-  }
-
-  private void decide(NetworkView network, int[] levels, int from, int to) {
-    for (int camera = from; camera < to; camera++) {
-      if (network.online(camera)) {
-        bound(arms.offset(camera), network.levels(camera));
-        levels[camera] = ties.best(bounds, arms.offset(camera), network.levels(camera));
-      }
-    }
-  }
-
-  @Override
-  public void learn(NetworkView network) {
-    arms.learn(network);
-  }
-
-  @Override
-  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
-    return arms.estimates(network, camera, estimates, counts);
+  protected int choose(NetworkView network, int camera) {
+    bound(offset(camera), network.levels(camera));
+    return ties.best(bounds, offset(camera), network.levels(camera));
   }
 
   private void bound(int offset, int levels) {
     double pulls = 0;
     for (int arm = offset; arm < offset + levels; arm++) {
-      pulls += arms.pulls()[arm];
+      pulls += pulls()[arm];
     }
     double logarithm = StrictMath.log(Math.max(1, pulls));
     for (int arm = offset; arm < offset + levels; arm++) {
-      long own = arms.pulls()[arm];
+      long own = pulls()[arm];
       bounds[arm] =
           own == 0
               ? Double.POSITIVE_INFINITY
-              : arms.means()[arm] * scale + exploration * Math.sqrt(logarithm / own);
+              : means()[arm] * scale + exploration * Math.sqrt(logarithm / own);
     }
   }
 }

@@ -15,7 +15,7 @@ import org.hificamsim.core.registry.Options;
 public final class FixedZoomPolicy implements ZoomPolicy {
   public static final String NAME = "fixed";
 
-  private static final int MOST = 1_000_000;
+  private static final int MAX_LEVEL = 1_000_000;
 
   private final List<Integer> given;
   private int[] fixed = {};
@@ -31,7 +31,11 @@ public final class FixedZoomPolicy implements ZoomPolicy {
   public static FixedZoomPolicy from(Options options) {
     return new FixedZoomPolicy(
         options.integers(
-            "levels", List.of(0), 0, MOST, "level of all cameras or of each, 0 the narrowest"));
+            "levels",
+            List.of(0),
+            0,
+            MAX_LEVEL,
+            "level of all cameras or of each, 0 the narrowest"));
   }
 
   @Override

@@ -3,7 +3,7 @@ package org.hificamsim.agents.baseline;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Every camera at its widest level, always (section 7.4.2). */
+/** Every camera at its widest level, always (thesis 7.4.2). */
 public final class ZoomOutPolicy implements ZoomPolicy {
   public static final String NAME = "zoom-out";
 

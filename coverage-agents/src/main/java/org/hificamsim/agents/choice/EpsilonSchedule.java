@@ -4,7 +4,7 @@ import org.hificamsim.core.registry.Options;
 
 /**
  * The probability of exploring over a camera's decisions n = 0, 1, ...: {@code max(least, start *
- * decay^n)}. The defaults keep it constant at the 0.1 of sections 7.4.3 and 7.4.4.
+ * decay^n)}. The defaults keep it constant at the 0.1 of thesis 7.4.3 and 7.4.4.
  *
  * @param start probability at the first decision, [0, 1]
  * @param decay factor per decision, [0, 1]; 1 keeps the probability constant
@@ -17,11 +17,6 @@ public record EpsilonSchedule(double start, double decay, double least) {
         options.number("epsilon", 0.1, 0, 1, "probability of exploring, at first"),
         options.number("epsilon-decay", 1, 0, 1, "factor on epsilon after each decision"),
         options.number("epsilon-min", 0, 0, 1, "epsilon does not decay below this"));
-  }
-
-  /** A constant probability. */
-  public static EpsilonSchedule constant(double epsilon) {
-    return new EpsilonSchedule(epsilon, 1, 0);
   }
 
   /** The probability that follows {@code epsilon}. */

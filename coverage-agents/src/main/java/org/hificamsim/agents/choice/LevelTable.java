@@ -4,7 +4,7 @@ import org.hificamsim.core.policy.NetworkView;
 
 /**
  * Where a flat array keeps its entry for each camera and level: all levels of camera 0, then of
- * camera 1, and so on, whatever number of levels each has.
+ * camera 1, and so on, each with its own number of levels.
  */
 public final class LevelTable {
   private final int[] offsets;

@@ -12,10 +12,16 @@ public enum Ties {
     return options.choice("ties", defaultValue, "which of equally good levels: widest, narrowest");
   }
 
+  /** The level to take of so many equally good ones. */
+  public int best(int levels) {
+    return this == WIDEST ? levels - 1 : 0;
+  }
+
   /**
    * The level with the largest value.
    *
-   * @param values holds the value of level l at {@code from + l}; none is NaN, infinities are fine
+   * @param values holds the value of level l at {@code from + l}; infinite values are allowed, NaN
+   *     is not
    * @param levels the number of levels, 1 or more
    */
   public int best(double[] values, int from, int levels) {

@@ -18,7 +18,7 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
   private static final int NODES = 10_000;
 
   private final int nodes;
-  private final SeenRun run = new SeenRun();
+  private final RunDetections run = new RunDetections();
   private int[] best;
   private boolean proven;
 

@@ -10,14 +10,14 @@ import java.util.List;
  * The search for the constant configuration with the best performance over a run that has been
  * seen: branch and bound over the cameras, from what coordinate ascent finds.
  *
- * <p>Levels that detect nothing that another one of the camera does not are out beforehand; where
- * each camera has one level left, nothing needs to be searched. The bound of a partial
- * configuration lets every undecided camera detect at all its levels at once.
+ * <p>A level whose detections another level of the camera includes is left out; where each camera
+ * has one level left, there is nothing to search. The bound of a partial configuration lets every
+ * undecided camera detect at all its levels at once.
  */
 final class ConstantSearch {
   private record Option(int level, long bound) {}
 
-  private final SeenRun run;
+  private final RunDetections run;
   private final List<int[]> candidates = new ArrayList<>();
   private final BitSet[] anyLevel;
   private final int[] k;
@@ -30,7 +30,7 @@ final class ConstantSearch {
   /**
    * @param nodes how many partial configurations may be looked at
    */
-  ConstantSearch(SeenRun run, long nodes) {
+  ConstantSearch(RunDetections run, long nodes) {
     this.run = run;
     this.nodesLeft = nodes;
     this.anyLevel = new BitSet[run.cameras()];

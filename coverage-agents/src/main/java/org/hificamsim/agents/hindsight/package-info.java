@@ -1,2 +1,2 @@
-/** Policies that know the whole run beforehand. */
+/** Policies that know the whole run before it starts. */
 package org.hificamsim.agents.hindsight;

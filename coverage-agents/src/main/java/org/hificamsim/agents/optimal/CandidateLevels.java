@@ -51,7 +51,8 @@ final class CandidateLevels {
 
   private boolean dominated(NetworkView network, int camera, int i) {
     for (int other = 0; other < counts[camera]; other++) {
-      if (other != i && network.dominates(camera, level(camera, other), level(camera, i))) {
+      if (other != i
+          && network.oracle().dominates(camera, level(camera, other), level(camera, i))) {
         return true;
       }
     }

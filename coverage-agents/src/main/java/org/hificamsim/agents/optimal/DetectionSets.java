@@ -89,7 +89,7 @@ final class DetectionSets {
   }
 
   private void add(NetworkView network, int camera, CandidateLevels candidates) {
-    network.detections(camera, seen, allWords);
+    network.oracle().detections(camera, seen, allWords);
     int whole = firstThatSeesAll(camera, candidates);
     if (whole == 0 || (whole > 0 && preference.mostTargets())) {
       look(camera, candidates, whole, 0);
@@ -99,7 +99,7 @@ final class DetectionSets {
     }
   }
 
-  /** The first candidate that detects whatever any of them does; -1 when there is none. */
+  /** The first candidate that detects all that any of them does; -1 when there is none. */
   private int firstThatSeesAll(int camera, CandidateLevels candidates) {
     int count = candidates.count(camera);
     Arrays.fill(union, 0);

@@ -7,7 +7,7 @@ import org.hificamsim.core.registry.Options;
 
 /**
  * The configuration with the best k_min (Eq 7.1) among those in which no camera moves by more than
- * one level: section 7.4.1's "reachable from the current zoom level", found exactly at each step.
+ * one level: thesis 7.4.1's "reachable from the current zoom level", found exactly at each step.
  *
  * <p>Which of several best configurations is taken decides what can be reached next. It is the one
  * in which camera 0 is at the level that the option {@code ties} prefers, then camera 1, and so on;
@@ -25,7 +25,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
    * @param preference what decides between configurations with the same k_min
    */
   public OneHopZoomPolicy(Preference preference) {
-    this(preference, Nodes.DEFAULT);
+    this(preference, NodeLimit.DEFAULT);
   }
 
   /**
@@ -45,7 +45,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
             Preference.WIDEST,
             "of equal k_min: widest, narrowest, most-targets-then-widest,"
                 + " most-targets-then-narrowest"),
-        Nodes.from(options));
+        NodeLimit.from(options));
   }
 
   @Override

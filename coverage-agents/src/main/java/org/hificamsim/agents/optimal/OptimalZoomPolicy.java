@@ -6,14 +6,14 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best k_min of all (Eq 7.1), found anew and exactly at each step: the
- * upper bound that section 7.4.1 calls greedy, computed there by trying all Z^C configurations.
+ * The configuration with the best k_min of all (Eq 7.1), found exactly at each step: the upper
+ * bound that thesis 7.4.1 calls greedy, computed there by trying all Z^C configurations.
  *
- * <p>A camera with a level proven to detect whatever its others detect stays at that level, the
+ * <p>A camera with a level proven to detect all that its others detect stays at that level, the
  * narrowest such; where all cameras have one, there is nothing to search. Otherwise levels that
- * another one dominates are out, and among configurations of the remaining levels with the best
- * k_min it is the one in which camera 0 detects most targets, then at its narrowest level, then
- * camera 1, and so on. With no target present the levels stay.
+ * another one dominates are left out, and among configurations of the remaining levels with the
+ * best k_min it is the one in which camera 0 detects most targets, then at its narrowest level,
+ * then camera 1, and so on. With no target present the levels stay.
  */
 public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   public static final String NAME = "optimal";
@@ -25,7 +25,7 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   private boolean settled;
 
   public OptimalZoomPolicy() {
-    this(Nodes.DEFAULT);
+    this(NodeLimit.DEFAULT);
   }
 
   /**
@@ -37,7 +37,7 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
 
   /** The policy with its option {@code nodes}. */
   public static OptimalZoomPolicy from(Options options) {
-    return new OptimalZoomPolicy(Nodes.from(options));
+    return new OptimalZoomPolicy(NodeLimit.from(options));
   }
 
   @Override
@@ -65,7 +65,7 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   }
 
   private ConfigurationSearch newSearch(NetworkView network) {
-    return new ConfigurationSearch(network, Preference.MOST_TARGETS_THEN_NARROWEST, nodes);
+    return new ConfigurationSearch(network, Preference.MAX_TARGETS_THEN_NARROWEST, nodes);
   }
 
   @Override

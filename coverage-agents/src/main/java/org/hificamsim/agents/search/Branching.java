@@ -19,16 +19,16 @@ final class Branching {
     weights = domains.weights();
   }
 
-  /** The next set to try; -1 when every target of the part is satisfied. */
-  int next(Parts parts, int part) {
-    int target = tightest(parts, part);
-    return target == NONE ? NONE : mostTelling(target);
+  /** The next set to try; -1 when every target of the component is satisfied. */
+  int next(Components components, int component) {
+    int target = tightest(components, component);
+    return target == NONE ? NONE : mostDecisive(target);
   }
 
-  private int tightest(Parts parts, int part) {
+  private int tightest(Components components, int component) {
     int tightest = NONE;
     for (int target = 0; target < problem.targets(); target++) {
-      if (parts.of(target) == part
+      if (components.of(target) == component
           && supply.lack(target) > 0
           && (tightest == NONE || tighter(target, tightest))) {
         tightest = target;
@@ -42,7 +42,7 @@ final class Branching {
     return difference < 0 || (difference == 0 && supply.lack(target) > supply.lack(than));
   }
 
-  private int mostTelling(int target) {
+  private int mostDecisive(int target) {
     int chosen = NONE;
     long most = Long.MIN_VALUE;
     for (int i = 0; i < remaining.openCameras(); i++) {

@@ -2,7 +2,7 @@ package org.hificamsim.agents.search;
 
 import java.util.Arrays;
 
-/** One set for each camera, and how many cameras thereby cover each target. */
+/** One set for each camera, and how many cameras cover each target with these sets. */
 final class Choice {
   private final CoverageProblem problem;
   private final int[] chosen;
@@ -10,8 +10,8 @@ final class Choice {
 
   Choice(CoverageProblem problem) {
     this.problem = problem;
-    chosen = new int[problem.mostCameras()];
-    coverage = new int[problem.mostTargets()];
+    chosen = new int[problem.maxCameras()];
+    coverage = new int[problem.maxTargets()];
   }
 
   /** Every camera's most preferred set. */
@@ -48,7 +48,7 @@ final class Choice {
     }
   }
 
-  /** Leaves the camera without a set; {@link #of} still tells the one it had. */
+  /** Leaves the camera without a set; {@link #of} still returns the one it had. */
   void take(int camera) {
     count(chosen[camera], -1);
   }
@@ -91,9 +91,7 @@ final class Choice {
 
   private void count(int set, int change) {
     for (int word = 0; word < problem.words(); word++) {
-      for (long bits = problem.mask(set, word); bits != 0; bits &= bits - 1) {
-        coverage[(word << 6) + Long.numberOfTrailingZeros(bits)] += change;
-      }
+      CoverageProblem.add(coverage, word, problem.mask(set, word), change);
     }
   }
 }

@@ -7,25 +7,25 @@ package org.hificamsim.agents.search;
  * <p>Cameras, sets and targets are numbered from 0. A camera's sets are listed in its order of
  * preference, which decides between equally good choices; a set may equal, include or be included
  * in another one. Sets are bit masks, target t at bit {@code t % 64} of word {@code t / 64}. The
- * same object is filled anew for each problem: {@link #clear}, then for each camera {@link
- * #addCamera} and its sets.
+ * same object is filled again for each problem: {@link #clear}, then {@link #addCamera} and its
+ * sets for each camera.
  */
 public final class CoverageProblem {
   private final int[] firstSet;
   private final int[] cameraOf;
   private final long[] masks;
-  private final int mostTargets;
+  private final int maxTargets;
   private int targets;
   private int words;
   private int cameras;
   private int sets;
 
-  /** A problem without cameras, with room for that many cameras, sets in all, and targets. */
-  public CoverageProblem(int mostCameras, int mostSets, int mostTargets) {
-    firstSet = new int[mostCameras + 1];
-    cameraOf = new int[mostSets];
-    masks = new long[mostSets * wordsFor(mostTargets)];
-    this.mostTargets = mostTargets;
+  /** A problem without cameras, with room for so many cameras, sets of all cameras, and targets. */
+  public CoverageProblem(int maxCameras, int maxSets, int maxTargets) {
+    firstSet = new int[maxCameras + 1];
+    cameraOf = new int[maxSets];
+    masks = new long[maxSets * wordsFor(maxTargets)];
+    this.maxTargets = maxTargets;
   }
 
   /** The number of words that a set of targets takes. */
@@ -35,9 +35,9 @@ public final class CoverageProblem {
 
   /** Forgets all cameras; from now on there are {@code targets} targets. */
   public void clear(int targets) {
-    if (targets > mostTargets) {
+    if (targets > maxTargets) {
       throw new IllegalArgumentException(
-          "targets is " + targets + ", expected at most " + mostTargets);
+          "targets is " + targets + ", expected at most " + maxTargets);
     }
     this.targets = targets;
     words = wordsFor(targets);
@@ -104,15 +104,22 @@ public final class CoverageProblem {
     return (masks[set * words + (target >> 6)] >>> target & 1) != 0;
   }
 
-  int mostCameras() {
+  /** Adds {@code change} to the count of each target in one word of a mask. */
+  static void add(int[] counts, int word, long mask, int change) {
+    for (long bits = mask; bits != 0; bits &= bits - 1) {
+      counts[(word << 6) + Long.numberOfTrailingZeros(bits)] += change;
+    }
+  }
+
+  int maxCameras() {
     return firstSet.length - 1;
   }
 
-  int mostSets() {
+  int maxSets() {
     return cameraOf.length;
   }
 
-  int mostTargets() {
-    return mostTargets;
+  int maxTargets() {
+    return maxTargets;
   }
 }

@@ -11,12 +11,11 @@ import org.hificamsim.agents.search.FeasibilitySearch.Outcome;
  * by such a search; they take turns with growing effort. Of all choices that reach the optimum, the
  * result is the one that gives camera 0 its most preferred set, then camera 1, and so on ({@link
  * PreferredChoice}): it depends on the problem alone, not on how the search went, unless that
- * question itself proves too hard. Nothing is allocated after construction.
+ * search itself is too hard. Nothing is allocated after construction.
  *
  * <p>The effort may be limited. Where the limit ends the search, the result is the best choice
- * found so far, {@link #bound} says how much better another one could be at most, and {@link
- * #proven} tells the two cases apart. The limit counts search nodes, not time: the result stays
- * reproducible.
+ * found so far, {@link #bound} is what another one could reach at most, and {@link #proven} is
+ * false. The limit counts search nodes, not time: the result stays reproducible.
  */
 public final class CoverageSolver {
   /** No limit: every result is proven. */
@@ -26,10 +25,10 @@ public final class CoverageSolver {
   private static final int PASSES = 4;
   private static final int NODES = 32;
   private static final int GROWTH = 4;
-  private static final int MOST_HEURISTIC_EFFORT = 1 << 10;
+  private static final int MAX_HEURISTIC_EFFORT = 1 << 10;
 
   private final CoverageProblem problem;
-  private final long mostNodes;
+  private final long maxNodes;
   private final Domains domains;
   private final Choice choice;
   private final LocalSearch local;
@@ -41,12 +40,12 @@ public final class CoverageSolver {
 
   /**
    * @param problem what each call of {@link #solve} reads
-   * @param mostNodes number of search nodes after which a call gives up the proof; the choice among
-   *     equally good ones is bounded apart
+   * @param maxNodes number of search nodes after which a call gives up the proof; the search among
+   *     equally good choices has a limit of its own
    */
-  public CoverageSolver(CoverageProblem problem, long mostNodes) {
+  public CoverageSolver(CoverageProblem problem, long maxNodes) {
     this.problem = problem;
-    this.mostNodes = mostNodes;
+    this.maxNodes = maxNodes;
     domains = new Domains(problem);
     choice = new Choice(problem);
     local = new LocalSearch(problem, domains.remaining());
@@ -73,8 +72,8 @@ public final class CoverageSolver {
 
   private void closeGap() {
     tuning.reset();
-    for (long effort = 1; value < bound && search.nodes() < mostNodes; effort *= GROWTH) {
-      int heuristicEffort = (int) Math.min(effort, MOST_HEURISTIC_EFFORT);
+    for (long effort = 1; value < bound && search.nodes() < maxNodes; effort *= GROWTH) {
+      int heuristicEffort = (int) Math.min(effort, MAX_HEURISTIC_EFFORT);
       domains.weigh(tuning.tune(ROUNDS * heuristicEffort, value + 1));
       bound = Math.min(bound, domains.bound());
       if (value < bound) {
@@ -82,7 +81,7 @@ public final class CoverageSolver {
         value = choice.least();
       }
       if (value < bound) {
-        decide(Math.min(NODES * effort, mostNodes - search.nodes()));
+        decide(Math.min(NODES * effort, maxNodes - search.nodes()));
       }
     }
   }

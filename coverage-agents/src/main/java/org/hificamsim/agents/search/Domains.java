@@ -5,9 +5,9 @@ package org.hificamsim.agents.search;
  * from it; every removal can be undone.
  *
  * <p>Coverage k is out of reach when a target's supply is below k; when it equals k, each camera
- * that can cover the target must, so that its sets without it go. Likewise when the {@link Weights}
- * leave no surplus; sets that would use up more than the surplus go. Each change is followed by
- * these consequences until nothing changes.
+ * that can cover the target must do so, and its sets without the target are removed. Coverage k is
+ * also out of reach when the {@link Weights} leave no surplus; sets that would use up more than the
+ * surplus are removed. Each change is followed by these consequences until nothing changes.
  */
 final class Domains {
   private final CoverageProblem problem;
@@ -31,7 +31,7 @@ final class Domains {
     weights.reset();
   }
 
-  /** Weighs the targets anew, each with 0 or more. */
+  /** Changes the targets' weights, each 0 or more. */
   void weigh(long[] targetWeights) {
     weights.weigh(targetWeights);
   }
@@ -67,8 +67,8 @@ final class Domains {
   }
 
   /**
-   * Takes from its camera this set, and those that hold no unsatisfied target which it does not
-   * hold: where it leads nowhere, nor do they. Then draws the consequences; false when impossible.
+   * Takes from its camera this set and its other sets without any further unsatisfied target: if it
+   * leads nowhere, neither do they. Then draws the consequences; false when impossible.
    */
   boolean removeWithLesser(int set) {
     supply.clearTight();

@@ -1,8 +1,8 @@
 package org.hificamsim.agents.search;
 
 /**
- * Depth-first search for a choice that meets the coverage required of {@link Domains}, part by part
- * ({@link Parts}): each node either gives a camera a set or takes it away.
+ * Depth-first search for a choice that meets the coverage required of {@link Domains}, one of the
+ * {@link Components} after the other: each node either gives a camera a set or takes it away.
  */
 final class FeasibilitySearch {
   /** How a search ended. */
@@ -15,7 +15,7 @@ final class FeasibilitySearch {
   private final CoverageProblem problem;
   private final Domains domains;
   private final Branching branching;
-  private final Parts parts;
+  private final Components components;
   private long lastNode;
   private long nodes;
 
@@ -23,7 +23,7 @@ final class FeasibilitySearch {
     this.problem = problem;
     this.domains = domains;
     branching = new Branching(problem, domains);
-    parts = new Parts(problem, domains);
+    components = new Components(problem, domains);
   }
 
   /** Counts nodes from 0 again. */
@@ -40,13 +40,13 @@ final class FeasibilitySearch {
    * Looks for a choice among what the domains leave and copies it into {@code found}. The domains
    * are left as the search left them.
    *
-   * @param mostNodes number of nodes after which the outcome is undecided
+   * @param maxNodes number of nodes after which the outcome is undecided
    */
-  Outcome search(long mostNodes, Choice found) {
-    lastNode = mostNodes > Long.MAX_VALUE - nodes ? Long.MAX_VALUE : nodes + mostNodes;
-    parts.find();
-    for (int part = 0; part < problem.targets(); part++) {
-      if (parts.of(part) == part && !settle(part)) {
+  Outcome search(long maxNodes, Choice found) {
+    lastNode = maxNodes > Long.MAX_VALUE - nodes ? Long.MAX_VALUE : nodes + maxNodes;
+    components.find();
+    for (int component = 0; component < problem.targets(); component++) {
+      if (components.of(component) == component && !settle(component)) {
         return nodes >= lastNode ? Outcome.UNDECIDED : Outcome.IMPOSSIBLE;
       }
     }
@@ -54,22 +54,22 @@ final class FeasibilitySearch {
     return Outcome.FOUND;
   }
 
-  private boolean settle(int part) {
-    int set = branching.next(parts, part);
+  private boolean settle(int component) {
+    int set = branching.next(components, component);
     while (set >= 0) {
       if (nodes >= lastNode) {
         return false;
       }
       nodes++;
       int mark = domains.mark();
-      if (domains.choose(set) && settle(part)) {
+      if (domains.choose(set) && settle(component)) {
         return true;
       }
       domains.undo(mark);
       if (!domains.removeWithLesser(set)) {
         return false;
       }
-      set = branching.next(parts, part);
+      set = branching.next(components, component);
     }
     return true;
   }

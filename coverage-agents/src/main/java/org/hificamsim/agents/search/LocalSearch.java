@@ -17,7 +17,7 @@ final class LocalSearch {
     this.problem = problem;
     this.remaining = remaining;
     choice = new Choice(problem);
-    need = new long[problem.mostTargets()];
+    need = new long[problem.maxTargets()];
   }
 
   /**

@@ -6,12 +6,12 @@ import org.hificamsim.agents.search.FeasibilitySearch.Outcome;
  * Of all choices that reach a coverage, the one that gives camera 0 its most preferred set, then
  * camera 1, and so on.
  *
- * <p>Whether a preferred set can be taken is asked of a swap, of {@link LocalSearch}, and of a
- * search; a search that has not decided after {@value #MOST_NODES} nodes counts as a no, so that
- * the cost of ties is bounded.
+ * <p>Whether a preferred set can be taken is answered by a swap, by {@link LocalSearch}, or by a
+ * search; a search that has not decided after {@value #MAX_NODES} nodes counts as a no, so that
+ * ties cost little.
  */
 final class PreferredChoice {
-  static final int MOST_NODES = 1_000;
+  static final int MAX_NODES = 1_000;
 
   private static final int PASSES = 3;
 
@@ -57,7 +57,7 @@ final class PreferredChoice {
     boolean taken = false;
     if (domains.choose(set)) {
       trial.adapt(choice, remaining);
-      taken = local.reach(k, PASSES, trial) || search.search(MOST_NODES, trial) == Outcome.FOUND;
+      taken = local.reach(k, PASSES, trial) || search.search(MAX_NODES, trial) == Outcome.FOUND;
     }
     domains.undo(mark);
     if (taken) {

@@ -12,10 +12,10 @@ final class Remaining {
 
   Remaining(CoverageProblem problem) {
     this.problem = problem;
-    remains = new boolean[problem.mostSets()];
-    counts = new int[problem.mostCameras()];
-    open = new int[problem.mostCameras()];
-    removed = new int[problem.mostSets()];
+    remains = new boolean[problem.maxSets()];
+    counts = new int[problem.maxCameras()];
+    open = new int[problem.maxCameras()];
+    removed = new int[problem.maxSets()];
   }
 
   /** Every set of every camera remains. */

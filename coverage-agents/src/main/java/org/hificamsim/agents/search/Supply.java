@@ -1,7 +1,7 @@
 package org.hificamsim.agents.search;
 
 /**
- * How many cameras can still cover each target, and how many will whatever they choose.
+ * How many cameras can still cover each target, and how many must.
  *
  * <p>A target's <em>supply</em> is the number of cameras with some remaining set that holds it, its
  * <em>sure</em> coverage the number of cameras all of whose remaining sets do.
@@ -21,15 +21,15 @@ final class Supply {
   Supply(CoverageProblem problem, Remaining remaining) {
     this.problem = problem;
     this.remaining = remaining;
-    int targets = problem.mostTargets();
-    any = new long[problem.mostCameras() * CoverageProblem.wordsFor(targets)];
+    int targets = problem.maxTargets();
+    any = new long[problem.maxCameras() * CoverageProblem.wordsFor(targets)];
     all = new long[any.length];
     supply = new int[targets];
     sure = new int[targets];
     tight = new int[targets];
   }
 
-  /** Counts anew, with every set of every camera remaining. */
+  /** Counts again, with every set of every camera remaining. */
   void reset() {
     words = problem.words();
     k = 0;
@@ -40,8 +40,8 @@ final class Supply {
     for (int camera = 0; camera < problem.cameras(); camera++) {
       for (int word = 0; word < words; word++) {
         join(camera, word);
-        add(supply, word, any[camera * words + word], 1);
-        add(sure, word, all[camera * words + word], 1);
+        CoverageProblem.add(supply, word, any[camera * words + word], 1);
+        CoverageProblem.add(sure, word, all[camera * words + word], 1);
       }
     }
   }
@@ -71,18 +71,18 @@ final class Supply {
     tightTargets = 0;
   }
 
-  /** Whether {@link #nextTight} has a target to tell. */
+  /** Whether {@link #nextTight} has a target left. */
   boolean hasTight() {
     return tightTargets > 0;
   }
 
-  /** A target whose supply has come down to just k, each told once; -1 when there is none. */
+  /** A target whose supply has come down to just k, each only once; -1 when there is none. */
   int nextTight() {
     return tightTargets == 0 ? -1 : tight[--tightTargets];
   }
 
   /**
-   * Takes note of a removal that left its camera some other set.
+   * Updates the counts after a removal that left its camera another set.
    *
    * @return whether every target still has a supply of k or more
    */
@@ -94,20 +94,20 @@ final class Supply {
       long anyBefore = any[at];
       long allBefore = all[at];
       join(camera, word);
-      add(sure, word, all[at] & ~allBefore, 1);
+      CoverageProblem.add(sure, word, all[at] & ~allBefore, 1);
       enough &= lose(word, anyBefore & ~any[at]);
     }
     return enough;
   }
 
-  /** Takes note of a removal undone. */
+  /** Updates the counts after a removal was undone. */
   void restored(int set) {
     int camera = problem.cameraOf(set);
     for (int word = 0; word < words; word++) {
       int at = camera * words + word;
       long mask = problem.mask(set, word);
-      add(supply, word, mask & ~any[at], 1);
-      add(sure, word, all[at] & ~mask, -1);
+      CoverageProblem.add(supply, word, mask & ~any[at], 1);
+      CoverageProblem.add(sure, word, all[at] & ~mask, -1);
       any[at] |= mask;
       all[at] &= mask;
     }
@@ -157,11 +157,5 @@ final class Supply {
       enough &= left >= k;
     }
     return enough;
-  }
-
-  private static void add(int[] counts, int word, long targets, int change) {
-    for (long bits = targets; bits != 0; bits &= bits - 1) {
-      counts[(word << 6) + Long.numberOfTrailingZeros(bits)] += change;
-    }
   }
 }

@@ -5,13 +5,13 @@ import java.util.Arrays;
 /**
  * Looks for target weights that give a low bound ({@link Weights}): the dual of the coverage
  * problem, by multiplicative updates. Each round lets every camera take its heaviest set; targets
- * thus covered more than average lose weight, others gain.
+ * that are then covered more than average lose weight, others gain.
  */
 final class WeightTuning {
   /** Weights are whole numbers up to this. */
   private static final double SCALE = 1 << 20;
 
-  /** How far below its goal the bound must be, lest rounding the weights lift it there again. */
+  /** How far below its goal the bound must be, since rounding the weights may raise it again. */
   private static final double MARGIN = 1e-3;
 
   private final CoverageProblem problem;
@@ -23,12 +23,12 @@ final class WeightTuning {
 
   WeightTuning(CoverageProblem problem) {
     this.problem = problem;
-    weights = new double[problem.mostTargets()];
-    best = new long[problem.mostTargets()];
-    coverage = new int[problem.mostTargets()];
+    weights = new double[problem.maxTargets()];
+    best = new long[problem.maxTargets()];
+    coverage = new int[problem.maxTargets()];
   }
 
-  /** Starts anew from equal weights. */
+  /** Starts again from equal weights. */
   void reset() {
     Arrays.fill(weights, 0, problem.targets(), 1);
     lowest = Double.POSITIVE_INFINITY;
@@ -76,9 +76,7 @@ final class WeightTuning {
       }
     }
     for (int word = 0; word < problem.words(); word++) {
-      for (long bits = problem.mask(heaviest, word); bits != 0; bits &= bits - 1) {
-        coverage[(word << 6) + Long.numberOfTrailingZeros(bits)]++;
-      }
+      CoverageProblem.add(coverage, word, problem.mask(heaviest, word), 1);
     }
     return most;
   }

@@ -3,9 +3,9 @@ package org.hificamsim.agents.search;
 import java.util.Arrays;
 
 /**
- * Weights of the targets, and the bound that they give: whatever the weights, the heaviest
- * remaining sets of all cameras together must weigh at least k times all targets for coverage k to
- * be possible. Integers, so that the bound is exact.
+ * Weights of the targets, and the bound that they give: coverage k is possible only if the heaviest
+ * remaining sets of all cameras together weigh at least k times all targets. That holds for any
+ * weights; they are integers, so that the bound is exact.
  */
 final class Weights {
   private final CoverageProblem problem;
@@ -19,13 +19,13 @@ final class Weights {
   Weights(CoverageProblem problem, Remaining remaining) {
     this.problem = problem;
     this.remaining = remaining;
-    ones = new long[problem.mostTargets()];
+    ones = new long[problem.maxTargets()];
     Arrays.fill(ones, 1);
-    weights = new long[problem.mostSets()];
-    heaviest = new long[problem.mostCameras()];
+    weights = new long[problem.maxSets()];
+    heaviest = new long[problem.maxCameras()];
   }
 
-  /** Weighs every target alike. */
+  /** Gives every target the same weight. */
   void reset() {
     weigh(ones);
   }
@@ -66,7 +66,7 @@ final class Weights {
     return heaviest[problem.cameraOf(set)] - weights[set];
   }
 
-  /** Takes note of a removal that left its camera some other set. */
+  /** Updates the bound after a removal that left its camera another set. */
   void removed(int set) {
     int camera = problem.cameraOf(set);
     if (weights[set] == heaviest[camera]) {
@@ -76,7 +76,7 @@ final class Weights {
     }
   }
 
-  /** Takes note of a removal undone. */
+  /** Updates the bound after a removal was undone. */
   void restored(int set) {
     int camera = problem.cameraOf(set);
     if (weights[set] > heaviest[camera]) {

@@ -1,41 +1,53 @@
 package org.hificamsim.agents.temporal;
 
 import java.util.Arrays;
+import java.util.stream.IntStream;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The Q tables of all cameras (Eq 7.6), each in an array of its own: the entry for an action stands
- * at the row of the camera's state plus the action's level. Two more entries of a row are its best
- * action, so that asking for it, which neighbours do most often, is one look; and a value that none
- * of the other actions exceeds, so that most updates tell at a glance that the best one stays best.
+ * The Q tables of all cameras (Eq 7.6), and the best action of each state.
  *
- * <p>Rows go by the number of targets detected, the fewest first. In a small network every table
- * has all its rows from the start; in a big one, where most counts never occur, a table grows to
- * what its camera has met. Rows it lacks hold the initial value. Cameras may be worked on side by
- * side as long as each table's {@link #grow} and {@link #set} have their camera for themselves.
+ * <p>In a small network every table has all its states from the start; in a big one, where most
+ * counts of targets never occur, a table grows to what its camera has met. States that it lacks
+ * have the initial value. Threads may work on different cameras as long as each camera's {@link
+ * #set} has its table for itself.
+ *
+ * <p>Here is what learning does for speed alone. The best actions stand in tables of their own:
+ * neighbours ask for nothing else, and these tables stay in the cache when the values no longer do.
+ * Most updates leave the best action as it was, which a bound on the others shows without a search.
  */
 public final class ActionValues {
-  /** Entries up to which all tables together are made whole at once: 32 MiB. */
-  private static final long FEW_ENTRIES = 1 << 22;
+  /** Cameras that are fetched at a time: few enough for their values to stay in the first cache. */
+  static final int BLOCK = 32;
 
-  /** Entries of one table: what an array can hold, with room to spare. */
-  private static final long MOST_ENTRIES = 1 << 28;
+  /** Up to that many cameras, all values are in the cache anyway. */
+  private static final int MAX_CACHED = 500;
 
-  /** Entries of a row beside its actions' values. */
-  private static final int EXTRA = 2;
+  /** Values up to which all tables together are made whole at once: 32 MiB. */
+  private static final long MAX_WHOLE = 1 << 22;
 
-  /** Counts that a table of a big network has rows for at first. */
+  /** Values of one table: what an array can hold, with room to spare. */
+  private static final long MAX_VALUES = 1 << 28;
+
+  /** Counts of targets that a table of a big network has room for at first. */
   private static final int FIRST_COUNTS = 4;
 
   private final StateReading reading;
   private final Ties ties;
-  private final int mostCounts;
   private final double initialValue;
+  private final int counts;
   private final int[] levels;
-  private final double[][] tables;
-  private final double[] unmet;
+
+  /** By camera; a row for each state: its actions' values, then a bound on those but the best. */
+  private final double[][] values;
+
+  /** By camera and state. */
+  private final int[][] best;
+
+  @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
+  private double fetched;
 
   /**
    * @throws InputException when a camera's table would not fit into an array
@@ -44,72 +56,45 @@ public final class ActionValues {
     reading = settings.state();
     ties = settings.ties();
     initialValue = settings.initialValue();
-    mostCounts = reading.counts(network.targets());
-    levels = new int[network.cameras()];
-    Arrays.setAll(levels, network::levels);
-    int mostLevels = Arrays.stream(levels).max().orElse(1);
-    if (size(mostLevels, mostCounts) > MOST_ENTRIES) {
+    counts = reading.counts(network.targets());
+    levels = IntStream.range(0, network.cameras()).map(network::levels).toArray();
+    if (size(Arrays.stream(levels).max().orElse(1)) > MAX_VALUES) {
       throw new InputException(
           "a camera's table of action values needs more than "
-              + MOST_ENTRIES
+              + MAX_VALUES
               + " entries for "
               + network.targets()
               + " targets. Maybe give the option state=none");
     }
-    long entries = Arrays.stream(levels).mapToLong(count -> size(count, mostCounts)).sum();
-    int counts = entries <= FEW_ENTRIES ? mostCounts : Math.min(mostCounts, FIRST_COUNTS);
-    tables = new double[levels.length][];
+    boolean whole = Arrays.stream(levels).mapToLong(this::size).sum() <= MAX_WHOLE;
+    values = new double[levels.length][0];
+    best = new int[levels.length][0];
     for (int camera = 0; camera < levels.length; camera++) {
-      tables[camera] = new double[(int) size(levels[camera], counts)];
-      fill(camera, 0);
-    }
-    unmet = new double[mostLevels];
-    Arrays.fill(unmet, initialValue);
-  }
-
-  /** Gives a table its initial values from some row on. */
-  private void fill(int camera, int fromRow) {
-    double[] table = tables[camera];
-    Arrays.fill(table, fromRow, table.length, initialValue);
-    for (int row = fromRow; row < table.length; row += levels[camera] + EXTRA) {
-      findBest(camera, row);
+      resize(camera, whole ? counts : Math.min(counts, FIRST_COUNTS));
     }
   }
 
-  private void findBest(int camera, int row) {
-    double[] table = tables[camera];
-    int end = row + levels[camera];
-    int best = ties.best(table, row, levels[camera]);
-    double others = Double.NEGATIVE_INFINITY;
-    for (int i = row; i < end; i++) {
-      others = i == row + best ? others : Math.max(others, table[i]);
-    }
-    table[end] = best;
-    table[end + 1] = others;
+  private long size(int ofLevels) {
+    return (long) counts * reading.statesPerCount(ofLevels) * width(ofLevels);
   }
 
-  private long size(int ofLevels, int counts) {
-    return (long) counts * reading.statesPerCount(ofLevels) * (ofLevels + EXTRA);
+  private static int width(int ofLevels) {
+    return ofLevels + 1;
   }
 
-  /** The row of a camera's present state. */
-  int row(NetworkView network, int camera) {
-    return row(camera, network.level(camera), network.detected(camera));
+  /** The number of a camera's present state. */
+  public int state(NetworkView network, int camera) {
+    return state(camera, network.level(camera), network.detected(camera));
   }
 
   /**
-   * Where a camera's table keeps its values for a state.
+   * The number of a camera's state, from 0.
    *
    * @param level level in [0, levels of the camera)
    * @param detected number of targets in [0, all targets]
    */
-  public int row(int camera, int level, int detected) {
-    return reading.state(level, detected, levels[camera]) * (levels[camera] + EXTRA);
-  }
-
-  /** Whether two cameras have equally many levels, and so the same row for the same state. */
-  public boolean alike(int camera, int other) {
-    return levels[camera] == levels[other];
+  public int state(int camera, int level, int detected) {
+    return reading.state(level, detected, levels[camera]);
   }
 
   /** Whether the camera has levels enough to ever be at this one. */
@@ -117,64 +102,97 @@ public final class ActionValues {
     return reading != StateReading.LEVEL_COUNT || level < levels[camera];
   }
 
-  /** Reads both ends of a row, so that it comes into the cache; what it returns means nothing. */
-  public double fetch(int camera, int row) {
-    double[] table = tables[camera];
-    return row < table.length ? table[row] + table[row + levels[camera] + 1] : 0;
+  /** The best action in a state. */
+  public int best(int camera, int state) {
+    int[] actions = best[camera];
+    return state < actions.length ? actions[state] : ties.best(levels[camera]);
   }
 
-  /** The best action of a row's first {@code actions} levels. */
-  public int best(int camera, int row, int actions) {
-    double[] table = tables[camera];
-    if (row >= table.length) {
-      return ties.best(unmet, 0, actions);
-    }
-    return actions == levels[camera] ? (int) table[row + actions] : ties.best(table, row, actions);
-  }
-
-  /** What a camera's table holds best for another camera's state, of the levels that both have. */
+  /** What a camera answers to another one's state: its best action of the levels that both have. */
   public int answer(int camera, int level, int detected, int levelsOfOther) {
-    return best(camera, row(camera, level, detected), Math.min(levelsOfOther, levels[camera]));
+    int state = state(camera, level, detected);
+    if (levelsOfOther >= levels[camera]) {
+      return best(camera, state);
+    }
+    return state < best[camera].length
+        ? ties.best(values[camera], state * width(levels[camera]), levelsOfOther)
+        : ties.best(levelsOfOther);
   }
 
-  /** The value of an action in a row. */
-  public double value(int camera, int row, int action) {
-    double[] table = tables[camera];
+  /** The value of an action in a state. */
+  public double value(int camera, int state, int action) {
+    double[] table = values[camera];
+    int row = state * width(levels[camera]);
     return row < table.length ? table[row + action] : initialValue;
   }
 
-  /** Sets the value of an action in a row. */
-  public void set(int camera, int row, int action, double value) {
-    grow(camera, row);
-    tables[camera][row + action] = value;
-    findBest(camera, row);
-  }
-
-  /** Makes sure that a camera's table has a row: it at least doubles where it has not. */
-  void grow(int camera, int row) {
-    int length = tables[camera].length;
-    if (row >= length) {
-      long block = size(levels[camera], 1);
-      long wanted = Math.max(2L * length, (row / block + 1) * block);
-      long most = size(levels[camera], mostCounts);
-      tables[camera] = Arrays.copyOf(tables[camera], (int) Math.min(wanted, most));
-      fill(camera, length);
+  /** Sets the value of an action in a state. */
+  public void set(int camera, int state, int action, double value) {
+    grow(camera, state);
+    double[] table = values[camera];
+    int row = state * width(levels[camera]);
+    int bound = row + levels[camera];
+    int bestAction = best[camera][state];
+    table[row + action] = value;
+    if (action == bestAction ? value <= table[bound] : value >= table[row + bestAction]) {
+      findBest(camera, state);
+    } else if (action != bestAction) {
+      table[bound] = Math.max(table[bound], value);
     }
   }
 
-  /** Moves the entry by {@code alpha} of its distance to {@code target} (Eq 7.6). */
-  void learn(int camera, int row, int action, double alpha, double target) {
-    double[] table = tables[camera];
-    double before = table[row + action];
-    double after = before + alpha * (target - before);
-    table[row + action] = after;
+  private void findBest(int camera, int state) {
+    double[] table = values[camera];
+    int row = state * width(levels[camera]);
     int end = row + levels[camera];
-    int best = (int) table[end];
-    boolean stays = action == best ? after > table[end + 1] : after < table[row + best];
-    if (!stays) {
-      findBest(camera, row);
-    } else if (action != best) {
-      table[end + 1] = Math.max(table[end + 1], after);
+    best[camera][state] = ties.best(table, row, levels[camera]);
+    table[end] = Double.NEGATIVE_INFINITY;
+    for (int i = row; i < end; i++) {
+      if (i != row + best[camera][state]) {
+        table[end] = Math.max(table[end], table[i]);
+      }
     }
+  }
+
+  /** Makes room for a state: where there is none, for at least twice as many. */
+  private void grow(int camera, int state) {
+    int states = best[camera].length;
+    if (state >= states) {
+      int perCount = reading.statesPerCount(levels[camera]);
+      resize(camera, Math.min(counts, Math.max(2 * states, state + perCount) / perCount));
+    }
+  }
+
+  private void resize(int camera, int toCounts) {
+    int before = best[camera].length;
+    int states = toCounts * reading.statesPerCount(levels[camera]);
+    best[camera] = Arrays.copyOf(best[camera], states);
+    values[camera] = Arrays.copyOf(values[camera], states * width(levels[camera]));
+    Arrays.fill(
+        values[camera], before * width(levels[camera]), values[camera].length, initialValue);
+    for (int state = before; state < states; state++) {
+      findBest(camera, state);
+    }
+  }
+
+  /**
+   * Reads what the decisions of some cameras are going to read, so that it comes from memory at
+   * once, where camera by camera each would wait.
+   *
+   * @param lastStates by camera; below 0 where there is none
+   */
+  void fetch(NetworkView network, int[] lastStates, int from, int to) {
+    double sum = 0;
+    for (int camera = from; camera < to && levels.length > MAX_CACHED; camera++) {
+      sum += read(camera, state(network, camera)) + read(camera, Math.max(0, lastStates[camera]));
+    }
+    fetched = sum;
+  }
+
+  /** Both ends of a row. */
+  private double read(int camera, int state) {
+    int row = state * width(levels[camera]);
+    double[] table = values[camera];
+    return row < table.length ? table[row] + table[row + levels[camera]] + best[camera][state] : 0;
   }
 }

@@ -3,7 +3,7 @@ package org.hificamsim.agents.temporal;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.core.registry.Options;
 
-/** Q-learning, the off-policy variant that section 7.4.4 sets SARSA against. */
+/** Q-learning, the off-policy variant that thesis 7.4.4 sets SARSA against. */
 public final class QLearningZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
   public static final String NAME = "q-learning";
 
@@ -22,9 +22,9 @@ public final class QLearningZoomPolicy extends AbstractTemporalDifferenceZoomPol
     return NAME;
   }
 
-  /** The value of the best action there, whichever is chosen. */
+  /** max Q(s', a): the value of the best action there, whichever is chosen. */
   @Override
-  protected double successor(ActionValues table, int camera, int row, int levels, int action) {
-    return table.value(camera, row, table.best(camera, row, levels));
+  protected double nextValue(int camera, int state, int action) {
+    return q().value(camera, state, q().best(camera, state));
   }
 }

@@ -3,7 +3,7 @@ package org.hificamsim.agents.temporal;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.core.registry.Options;
 
-/** SARSA, the on-policy variant (section 7.4.4, Eq 7.6). */
+/** SARSA, the on-policy variant (thesis 7.4.4, Eq 7.6). */
 public class SarsaZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
   public static final String NAME = "sarsa";
 
@@ -22,10 +22,9 @@ public class SarsaZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
     return NAME;
   }
 
-  /** The value of the action chosen there: Q(s_(t+1), a_(t+1)). */
+  /** Q(s', a'): the value of the action chosen there. */
   @Override
-  protected final double successor(
-      ActionValues table, int camera, int row, int levels, int action) {
-    return table.value(camera, row, action);
+  protected final double nextValue(int camera, int state, int action) {
+    return q().value(camera, state, action);
   }
 }

@@ -1,6 +1,6 @@
 package org.hificamsim.agents.temporal;
 
-/** What a camera takes for its state; section 7.4.4 says no more than that it is the percept. */
+/** What a camera takes as its state; thesis 7.4.4 says only that it is the percept. */
 public enum StateReading {
   /** The current level and the number of targets detected with it. */
   LEVEL_COUNT,
@@ -9,12 +9,12 @@ public enum StateReading {
   /** Always the same state: what is learned is one value for each level. */
   NONE;
 
-  /** The numbers of detected targets that are told apart where that many targets can exist. */
+  /** How many different numbers of detected targets there are where so many targets can exist. */
   int counts(int targets) {
     return this == NONE ? 1 : targets + 1;
   }
 
-  /** The number of states of a camera with that many levels that share a number of targets. */
+  /** The number of states of a camera with so many levels that share a number of targets. */
   int statesPerCount(int levels) {
     return this == LEVEL_COUNT ? levels : 1;
   }

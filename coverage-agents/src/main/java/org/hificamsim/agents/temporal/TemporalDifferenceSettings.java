@@ -6,7 +6,7 @@ import org.hificamsim.core.registry.Options;
 /**
  * The parameters of Eqs 7.5 and 7.6, and the readings that the thesis leaves open.
  *
- * @param alpha learning rate, [0, 1]; 0.1 in section 7.4.4
+ * @param alpha learning rate, [0, 1]; 0.1 in thesis 7.4.4
  * @param gamma discount factor, [0, 1]; not published
  * @param lambda factor on every reward, 0 or more
  * @param initialValue value of every action in every state at first
@@ -33,10 +33,5 @@ public record TemporalDifferenceSettings(
         options.number("lambda", 1, 0, LARGE, "factor on every reward"),
         options.number("q0", 0, -LARGE, LARGE, "value of every action at first"),
         Ties.from(options, Ties.WIDEST));
-  }
-
-  /** The settings that no option changes. */
-  public static TemporalDifferenceSettings defaults() {
-    return from(Options.none("defaults"));
   }
 }

@@ -2,19 +2,14 @@ package org.hificamsim.agents.voting;
 
 import java.util.Arrays;
 
-/** Counts votes for levels and names the winner (section 7.4.5, majority voting). */
+/** Counts votes for levels and names the winner (thesis 7.4.5, majority voting). */
 final class MajorityVote {
-  /** Enough for any camera's levels. */
-  private static final int LEVEL_BITS = 20;
-
-  private static final int LEVEL = (1 << LEVEL_BITS) - 1;
-
   private final VoteTies ties;
   private final int[] votes;
 
-  MajorityVote(VoteTies ties, int mostLevels) {
+  MajorityVote(VoteTies ties, int levels) {
     this.ties = ties;
-    votes = new int[mostLevels];
+    votes = new int[levels];
   }
 
   /** Forgets all votes. */
@@ -32,23 +27,15 @@ final class MajorityVote {
    * @param own the camera's own action, which also wins where nobody voted
    */
   int winner(int own) {
-    long most = ballot(0, votes.length, own);
-    for (int level = 0; level < votes.length; level++) {
-      most = Math.max(most, ballot(votes[level], rank(level, own), level));
+    int winner = own;
+    int most = ties == VoteTies.OWN ? votes[own] : 0;
+    for (int i = 0; i < votes.length; i++) {
+      int level = ties == VoteTies.NARROWEST ? i : votes.length - 1 - i;
+      if (votes[level] > most) {
+        winner = level;
+        most = votes[level];
+      }
     }
-    return (int) most & LEVEL;
-  }
-
-  /** A number that is larger for more votes, then for a higher rank; its low bits are the level. */
-  private static long ballot(int votes, int rank, int level) {
-    return ((long) votes << (2 * LEVEL_BITS)) | ((long) rank << LEVEL_BITS) | level;
-  }
-
-  /** Which of two levels with equally many votes wins: the one of higher rank. */
-  private int rank(int level, int own) {
-    if (ties == VoteTies.NARROWEST) {
-      return votes.length - 1 - level;
-    }
-    return ties == VoteTies.OWN && level == own ? votes.length : level;
+    return winner;
   }
 }

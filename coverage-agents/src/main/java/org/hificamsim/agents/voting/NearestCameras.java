@@ -8,26 +8,27 @@ import org.hificamsim.core.space.PointGrid;
 
 /**
  * Each online camera's k nearest online cameras by Euclidean distance, of equally near ones those
- * with the lower numbers (section 7.4.5); fewer than k in a small network.
+ * with the lower numbers (thesis 7.4.5); fewer than k in a small network.
  */
 final class NearestCameras {
-  /** A little below 1, lest rounding takes what lies just outside a square for further away. */
+  /** A little below 1: rounding must not make what lies just outside a square seem further away. */
   private static final double SURE = 1 - 1e-9;
 
   /** Cameras in a cell of the grid, about. */
   private static final double PER_CELL = 2;
 
-  private final PointGrid places;
+  private final PointGrid grid;
   private final double firstHalf;
-  private final int most;
+  private final int k;
   private final int[] neighbours;
   private final double[] squaredDistances;
   private final int[] counts;
+  private int revision;
 
-  NearestCameras(NetworkView network, int k) {
-    most = Math.min(k, Math.max(0, network.cameras() - 1));
-    neighbours = new int[Math.multiplyExact(network.cameras(), most)];
-    squaredDistances = new double[most];
+  NearestCameras(NetworkView network, int wanted) {
+    k = Math.min(wanted, Math.max(0, network.cameras() - 1));
+    neighbours = new int[Math.multiplyExact(network.cameras(), k)];
+    squaredDistances = new double[k];
     counts = new int[network.cameras()];
     DoubleSummaryStatistics x = range(network, network::cameraX);
     DoubleSummaryStatistics y = range(network, network::cameraY);
@@ -35,26 +36,34 @@ final class NearestCameras {
     double height = Math.max(y.getMax() - y.getMin(), 1);
     double perCamera = width * height / Math.max(1, network.cameras());
     double side = Math.sqrt(PER_CELL * perCamera);
-    places = PointGrid.over(x.getMin(), y.getMin(), width, height, side, network.cameras());
-    firstHalf = Math.max(side, Math.sqrt(perCamera * most) / 2);
+    grid = PointGrid.over(x.getMin(), y.getMin(), width, height, side, network.cameras());
+    firstHalf = Math.max(side, Math.sqrt(perCamera * k) / 2);
+    find(network);
   }
 
   private static DoubleSummaryStatistics range(NetworkView network, IntToDoubleFunction of) {
     return IntStream.range(0, network.cameras()).mapToDouble(of).summaryStatistics();
   }
 
-  /** Finds the neighbours anew. */
-  void find(NetworkView network) {
-    places.clear();
+  /** Finds the neighbours again where cameras have come, moved or failed. */
+  void update(NetworkView network) {
+    if (network.revision() != revision) {
+      find(network);
+    }
+  }
+
+  private void find(NetworkView network) {
+    revision = network.revision();
+    grid.clear();
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        places.add(camera, network.cameraX(camera), network.cameraY(camera));
+        grid.add(camera, network.cameraX(camera), network.cameraY(camera));
       }
     }
-    places.sort();
+    grid.sort();
     for (int camera = 0; camera < network.cameras(); camera++) {
       counts[camera] = 0;
-      if (network.online(camera) && most > 0) {
+      if (network.online(camera) && k > 0) {
         find(camera, network.cameraX(camera), network.cameraY(camera));
       }
     }
@@ -66,7 +75,7 @@ final class NearestCameras {
 
   /** The camera's i-th nearest neighbour. */
   int neighbour(int camera, int i) {
-    return neighbours[camera * most + i];
+    return neighbours[camera * k + i];
   }
 
   /** Looks at ever larger squares until none outside could be nearer than those found. */
@@ -79,37 +88,37 @@ final class NearestCameras {
 
   private boolean lookWithin(int camera, double x, double y, double half) {
     counts[camera] = 0;
-    int left = places.column(x - half);
-    int right = places.column(x + half);
-    int bottom = places.row(y - half);
-    int top = places.row(y + half);
+    int left = grid.column(x - half);
+    int right = grid.column(x + half);
+    int bottom = grid.row(y - half);
+    int top = grid.row(y + half);
     for (int row = bottom; row <= top; row++) {
-      for (int i = places.start(row, left); i < places.end(row, right); i++) {
-        if (places.point(i) != camera) {
-          insert(camera, places.point(i), places.x(i) - x, places.y(i) - y);
+      for (int i = grid.start(row, left); i < grid.end(row, right); i++) {
+        if (grid.point(i) != camera) {
+          insert(camera, grid.point(i), grid.x(i) - x, grid.y(i) - y);
         }
       }
     }
-    boolean all = left == 0 && bottom == 0 && places.isLast(right, top);
-    boolean enough = counts[camera] == most && squaredDistances[most - 1] < half * half * SURE;
+    boolean all = left == 0 && bottom == 0 && grid.isLast(right, top);
+    boolean enough = counts[camera] == k && squaredDistances[k - 1] < half * half * SURE;
     return all || enough;
   }
 
   private void insert(int camera, int other, double dx, double dy) {
     double squared = dx * dx + dy * dy;
-    int first = camera * most;
+    int first = camera * k;
     int at = counts[camera];
     while (at > 0 && nearer(squared, other, at - 1, first)) {
-      if (at < most) {
+      if (at < k) {
         squaredDistances[at] = squaredDistances[at - 1];
         neighbours[first + at] = neighbours[first + at - 1];
       }
       at--;
     }
-    if (at < most) {
+    if (at < k) {
       squaredDistances[at] = squared;
       neighbours[first + at] = other;
-      counts[camera] = Math.min(most, counts[camera] + 1);
+      counts[camera] = Math.min(k, counts[camera] + 1);
     }
   }
 

@@ -5,11 +5,12 @@ import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.agents.temporal.SarsaZoomPolicy;
 import org.hificamsim.agents.temporal.TemporalDifferenceSettings;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Query-based SARSA (section 7.4.5): SARSA that exploits the majority vote of a camera and its k
+ * Query-based SARSA (thesis 7.4.5): SARSA that exploits the majority vote of a camera and its k
  * nearest neighbours.
  *
  * <p>At each decision a camera sends its state to its neighbours; each answers with the action that
@@ -21,11 +22,12 @@ import org.hificamsim.core.registry.Options;
 public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   public static final String NAME = "qb-sarsa";
 
+  private final CameraTask<int[]> electing = this::elect;
   private final VoteSettings settings;
   private NearestCameras nearest;
   private MajorityVote[] votes = {};
+  private int[] elected = {};
   private long[] messages = {};
-  private int revision;
 
   public QbSarsaZoomPolicy(
       TemporalDifferenceSettings learning, EpsilonGreedyChoice choice, VoteSettings settings) {
@@ -55,58 +57,46 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
+    elected = new int[network.cameras()];
     messages = new long[network.cameras()];
     votes = new MajorityVote[network.cameras()];
     Arrays.setAll(votes, camera -> new MajorityVote(settings.ties(), network.levels(camera)));
     nearest = new NearestCameras(network, settings.neighbours());
-    nearest.find(network);
-    revision = network.revision();
   }
 
+  /** All vote on the values as they stand, before any camera learns. */
   @Override
   public void decide(NetworkView network, int[] levels) {
-    if (network.revision() != revision) {
-      nearest.find(network);
-      revision = network.revision();
-    }
+    nearest.update(network);
+    network.divide(elected, electing);
     super.decide(network, levels);
   }
 
   @Override
-  protected boolean asksOthers() {
-    return true;
+  protected int greedy(int camera, int state) {
+    return elected[camera];
   }
 
-  @Override
-  protected double fetchOthers(NetworkView network, int camera) {
+  private void elect(NetworkView network, int[] elected, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
+      elected[camera] = elect(network, camera);
+    }
+  }
+
+  private int elect(NetworkView network, int camera) {
     int level = network.level(camera);
     int detected = network.detected(camera);
-    double sum = 0;
-    for (int i = 0; i < nearest.count(camera); i++) {
-      int neighbour = nearest.neighbour(camera, i);
-      sum += values().fetch(neighbour, values().row(neighbour, level, detected));
-    }
-    return sum;
-  }
-
-  @Override
-  protected int exploit(NetworkView network, int camera, int row) {
-    int own = super.exploit(network, camera, row);
+    int own = q().best(camera, q().state(network, camera));
     MajorityVote vote = votes[camera];
     vote.open();
     if (settings.ownVote() == VoteSettings.OwnVote.YES) {
       vote.vote(own);
     }
-    int level = network.level(camera);
-    int detected = network.detected(camera);
-    int levels = network.levels(camera);
     int asked = nearest.count(camera);
     for (int i = 0; i < asked; i++) {
       int neighbour = nearest.neighbour(camera, i);
-      if (values().alike(camera, neighbour)) {
-        vote.vote(values().best(neighbour, row, levels));
-      } else if (values().knows(neighbour, level)) {
-        vote.vote(values().answer(neighbour, level, detected, levels));
+      if (q().knows(neighbour, level)) {
+        vote.vote(q().answer(neighbour, level, detected, network.levels(camera)));
       }
     }
     messages[camera] += 2L * asked;

@@ -9,9 +9,9 @@ import org.hificamsim.core.registry.Options;
  * @param ownVote whether the camera's own best action counts as a vote
  */
 public record VoteSettings(int neighbours, OwnVote ownVote, VoteTies ties) {
-  private static final int MOST = 10_000;
+  private static final int MAX_NEIGHBOURS = 10_000;
 
-  /** Whether a camera votes on its own next level; section 7.4.5 says that it does. */
+  /** Whether a camera votes on its own next level; thesis 7.4.5 says that it does. */
   public enum OwnVote {
     YES,
     NO
@@ -20,7 +20,7 @@ public record VoteSettings(int neighbours, OwnVote ownVote, VoteTies ties) {
   /** The options {@code k}, {@code own-vote} and {@code vote-ties}. */
   public static VoteSettings from(Options options) {
     return new VoteSettings(
-        options.integer("k", 4, 0, MOST, "number of nearest cameras that are asked"),
+        options.integer("k", 4, 0, MAX_NEIGHBOURS, "number of nearest cameras that are asked"),
         options.choice("own-vote", OwnVote.YES, "whether the own best action counts: yes, no"),
         options.choice(
             "vote-ties", VoteTies.OWN, "who wins a draw: own (else widest), widest, narrowest"));

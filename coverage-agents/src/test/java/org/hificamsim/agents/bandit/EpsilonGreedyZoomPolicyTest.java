@@ -46,7 +46,7 @@ class EpsilonGreedyZoomPolicyTest {
 
   @Test
   void averagesAllRewardsOfALevelAlike() {
-    ArmAverages arms = new ArmAverages(network);
+    EpsilonGreedyZoomPolicy arms = network.begin(greedy(0, Ties.WIDEST), 1);
     for (int targets = 0; targets <= 3; targets++) {
       network.see(0, 3, java.util.stream.IntStream.range(0, targets).toArray());
       network.observe();
@@ -73,7 +73,7 @@ class EpsilonGreedyZoomPolicyTest {
 
   @Test
   void anOfflineCameraLearnsNothing() {
-    ArmAverages arms = new ArmAverages(network);
+    EpsilonGreedyZoomPolicy arms = network.begin(greedy(0, Ties.WIDEST), 1);
     network.switchCamera(0, false);
     arms.learn(network);
     assertEquals(0, arms.pulls()[3]);
@@ -81,6 +81,6 @@ class EpsilonGreedyZoomPolicyTest {
 
   private static EpsilonGreedyZoomPolicy greedy(double epsilon, Ties ties) {
     return new EpsilonGreedyZoomPolicy(
-        new EpsilonGreedyChoice(EpsilonSchedule.constant(epsilon), Exploration.OTHER), ties);
+        new EpsilonGreedyChoice(new EpsilonSchedule(epsilon, 1, 0), Exploration.OTHER), ties);
   }
 }

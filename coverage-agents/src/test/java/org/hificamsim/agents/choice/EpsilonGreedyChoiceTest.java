@@ -65,7 +65,7 @@ class EpsilonGreedyChoiceTest {
 
   private static void assertShares(Exploration exploration, double other, double best) {
     EpsilonGreedyChoice choice =
-        new EpsilonGreedyChoice(EpsilonSchedule.constant(0.1), exploration);
+        new EpsilonGreedyChoice(new EpsilonSchedule(0.1, 1, 0), exploration);
     choice.begin(new ToyNetwork(0, 5), new SplittableRandom(3));
     int[] times = new int[5];
     for (int n = 0; n < DRAWS; n++) {

@@ -23,7 +23,7 @@ class BestFixedZoomPolicyTest {
     SplittableRandom random = new SplittableRandom(repetition.getCurrentRepetition());
     int cameras = 1 + random.nextInt(5);
     int targets = 1 + random.nextInt(4);
-    SeenRun run = randomRun(random, cameras, targets, 12, 0.5);
+    RunDetections run = randomRun(random, cameras, targets, 12, 0.5);
     ConstantSearch search = new ConstantSearch(run, Long.MAX_VALUE);
     assertTrue(search.proven());
     assertEquals(bestByTryingAll(run), search.performance());
@@ -32,7 +32,7 @@ class BestFixedZoomPolicyTest {
 
   @Test
   void withoutNodesTakesTheBestFoundAndDoesNotClaimAProof() {
-    SeenRun run = randomRun(new SplittableRandom(1), 6, 4, 30, 0.5);
+    RunDetections run = randomRun(new SplittableRandom(1), 6, 4, 30, 0.5);
     ConstantSearch search = new ConstantSearch(run, 0);
     assertFalse(search.proven());
     assertEquals(search.performance(), performance(run, search.levels()));
@@ -44,7 +44,7 @@ class BestFixedZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(1, LEVELS, LEVELS);
     network.see(0, 1, 0);
     network.see(0, 2, 0);
-    SeenRun run = new SeenRun();
+    RunDetections run = new RunDetections();
     run.add(network);
     assertArrayEquals(new int[] {1, 0}, new ConstantSearch(run, 10).levels());
   }
@@ -67,9 +67,9 @@ class BestFixedZoomPolicyTest {
     assertTrue(policy.proven());
   }
 
-  private static SeenRun randomRun(
+  private static RunDetections randomRun(
       SplittableRandom random, int cameras, int targets, int steps, double density) {
-    SeenRun run = new SeenRun();
+    RunDetections run = new RunDetections();
     int[] sizes = new int[cameras];
     Arrays.fill(sizes, LEVELS);
     for (int step = 0; step < steps; step++) {
@@ -92,7 +92,7 @@ class BestFixedZoomPolicyTest {
     return run;
   }
 
-  private static long bestByTryingAll(SeenRun run) {
+  private static long bestByTryingAll(RunDetections run) {
     int[] levels = new int[run.cameras()];
     long best = 0;
     do {
@@ -111,7 +111,7 @@ class BestFixedZoomPolicyTest {
     return false;
   }
 
-  private static long performance(SeenRun run, int[] levels) {
+  private static long performance(RunDetections run, int[] levels) {
     int[] k = new int[run.moments()];
     for (int camera = 0; camera < levels.length; camera++) {
       run.detected(camera, levels[camera]).stream().forEach(moment -> k[moment]++);

@@ -33,7 +33,7 @@ class OneHopZoomPolicyTest {
   void canBeToldToKeepDetectionsWhereNothingIsGained() {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 1, 0).see(0, 0, 0);
     network.setLevel(0, 1);
-    Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
+    Preference preference = Preference.MAX_TARGETS_THEN_WIDEST;
     network.decide(network.begin(new OneHopZoomPolicy(preference), 1));
     assertEquals(1, network.level(0));
   }

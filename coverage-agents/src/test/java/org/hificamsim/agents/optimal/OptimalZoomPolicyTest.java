@@ -159,6 +159,6 @@ class OptimalZoomPolicyTest {
     assertEquals(0, exact.gap());
     assertTrue(limited.unprovenSteps() > 0, "no step in which the limit mattered");
     assertTrue(limited.gap() >= limited.unprovenSteps());
-    assertTrue(lost <= limited.gap(), lost + " lost, at most " + limited.gap() + " told");
+    assertTrue(lost <= limited.gap(), lost + " lost, the gap is " + limited.gap());
   }
 }

@@ -104,7 +104,7 @@ class CoverageSolverTest {
       int best = Exhaustive.solve(8, sets).value();
       assertTrue(solver.value() <= best && best <= solver.bound());
       assertEquals(solver.value(), Exhaustive.value(8, sets, choice(solver, sets)));
-      assertTrue(solver.nodes() <= 1 + 28L * PreferredChoice.MOST_NODES);
+      assertTrue(solver.nodes() <= 1 + 28L * PreferredChoice.MAX_NODES);
       unproven += solver.proven() ? 0 : 1;
     }
     assertTrue(unproven > 0, "no case in which the limit mattered");

@@ -1,32 +1,202 @@
 package org.hificamsim.agents.temporal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.lang.reflect.Proxy;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.Iterator;
+import java.util.Map;
 import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.AllocatedBytes;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.policy.NetworkView;
+import org.junit.jupiter.api.Test;
 
 class ActionValuesTest {
+  /** So many cameras, levels and targets that tables do not have all their states at first. */
+  private static final int CAMERAS = 40;
+
+  private static final int LEVELS = 5;
+  private static final int TARGETS = 4_000;
+
   @Property(tries = 200)
   void theBestActionIsFoundAfterAnyUpdates(
       @ForAll @IntRange(min = 1, max = 6) int levels, @ForAll Ties ties, @ForAll long seed) {
-    TemporalDifferenceSettings settings =
-        new TemporalDifferenceSettings(
-            StateReading.COUNT, RewardReading.COUNT_CHANGE, 0.1, 0.9, 1, 0, ties);
-    ActionValues values = new ActionValues(new ToyNetwork(2, levels), settings);
+    ActionValues values =
+        new ActionValues(new ToyNetwork(2, levels), settings(StateReading.COUNT, 0, ties));
     SplittableRandom random = new SplittableRandom(seed);
-    int row = values.row(0, 0, 1);
     double[] plain = new double[levels];
     for (int i = 0; i < 100; i++) {
       int action = random.nextInt(levels);
-      double alpha = random.nextInt(3) / 2.0;
-      double target = random.nextInt(-3, 4); // few values, so that many are equal
-      plain[action] += alpha * (target - plain[action]);
-      values.learn(0, row, action, alpha, target);
-      assertEquals(ties.best(plain, 0, levels), values.best(0, row, levels), "update " + i);
+      plain[action] = random.nextInt(-3, 4); // few values, so that many are equal
+      values.set(0, 1, action, plain[action]);
+      assertEquals(ties.best(plain, 0, levels), values.best(0, 1), "update " + i);
     }
+  }
+
+  @Property(tries = 20)
+  void tablesThatGrowHoldWhatAWholeTableWould(
+      @ForAll StateReading reading, @ForAll Ties ties, @ForAll long seed) {
+    ActionValues values = new ActionValues(bigNetwork(), settings(reading, -1, ties));
+    SplittableRandom random = new SplittableRandom(seed);
+    Map<Integer, double[]> plain = new HashMap<>();
+    for (int i = 0; i < 2_000; i++) {
+      int detected = random.nextInt(1 + random.nextInt(1 + random.nextInt(TARGETS)));
+      int state = values.state(7, random.nextInt(LEVELS), detected);
+      double[] row = plain.computeIfAbsent(state, unseen -> new double[] {-1, -1, -1, -1, -1});
+      assertRow(values, state, row, ties);
+      int action = random.nextInt(LEVELS);
+      row[action] = random.nextInt(-3, 2);
+      values.set(7, state, action, row[action]);
+      assertRow(values, state, row, ties);
+    }
+    plain.forEach((state, row) -> assertRow(values, state, row, ties));
+  }
+
+  @Test
+  void aTableHasRoomForEveryTargetAtOnce() {
+    ActionValues values = new ActionValues(bigNetwork(), settings(StateReading.LEVEL_COUNT));
+    int last = values.state(0, LEVELS - 1, TARGETS);
+    values.set(0, last, LEVELS - 1, 3);
+    assertEquals(3, values.value(0, last, LEVELS - 1));
+    assertEquals(0, values.value(0, last - 1, LEVELS - 1));
+  }
+
+  @Test
+  void aTableGrowsForItsOwnCameraAlone() {
+    ActionValues values = new ActionValues(bigNetwork(), settings(StateReading.LEVEL_COUNT));
+    int state = values.state(0, 1, 3_000);
+    values.set(0, state, 2, 3);
+    assertEquals(0, values.value(1, state, 2));
+    assertEquals(2, values.best(0, state));
+    assertEquals(LEVELS - 1, values.best(1, state));
+  }
+
+  @Test
+  void statesThatATableLacksAnswerLikeThoseItHasBeforeAnyUpdate() {
+    for (Ties ties : Ties.values()) {
+      ActionValues values = new ActionValues(bigNetwork(), settings(StateReading.COUNT, 2, ties));
+      for (int detected = 0; detected < 10; detected++) {
+        assertEquals(2, values.value(0, detected, 0));
+        assertEquals(ties.best(LEVELS), values.best(0, detected));
+        for (int levels = 1; levels <= LEVELS + 1; levels++) {
+          int both = Math.min(levels, LEVELS);
+          assertEquals(ties.best(both), values.answer(0, 0, detected, levels));
+        }
+      }
+    }
+  }
+
+  @Test
+  void aTableGrowsByOneStateTooWhereThatIsMissing() {
+    for (StateReading reading : StateReading.values()) {
+      ActionValues values = new ActionValues(bigNetwork(), settings(reading));
+      for (int detected = 0; detected <= 40; detected++) {
+        for (int level = 0; level < LEVELS; level++) {
+          int state = values.state(0, level, detected);
+          values.set(0, state, 1, 3);
+          assertEquals(1, values.best(0, state));
+        }
+      }
+    }
+  }
+
+  @Test
+  void aSmallNetworkHasAllStatesAtOnceSoThatNoUpdateAllocates() {
+    Iterator<ActionValues> fresh =
+        Stream.generate(
+                () -> new ActionValues(new ToyNetwork(50, 5), settings(StateReading.LEVEL_COUNT)))
+            .iterator();
+    assertEquals(
+        0,
+        AllocatedBytes.fewest(
+            () -> {
+              ActionValues values = fresh.next();
+              return AllocatedBytes.by(() -> values.set(0, values.state(0, 4, 50), 0, 1));
+            }));
+  }
+
+  @Test
+  void answersOfTheLevelsThatBothCamerasHave() {
+    ActionValues values =
+        new ActionValues(new ToyNetwork(1, 4, 2), settings(StateReading.LEVEL_COUNT));
+    int state = values.state(0, 1, 1);
+    values.set(0, state, 0, 1);
+    values.set(0, state, 3, 2);
+    assertEquals(3, values.answer(0, 1, 1, 4));
+    assertEquals(0, values.answer(0, 1, 1, 3));
+    assertEquals(1, values.answer(1, 1, 1, 4));
+  }
+
+  @Test
+  void knowsTheLevelsOfItsCameraOrAllWhereLevelsDoNotCount() {
+    ToyNetwork network = new ToyNetwork(1, 4, 2);
+    ActionValues byLevel = new ActionValues(network, settings(StateReading.LEVEL_COUNT));
+    assertTrue(byLevel.knows(1, 1));
+    assertFalse(byLevel.knows(1, 2));
+    assertTrue(new ActionValues(network, settings(StateReading.COUNT)).knows(1, 3));
+    assertTrue(new ActionValues(network, settings(StateReading.NONE)).knows(1, 3));
+  }
+
+  @Test
+  void theLargestTableThatFitsIsTaken() {
+    int counts = (1 << 28) / 128; // a row has an entry for each of 127 levels, and one more
+    TemporalDifferenceSettings settings = settings(StateReading.COUNT);
+    ActionValues values = new ActionValues(oneCamera(127, counts - 1), settings);
+    assertEquals(126, values.best(0, counts - 1));
+    NetworkView larger = oneCamera(127, counts);
+    InputException refused =
+        assertThrows(InputException.class, () -> new ActionValues(larger, settings));
+    assertEquals(
+        "a camera's table of action values needs more than 268435456 entries for 2097152 targets."
+            + " Maybe give the option state=none",
+        refused.getMessage());
+  }
+
+  /** A network that says how large it is, and no more. */
+  private static NetworkView oneCamera(int levels, int targets) {
+    return (NetworkView)
+        Proxy.newProxyInstance(
+            NetworkView.class.getClassLoader(),
+            new Class<?>[] {NetworkView.class},
+            (proxy, method, arguments) ->
+                switch (method.getName()) {
+                  case "cameras" -> 1;
+                  case "levels" -> levels;
+                  case "targets" -> targets;
+                  default -> throw new UnsupportedOperationException(method.getName());
+                });
+  }
+
+  private static void assertRow(ActionValues values, int state, double[] row, Ties ties) {
+    assertEquals(ties.best(row, 0, LEVELS), values.best(7, state), "state " + state);
+    for (int action = 0; action < LEVELS; action++) {
+      assertEquals(row[action], values.value(7, state, action), "state " + state);
+    }
+  }
+
+  private static ToyNetwork bigNetwork() {
+    int[] levels = new int[CAMERAS];
+    Arrays.fill(levels, LEVELS);
+    return new ToyNetwork(TARGETS, levels);
+  }
+
+  private static TemporalDifferenceSettings settings(StateReading reading) {
+    return settings(reading, 0, Ties.WIDEST);
+  }
+
+  private static TemporalDifferenceSettings settings(StateReading reading, double q0, Ties ties) {
+    return new TemporalDifferenceSettings(
+        reading, RewardReading.COUNT_CHANGE, 0.1, 0.9, 1, q0, ties);
   }
 }

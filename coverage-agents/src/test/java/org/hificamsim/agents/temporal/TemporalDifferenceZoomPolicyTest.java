@@ -30,9 +30,23 @@ class TemporalDifferenceZoomPolicyTest {
       network.step(policy);
       assertEquals(0, network.level(0));
       network.decide(policy);
-      ActionValues values = policy.values();
-      assertEquals(1, values.value(0, values.row(0, 1, 0), 0), "half of the two targets gained");
-      assertEquals(0, values.value(0, values.row(0, 0, 2), 0));
+      ActionValues values = policy.q();
+      assertEquals(1, values.value(0, values.state(0, 1, 0), 0), "half of the two targets gained");
+      assertEquals(0, values.value(0, values.state(0, 0, 2), 0));
+    }
+  }
+
+  @Test
+  void theFirstDecisionTeachesNothing() {
+    for (String name : BOTH) {
+      AbstractTemporalDifferenceZoomPolicy policy = begun(name + ":alpha=1,ties=narrowest");
+      network.setLevel(0, 0);
+      network.observe();
+      network.step(policy);
+      for (int state = 0; state < 6; state++) {
+        assertEquals(0, policy.q().value(0, state, 0));
+        assertEquals(0, policy.q().value(0, state, 1));
+      }
     }
   }
 
@@ -41,7 +55,7 @@ class TemporalDifferenceZoomPolicyTest {
     AbstractTemporalDifferenceZoomPolicy policy =
         begun("sarsa:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
-    assertEquals(1 + 0.25 * 3, values.value(0, values.row(0, 1, 0), 0), 1e-12);
+    assertEquals(1 + 0.25 * 3, values.value(0, values.state(0, 1, 0), 0), 1e-12);
   }
 
   @Test
@@ -49,7 +63,7 @@ class TemporalDifferenceZoomPolicyTest {
     AbstractTemporalDifferenceZoomPolicy policy =
         begun("q-learning:epsilon=1,alpha=0.5,gamma=0.5,ties=narrowest");
     ActionValues values = forcedRound(policy);
-    assertEquals(1 + 0.25 * 8, values.value(0, values.row(0, 1, 0), 0), 1e-12);
+    assertEquals(1 + 0.25 * 8, values.value(0, values.state(0, 1, 0), 0), 1e-12);
   }
 
   @Test
@@ -58,7 +72,7 @@ class TemporalDifferenceZoomPolicyTest {
       AbstractTemporalDifferenceZoomPolicy policy = begun(name + ":epsilon=0,ties=narrowest");
       start();
       network.step(policy);
-      policy.values().set(0, policy.values().row(0, 0, 2), 1, 7);
+      policy.q().set(0, policy.q().state(0, 0, 2), 1, 7);
       double[] estimates = new double[2];
       double[] counts = new double[2];
       assertEquals("Q", policy.estimates(network, 0, estimates, counts));
@@ -88,9 +102,9 @@ class TemporalDifferenceZoomPolicyTest {
     for (int step = 0; step < 20_000; step++) {
       network.step(policy);
     }
-    ActionValues values = policy.values();
-    int wide = values.row(0, 1, 0);
-    int narrow = values.row(0, 0, 2);
+    ActionValues values = policy.q();
+    int wide = values.state(0, 1, 0);
+    int narrow = values.state(0, 0, 2);
     assertEquals(2, values.value(0, wide, 0), 1e-3, "gains two, then stays");
     assertEquals(1, values.value(0, wide, 1), 1e-3, "waits one step to gain two");
     assertEquals(0, values.value(0, narrow, 0), 1e-3, "stays");
@@ -104,9 +118,9 @@ class TemporalDifferenceZoomPolicyTest {
     for (int step = 0; step < 200_000; step++) {
       network.step(policy);
     }
-    ActionValues values = policy.values();
-    int wide = values.row(0, 1, 0);
-    int narrow = values.row(0, 0, 2);
+    ActionValues values = policy.q();
+    int wide = values.state(0, 1, 0);
+    int narrow = values.state(0, 0, 2);
     assertEquals(1.5, values.value(0, wide, 0), 0.05, "2 + (0 * 0.5 - 2 * 0.5) gamma");
     assertEquals(0.5, values.value(0, wide, 1), 0.05);
     assertEquals(-0.5, values.value(0, narrow, 0), 0.05);
@@ -123,8 +137,8 @@ class TemporalDifferenceZoomPolicyTest {
     network.step(policy);
     network.switchCamera(0, true);
     network.step(policy);
-    ActionValues values = policy.values();
-    assertEquals(0, values.value(0, values.row(0, 1, 1), 0), "nothing lost by its own choice");
+    ActionValues values = policy.q();
+    assertEquals(0, values.value(0, values.state(0, 1, 1), 0), "nothing lost by its own choice");
   }
 
   @Test
@@ -136,8 +150,8 @@ class TemporalDifferenceZoomPolicyTest {
 
   @Test
   void everyActionStartsAtTheInitialValue() {
-    ActionValues values = begun("sarsa:q0=2.5").values();
-    assertEquals(2.5, values.value(0, values.row(0, 1, 2), 1));
+    ActionValues values = begun("sarsa:q0=2.5").q();
+    assertEquals(2.5, values.value(0, values.state(0, 1, 2), 1));
   }
 
   @Test
@@ -147,7 +161,7 @@ class TemporalDifferenceZoomPolicyTest {
     start();
     network.step(policy);
     network.decide(policy);
-    assertEquals(6, policy.values().value(0, policy.values().row(0, 1, 0), 0));
+    assertEquals(6, policy.q().value(0, policy.q().state(0, 1, 0), 0));
   }
 
   @Test
@@ -160,9 +174,9 @@ class TemporalDifferenceZoomPolicyTest {
 
   /** From the wide level to the narrow one, then explores away from it. */
   private ActionValues forcedRound(AbstractTemporalDifferenceZoomPolicy policy) {
-    ActionValues values = policy.values();
-    int wide = values.row(0, 1, 0);
-    int narrow = values.row(0, 0, 2);
+    ActionValues values = policy.q();
+    int wide = values.state(0, 1, 0);
+    int narrow = values.state(0, 0, 2);
     values.set(0, wide, 1, 1);
     values.set(0, narrow, 0, 8);
     values.set(0, narrow, 1, 3);
@@ -175,10 +189,10 @@ class TemporalDifferenceZoomPolicyTest {
   }
 
   private void assertStates(String spec, int states) {
-    ActionValues values = begun(spec).values();
+    ActionValues values = begun(spec).q();
     long distinct =
         java.util.stream.IntStream.range(0, 6)
-            .map(i -> values.row(0, i / 3, i % 3))
+            .map(i -> values.state(0, i / 3, i % 3))
             .distinct()
             .count();
     assertEquals(states, distinct);

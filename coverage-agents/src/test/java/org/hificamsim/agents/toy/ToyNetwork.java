@@ -3,14 +3,14 @@ package org.hificamsim.agents.toy;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
  * A small network for tests whose detections the test sets, or a subclass computes; it applies
  * policies as the engine does and counts their use of global knowledge.
  */
-public class ToyNetwork implements NetworkView {
+public class ToyNetwork implements OracleView {
   private final int[] levels;
   private final int[] level;
   private final int targets;

@@ -18,7 +18,6 @@ class NearestCamerasTest {
     network.switchCamera(7, false);
     for (int k : new int[] {0, 1, 4, 28, 100}) {
       NearestCameras nearest = new NearestCameras(network, k);
-      nearest.find(network);
       assertEquals(0, nearest.count(7));
       for (int camera = 0; camera < 30; camera++) {
         if (camera != 7) {
@@ -32,7 +31,6 @@ class NearestCamerasTest {
   void ofEquallyNearCamerasTakesTheLowerNumber() {
     ToyNetwork network = new ToyNetwork(0, 2, 2, 2, 2, 2);
     NearestCameras nearest = new NearestCameras(network, 3);
-    nearest.find(network);
     assertArrayEquals(new int[] {1, 3, 0}, neighbours(nearest, 2));
   }
 

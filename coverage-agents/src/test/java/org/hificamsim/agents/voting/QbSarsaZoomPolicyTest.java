@@ -52,8 +52,8 @@ class QbSarsaZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 2, 0);
     network.observe();
     QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
-    policy.values().set(1, policy.values().row(1, 2, 1), 0, 1);
-    policy.values().set(1, policy.values().row(1, 2, 0), 1, 1);
+    policy.q().set(1, policy.q().state(1, 2, 1), 0, 1);
+    policy.q().set(1, policy.q().state(1, 2, 0), 1, 1);
     network.decide(policy);
     assertEquals(0, network.level(0), "asked for a count of 1 although it detects none itself");
   }
@@ -75,7 +75,7 @@ class QbSarsaZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(1, 2, 4);
     QbSarsaZoomPolicy policy = begun(network, "qb-sarsa:epsilon=0,own-vote=no");
     prefer(policy, 1, 1, 3);
-    policy.values().set(1, policy.values().row(1, 1, 0), best, 0.5);
+    policy.q().set(1, policy.q().state(1, 1, 0), best, 0.5);
     network.decide(policy);
     assertEquals(best, network.level(0));
   }
@@ -141,8 +141,8 @@ class QbSarsaZoomPolicyTest {
 
   /** Makes the action the camera's best at that level with nothing detected. */
   private static void prefer(QbSarsaZoomPolicy policy, int camera, int level, int action) {
-    ActionValues values = policy.values();
-    values.set(camera, values.row(camera, level, 0), action, 1);
+    ActionValues values = policy.q();
+    values.set(camera, values.state(camera, level, 0), action, 1);
   }
 
   private QbSarsaZoomPolicy begun(ToyNetwork network, String spec) {

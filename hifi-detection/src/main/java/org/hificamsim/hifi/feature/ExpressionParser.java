@@ -4,7 +4,7 @@ import org.hificamsim.hifi.feature.Expression.Term;
 
 /** A recursive-descent reader of {@link Expression}s, with a bound on length and depth. */
 final class ExpressionParser {
-  private static final int LONGEST = 4_000;
+  private static final int MAX = 4_000;
   private static final int DEEPEST = 200;
 
   private final String text;
@@ -16,9 +16,9 @@ final class ExpressionParser {
   }
 
   Term parse() {
-    if (text.length() > LONGEST) {
+    if (text.length() > MAX) {
       throw new IllegalArgumentException(
-          "expected at most " + LONGEST + " characters, not " + text.length());
+          "expected at most " + MAX + " characters, not " + text.length());
     }
     Term term = sum();
     if (next < text.length()) {

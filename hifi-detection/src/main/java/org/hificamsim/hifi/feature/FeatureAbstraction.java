@@ -2,7 +2,7 @@ package org.hificamsim.hifi.feature;
 
 /**
  * A feature abstraction f: predicts the patch image proportion (PIP), the share of the image that a
- * target fills, from physical properties (§3.4.1).
+ * target fills, from physical properties (thesis 3.4.1).
  *
  * <p>An implementer writes {@link #pip}; one that predicts {@code -log10(PIP)}, as the published
  * regressions do, implements {@link LogPipAbstraction} instead. To be read from and written to

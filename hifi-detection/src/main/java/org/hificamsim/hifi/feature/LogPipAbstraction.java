@@ -1,7 +1,8 @@
 package org.hificamsim.hifi.feature;
 
 /**
- * A feature abstraction that predicts {@code -log10(PIP)}, the response of the regressions in §4.3.
+ * A feature abstraction that predicts {@code -log10(PIP)}, the response of the regressions in
+ * thesis 4.3.
  *
  * <p>An implementer writes {@link #negativeLogPip}; the back-transform comes free.
  */

@@ -3,9 +3,9 @@ package org.hificamsim.hifi.feature;
 import java.util.Arrays;
 
 /**
- * Epsilon support vector regression with a radial basis function kernel (Eq 4.10, §4.5.3): {@code
- * -log10(PIP) = intercept + sum of weight * exp(-gamma * |x - s|^2)} over the support vectors s,
- * with each variable scaled by its range first.
+ * Epsilon support vector regression with a radial basis function kernel (Eq 4.10, thesis 4.5.3):
+ * {@code -log10(PIP) = intercept + sum of weight * exp(-gamma * |x - s|^2)} over the support
+ * vectors s, with each variable scaled by its range first.
  */
 public final class SvrRbfAbstraction implements LogPipAbstraction {
   private final double gamma;

@@ -14,9 +14,9 @@ import org.hificamsim.hifi.json.JsonObject;
 
 /** The types of feature abstraction that JSON files may hold, with the range of each number. */
 final class FeatureFormats {
-  private static final double LARGEST_WEIGHT = 1e6;
-  private static final double LARGEST_EXPONENT = 20;
-  private static final double LARGEST_SENSOR = 1;
+  private static final double MAX_WEIGHT = 1e6;
+  private static final double MAX_EXPONENT = 20;
+  private static final double MAX_SENSOR = 1;
 
   private static final List<FeatureFormat<?>> ALL =
       List.of(
@@ -83,8 +83,8 @@ final class FeatureFormats {
 
   private static PinholeAbstraction pinhole(JsonObject json) {
     return new PinholeAbstraction(
-        json.number("sensorWidth", 1e-6, LARGEST_SENSOR),
-        json.number("sensorHeight", 1e-6, LARGEST_SENSOR));
+        json.number("sensorWidth", 1e-6, MAX_SENSOR),
+        json.number("sensorHeight", 1e-6, MAX_SENSOR));
   }
 
   private static void write(LinearAbstraction f, JsonGenerator json) throws IOException {
@@ -107,10 +107,10 @@ final class FeatureFormats {
   }
 
   private static double weight(JsonObject json, String key) {
-    return json.number(key, -LARGEST_WEIGHT, LARGEST_WEIGHT);
+    return json.number(key, -MAX_WEIGHT, MAX_WEIGHT);
   }
 
   private static double exponent(JsonObject json, String key) {
-    return json.number(key, -LARGEST_EXPONENT, LARGEST_EXPONENT);
+    return json.number(key, -MAX_EXPONENT, MAX_EXPONENT);
   }
 }

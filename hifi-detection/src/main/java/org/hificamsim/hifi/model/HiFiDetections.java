@@ -17,13 +17,14 @@ public final class HiFiDetections {
 
   private HiFiDetections() {}
 
-  /** Adds every model of the {@linkplain Catalogue#published published catalogue}. */
+  /** Adds every model of the {@linkplain PublishedModels#published published catalogue}. */
   public static void register(Registry<DetectionModel> registry) {
-    Catalogue catalogue = Catalogue.published();
+    PublishedModels catalogue = PublishedModels.published();
     for (String detector : catalogue.detectors()) {
-      Catalogue.Line measured = catalogue.line(detector, Catalogue.GROUND_TRUTH).orElseThrow();
-      for (Catalogue.Feature feature : catalogue.features()) {
-        Catalogue.Line own = catalogue.line(detector, feature.name()).orElse(measured);
+      PublishedModels.Line measured =
+          catalogue.line(detector, PublishedModels.GROUND_TRUTH).orElseThrow();
+      for (PublishedModels.Feature feature : catalogue.features()) {
+        PublishedModels.Line own = catalogue.line(detector, feature.name()).orElse(measured);
         String name = "hifi:" + detector + "-" + feature.name();
         register(registry, name, feature, own);
         register(registry, name + "-gt", feature, measured);
@@ -38,8 +39,8 @@ public final class HiFiDetections {
   private static void register(
       Registry<DetectionModel> registry,
       String name,
-      Catalogue.Feature feature,
-      Catalogue.Line line) {
+      PublishedModels.Feature feature,
+      PublishedModels.Line line) {
     String summary =
         line.detector().toUpperCase(Locale.ROOT)
             + " line ("
@@ -52,14 +53,15 @@ public final class HiFiDetections {
     registry.register(name, summary, () -> model(name, feature, line));
   }
 
-  private static HiFiDetection model(String name, Catalogue.Feature feature, Catalogue.Line line) {
-    Catalogue catalogue = Catalogue.published();
+  private static HiFiDetection model(
+      String name, PublishedModels.Feature feature, PublishedModels.Line line) {
+    PublishedModels catalogue = PublishedModels.published();
     Provenance provenance = feature.provenance().with("detector line", line.source());
     return new HiFiDetection(
         name, feature.f(), line.g(), catalogue.optics(), catalogue.threshold(line.g()), provenance);
   }
 
-  private static LiteralDetection literal(Catalogue catalogue) {
+  private static LiteralDetection literal(PublishedModels catalogue) {
     return new LiteralDetection(
         LITERAL, catalogue.literal(), catalogue.optics(), catalogue.reference().threshold());
   }

@@ -21,7 +21,7 @@ import org.hificamsim.hifi.json.JsonFile;
  */
 public final class ModelFiles {
   /** The largest file that is read. */
-  public static final int LARGEST_BYTES = 16 << 20;
+  public static final int MAX_BYTES = 16 << 20;
 
   private ModelFiles() {}
 
@@ -42,7 +42,7 @@ public final class ModelFiles {
    * @throws InputException when the file cannot be written
    */
   public static void write(HiFiDetection model, Path file) {
-    byte[] bytes = checkedBytes(model);
+    byte[] bytes = bytes(model);
     try {
       new OutputFile(file).write(out -> out.write(bytes));
     } catch (IOException e) {
@@ -63,16 +63,21 @@ public final class ModelFiles {
     }
   }
 
-  private static HiFiDetection parse(String file, byte[] bytes) {
+  /**
+   * The model in a file's content.
+   *
+   * @param file its name, for error lines
+   */
+  public static HiFiDetection parse(String file, byte[] bytes) {
     return ModelFormat.read(JsonFile.parse(file, bytes));
   }
 
   private static byte[] bytes(Path file) {
     try (InputStream in = Files.newInputStream(file)) {
-      byte[] bytes = in.readNBytes(LARGEST_BYTES + 1);
-      if (bytes.length > LARGEST_BYTES) {
+      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+      if (bytes.length > MAX_BYTES) {
         throw new Place(file.toString(), 1, 1)
-            .error("the file is too big, expected at most " + LARGEST_BYTES + " bytes");
+            .error("the file is too big, expected at most " + MAX_BYTES + " bytes");
       }
       return bytes;
     } catch (NoSuchFileException e) {
@@ -82,7 +87,12 @@ public final class ModelFiles {
     }
   }
 
-  private static byte[] checkedBytes(HiFiDetection model) {
+  /**
+   * The content of a file of a model, which {@link #parse} will read as an equal one.
+   *
+   * @throws IllegalArgumentException when the model has a number or name that no file may hold
+   */
+  public static byte[] bytes(HiFiDetection model) {
     try {
       byte[] bytes = ModelWriter.bytes(model);
       if (parse(model.name(), bytes).equals(model)) {

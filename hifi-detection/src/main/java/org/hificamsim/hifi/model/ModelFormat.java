@@ -28,8 +28,9 @@ final class ModelFormat {
     DetectorLine g = detectorLine(line);
     line.rejectUnknown();
     Optics optics =
-        json.has("optics") ? optics(json.object("optics")) : Catalogue.published().optics();
-    double threshold = json.has("threshold") ? threshold(json) : Catalogue.published().threshold(g);
+        json.has("optics") ? optics(json.object("optics")) : PublishedModels.published().optics();
+    double threshold =
+        json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g);
     checkUnits(json);
     HiFiDetection model = new HiFiDetection(name, f, g, optics, threshold, provenance(json));
     json.rejectUnknown();

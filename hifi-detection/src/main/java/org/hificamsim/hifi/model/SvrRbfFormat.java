@@ -11,21 +11,21 @@ import org.hificamsim.hifi.json.JsonObject;
  * q, d and z, and {@code support}, a list of {@code [q, d, z, weight]}.
  */
 final class SvrRbfFormat {
-  private static final double LARGEST = 1e6;
-  private static final int MOST_VECTORS = 50_000;
+  private static final double MAX = 1e6;
+  private static final int MAX_VECTORS = 50_000;
 
   private SvrRbfFormat() {}
 
   static SvrRbfAbstraction read(JsonObject json) {
-    double gamma = json.number("gamma", 1e-9, LARGEST);
-    double intercept = json.number("intercept", -LARGEST, LARGEST);
+    double gamma = json.number("gamma", 1e-9, MAX);
+    double intercept = json.number("intercept", -MAX, MAX);
     JsonObject ranges = json.object("ranges");
     Range q = range(ranges.object("q"));
     Range d = range(ranges.object("d"));
     Range z = range(ranges.object("z"));
     ranges.rejectUnknown();
     return new SvrRbfAbstraction(
-        gamma, intercept, q, d, z, json.rows("support", 4, MOST_VECTORS, -LARGEST, LARGEST));
+        gamma, intercept, q, d, z, json.rows("support", 4, MAX_VECTORS, -MAX, MAX));
   }
 
   static void write(SvrRbfAbstraction f, JsonGenerator json) throws IOException {

@@ -122,7 +122,7 @@ class BrokenModelFilesTest {
 
   @Test
   void hugeFileIsRefusedBeforeItIsRead() throws IOException {
-    byte[] spaces = " ".repeat(ModelFiles.LARGEST_BYTES + 1).getBytes(StandardCharsets.UTF_8);
+    byte[] spaces = " ".repeat(ModelFiles.MAX_BYTES + 1).getBytes(StandardCharsets.UTF_8);
     assertTrue(fault(spaces).contains("too big, expected at most 16777216 bytes"));
   }
 

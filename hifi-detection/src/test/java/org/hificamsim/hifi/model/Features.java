@@ -13,8 +13,8 @@ final class Features {
     return feature(name).f();
   }
 
-  static Catalogue.Feature feature(String name) {
-    return Catalogue.published().features().stream()
+  static PublishedModels.Feature feature(String name) {
+    return PublishedModels.published().features().stream()
         .filter(feature -> feature.name().equals(name))
         .findFirst()
         .orElseThrow();

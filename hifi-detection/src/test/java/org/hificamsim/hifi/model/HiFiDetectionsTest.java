@@ -39,7 +39,10 @@ class HiFiDetectionsTest {
         assertEquals(Features.named(f), own.f());
         assertEquals(Features.named(f), measured.f());
         assertEquals(
-            Catalogue.published().line(detector, Catalogue.GROUND_TRUTH).orElseThrow().g(),
+            PublishedModels.published()
+                .line(detector, PublishedModels.GROUND_TRUTH)
+                .orElseThrow()
+                .g(),
             measured.g());
       }
     }
@@ -49,7 +52,8 @@ class HiFiDetectionsTest {
   void abstractionWithARowInTable61TakesItsLine() {
     for (String f : List.of("lin", "sr")) {
       assertEquals(
-          Catalogue.published().line("sift", f).orElseThrow().g(), model("hifi:sift-" + f).g());
+          PublishedModels.published().line("sift", f).orElseThrow().g(),
+          model("hifi:sift-" + f).g());
     }
   }
 

@@ -44,7 +44,8 @@ class LabDetectionsTest {
   void thresholdsAreWhatTheLinesGiveAtTheReferencesPip() {
     for (String name : registry.names()) {
       HiFiDetection model = model(name);
-      assertEquals(Catalogue.published().threshold(model.g()), model.defaultThreshold(), name);
+      assertEquals(
+          PublishedModels.published().threshold(model.g()), model.defaultThreshold(), name);
       assertTrue(model.provenance().source().startsWith("profile fit, "), name);
     }
   }

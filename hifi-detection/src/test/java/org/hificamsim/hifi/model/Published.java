@@ -1,7 +1,5 @@
 package org.hificamsim.hifi.model;
 
-import static org.junit.jupiter.api.Assumptions.assumeTrue;
-
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -9,17 +7,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** The published tables beside the source tree; tests that need one are skipped without it. */
+/** The published tables. */
 final class Published {
+  private static final Path FOLDER =
+      Path.of(System.getProperty("hificamsim.root"), "src/test/resources/reference/published");
+
   private Published() {}
 
   /** The rows of a table, each by column name. */
   static List<Map<String, String>> rows(String table) throws IOException {
-    String root = System.getProperty("hificamsim.root");
-    assumeTrue(root != null, "system property hificamsim.root is not set");
-    Path file = Path.of(root, "..", "shared", "reference", "published", table).normalize();
-    assumeTrue(Files.exists(file), "published table is missing: " + file);
-    List<String> lines = Files.readAllLines(file);
+    List<String> lines = Files.readAllLines(FOLDER.resolve(table));
     String[] header = lines.get(0).split(",", -1);
     return lines.stream().skip(1).map(line -> row(header, line.split(",", -1))).toList();
   }

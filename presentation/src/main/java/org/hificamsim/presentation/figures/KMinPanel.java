@@ -8,7 +8,7 @@ import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Lowess;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.compare.Levels;
+import org.hificamsim.runs.compare.PartMeans;
 
 /**
  * A panel of k_min over time, as chapters 7 and 8 show it: the mean over the runs pale, and LOWESS
@@ -63,7 +63,8 @@ public final class KMinPanel {
     for (int part = 0; part < parts; part++) {
       int at = part;
       double[] levels = Arrays.stream(one.levels()).mapToDouble(run -> run[at]).toArray();
-      x[part] = (Levels.start(part, parts, steps) + Levels.start(part + 1, parts, steps) - 1) / 2.0;
+      x[part] =
+          (PartMeans.start(part, parts, steps) + PartMeans.start(part + 1, parts, steps) - 1) / 2.0;
       y[part] = StatUtils.mean(levels) + side * half(levels);
     }
     return Lowess.smooth(new Curve(x, y));

@@ -12,11 +12,11 @@ import org.hificamsim.presentation.plot.FigureFile;
  * @param every how many frames one picture stands for, 1 or more; the last frame is always shown
  */
 public record Animation(RunFrames run, int first, int last, int every) {
-  private static final int MOST_BY_ITSELF = 200;
+  private static final int MAX_BY_ITSELF = 200;
 
   /** An animation of no more than 200 pictures. */
   public static Animation of(RunFrames run, int first, int last) {
-    return new Animation(run, first, last, (last - first) / MOST_BY_ITSELF + 1);
+    return new Animation(run, first, last, (last - first) / MAX_BY_ITSELF + 1);
   }
 
   /** How many pictures there are. */

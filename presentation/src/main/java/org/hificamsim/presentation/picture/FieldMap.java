@@ -5,7 +5,7 @@ import java.awt.geom.Arc2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Rectangle2D;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.presentation.replay.Pose;
+import org.hificamsim.presentation.replay.CameraPose;
 
 /**
  * Where metres are in a picture: to scale, y upwards.
@@ -58,7 +58,7 @@ record FieldMap(double scale, double left, double top) {
   }
 
   /** A sector or a full circle about a camera; headings run clockwise from +y. */
-  Shape sector(Pose pose, double radius) {
+  Shape sector(CameraPose pose, double radius) {
     double r = scale * radius;
     double x = x(pose.x()) - r;
     double y = y(pose.y()) - r;

@@ -14,10 +14,10 @@ import java.util.Locale;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Interval;
 import org.hificamsim.presentation.replay.Level;
-import org.hificamsim.presentation.replay.Pose;
 
 /** Paints the field at one step: fields of view, detected ranges, trails, cameras, targets. */
 final class FieldPainter {
@@ -44,7 +44,7 @@ final class FieldPainter {
   private final RunFrames run;
   private final int index;
   private final Frame frame;
-  private final List<Pose> poses;
+  private final List<CameraPose> poses;
   private final FieldMap map;
 
   FieldPainter(Graphics2D graphics, RunFrames run, int index, FieldMap map) {
@@ -99,7 +99,7 @@ final class FieldPainter {
   }
 
   /** The field of view as an outline, the ranges where a target is detected as areas. */
-  private void view(Pose pose, int atLevel) {
+  private void view(CameraPose pose, int atLevel) {
     Level level = pose.levels().get(atLevel);
     graphics.setColor(Palette.pale(RANGE, RANGE_STRENGTH));
     for (Interval interval : level.detected()) {
@@ -119,7 +119,7 @@ final class FieldPainter {
       Frame from = run.frame(i - 1);
       Frame to = run.frame(i);
       if (from.present()[target] && to.present()[target]) {
-        Cover cover = Cover.of(to.coverage()[target]);
+        CoverClass cover = CoverClass.of(to.coverage()[target]);
         float strength = 0.15f + 0.75f * (i - first + 1) / (index - first + 1);
         graphics.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, strength));
         graphics.setStroke(
@@ -137,7 +137,7 @@ final class FieldPainter {
   }
 
   /** A square with a line along the heading; hollow and crossed out while it is not online. */
-  private void camera(Pose pose, boolean online) {
+  private void camera(CameraPose pose, boolean online) {
     double r = CAMERA_RADIUS;
     double x = map.x(pose.x());
     double y = map.y(pose.y());
@@ -160,7 +160,7 @@ final class FieldPainter {
 
   private void target(int target) {
     int k = frame.coverage()[target];
-    Cover cover = Cover.of(k);
+    CoverClass cover = CoverClass.of(k);
     double x = map.x(frame.x()[target]);
     double y = map.y(frame.y()[target]);
     double r = Math.max(TARGET_RADIUS, map.scale() * run.setup().targets().get(target).size() / 2);
@@ -174,7 +174,7 @@ final class FieldPainter {
       String text = Integer.toString(k);
       graphics.setColor(Color.BLACK);
       double width = Fonts.width(text, graphics.getFont());
-      double drop = r * (cover == Cover.ONE ? 0.55 : 0.42);
+      double drop = r * (cover == CoverClass.ONE ? 0.55 : 0.42);
       graphics.drawString(text, (float) (x - width / 2), (float) (y + drop));
     }
   }

@@ -50,7 +50,7 @@ final class GifFile {
             .distinct()
             .mapToObj(frames)
             .toList();
-    GifFile file = new GifFile(GifPalette.of(samples, Cover.shades()), delay);
+    GifFile file = new GifFile(GifPalette.of(samples, CoverClass.shades()), delay);
     ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
     try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);

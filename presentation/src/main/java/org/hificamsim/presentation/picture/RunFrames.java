@@ -2,9 +2,9 @@ package org.hificamsim.presentation.picture;
 
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
-import org.hificamsim.presentation.replay.Pose;
 import org.hificamsim.presentation.replay.Recording;
 import org.hificamsim.presentation.replay.Setup;
 
@@ -92,8 +92,9 @@ public final class RunFrames {
   }
 
   /** Where every camera is in a frame. */
-  List<Pose> poses(int index) {
-    Pose[] poses = setup.cameras().stream().map(camera -> camera.pose()).toArray(Pose[]::new);
+  List<CameraPose> poses(int index) {
+    CameraPose[] poses =
+        setup.cameras().stream().map(camera -> camera.pose()).toArray(CameraPose[]::new);
     for (Move move : recording.moves()) {
       if (move.step() <= step(index)) {
         poses[move.camera()] = move.pose();

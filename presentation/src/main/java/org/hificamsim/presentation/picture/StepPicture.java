@@ -16,8 +16,8 @@ import org.hificamsim.presentation.replay.Setup;
 /** One step of a run: what it is, the field to scale, and k_min over all steps below. */
 public final class StepPicture implements Picture {
   private static final int WIDTH = 800;
-  private static final int MOST_FIELD = 900;
-  private static final int LEAST_FIELD = 160;
+  private static final int MAX_FIELD = 900;
+  private static final int MIN_FIELD = 160;
   private static final int MARGIN = 12;
   private static final int HEADING = 62;
   private static final int LEGEND = 24;
@@ -48,7 +48,7 @@ public final class StepPicture implements Picture {
 
   private static int fieldHeight(Field field) {
     double asWide = fieldWidth() * FieldMap.height(field) / FieldMap.width(field);
-    return (int) Math.max(LEAST_FIELD, Math.min(MOST_FIELD, Math.round(asWide)));
+    return (int) Math.max(MIN_FIELD, Math.min(MAX_FIELD, Math.round(asWide)));
   }
 
   private static int fieldWidth() {
@@ -115,7 +115,7 @@ public final class StepPicture implements Picture {
   private static void legend(Graphics2D graphics, int middle) {
     graphics.setFont(Fonts.TEXT);
     int x = word(graphics, "covered by", MARGIN, middle);
-    for (Cover cover : Cover.values()) {
+    for (CoverClass cover : CoverClass.values()) {
       graphics.setColor(cover.color());
       graphics.fill(cover.at(x + 6.0, middle, 5.5));
       x = word(graphics, cover.label(), x + 16, middle);

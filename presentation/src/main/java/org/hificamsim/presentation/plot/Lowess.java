@@ -10,18 +10,18 @@ public final class Lowess {
   /** The share of the points that each local line is fitted to. */
   public static final double BANDWIDTH = 0.1;
 
-  private static final int MOST_POINTS = 500;
-  private static final int FEWEST_POINTS = 20;
+  private static final int MAX_POINTS = 500;
+  private static final int MIN_POINTS = 20;
   private static final int ROBUSTNESS_PASSES = 0;
 
   private Lowess() {}
 
   /** The smooth curve; one of fewer than 20 points as it is. */
   public static Curve smooth(Curve curve) {
-    if (curve.size() < FEWEST_POINTS) {
+    if (curve.size() < MIN_POINTS) {
       return curve;
     }
-    Curve thin = curve.thinned(MOST_POINTS);
+    Curve thin = curve.thinned(MAX_POINTS);
     double bandwidth = Math.max(BANDWIDTH, 4.0 / thin.size());
     return new Curve(
         thin.x(), new LoessInterpolator(bandwidth, ROBUSTNESS_PASSES).smooth(thin.x(), thin.y()));

@@ -12,7 +12,7 @@ import org.hificamsim.core.metrics.StepCoverage;
  * @param detected by camera, number of targets
  * @param x by target, metres, where the cameras observed it
  * @param y by target, metres
- * @param coverage by target, the number of cameras that detect it: k_j of section 7.1
+ * @param coverage by target, the number of cameras that detect it: k_j of thesis 7.1
  * @param estimates by camera and level, what the agent knows, NaN where nothing; without any camera
  *     where the policy estimates nothing
  * @param counts by camera and level, how many observations an estimate rests on, NaN if not known;

@@ -5,4 +5,4 @@ package org.hificamsim.presentation.replay;
  *
  * @param camera its number
  */
-public record Move(long step, int camera, Pose pose) {}
+public record Move(long step, int camera, CameraPose pose) {}

@@ -58,7 +58,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
     if (runs.isEmpty()) {
       throw broken(file, "runs", null);
     }
-    int most = TapeLimits.USUAL.frames(setup) + 2;
+    int most = RecordingLimits.USUAL.frames(setup) + 2;
     for (PackedRun run : runs) {
       if (run.frames() < 1 || run.frames() > most || run.steps() < run.frames()) {
         throw broken(file, "frames of run " + run.run(), null);

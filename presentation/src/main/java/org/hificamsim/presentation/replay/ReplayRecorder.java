@@ -14,23 +14,23 @@ import org.hificamsim.core.engine.StepListener;
  * may run at the same time.
  */
 public final class ReplayRecorder {
-  private static final int MOST_RUNS = 50;
+  private static final int MAX_RUNS = 50;
   private static final StepListener NOTHING = (network, coverage) -> {};
 
   private final Setup setup;
   private final Detection detection;
   private final int repeats;
-  private final TapeLimits limits;
-  private final Map<Integer, Tape> tapes = new ConcurrentSkipListMap<>();
+  private final RecordingLimits limits;
+  private final Map<Integer, FrameRecorder> tapes = new ConcurrentSkipListMap<>();
 
   /**
    * @param repeats how many there will be
    */
   public ReplayRecorder(Setup setup, Detection detection, int repeats) {
-    this(setup, detection, repeats, TapeLimits.USUAL);
+    this(setup, detection, repeats, RecordingLimits.USUAL);
   }
 
-  ReplayRecorder(Setup setup, Detection detection, int repeats, TapeLimits limits) {
+  ReplayRecorder(Setup setup, Detection detection, int repeats, RecordingLimits limits) {
     this.setup = setup;
     this.detection = detection;
     this.repeats = repeats;
@@ -39,10 +39,10 @@ public final class ReplayRecorder {
 
   /** The listener that records one repeat. */
   public StepListener listener(int run) {
-    if (run >= MOST_RUNS || full()) {
+    if (run >= MAX_RUNS || full()) {
       return NOTHING;
     }
-    Tape tape = new Tape(setup, detection, run, limits);
+    FrameRecorder tape = new FrameRecorder(setup, detection, run, limits);
     tapes.put(run, tape);
     return tape;
   }
@@ -64,7 +64,7 @@ public final class ReplayRecorder {
   private Replay replay() {
     List<PackedRun> runs = new ArrayList<>();
     long bytes = 0;
-    for (Tape tape : tapes.values()) {
+    for (FrameRecorder tape : tapes.values()) {
       bytes += tape.packed().bytes();
       if (bytes > limits.bytes() && !runs.isEmpty()) {
         break;

@@ -61,13 +61,13 @@ public record Setup(
   }
 
   /** A camera that is yet to be added stands nowhere in the world: the scenario says where. */
-  private static Pose pose(World world, int camera, DetectedRanges ranges) {
+  private static CameraPose pose(World world, int camera, DetectedRanges ranges) {
     CameraSpec spec = world.cameraSpec(camera);
     List<Level> levels =
         IntStream.range(0, world.cameras().levels(camera))
             .mapToObj(level -> ranges.level(world.cameras().zoom(camera, level)))
             .toList();
     double angle = world.cameras().zoom(camera, 0).viewingAngle();
-    return new Pose(spec.x(), spec.y(), Math.toRadians(spec.heading()), angle, levels);
+    return new CameraPose(spec.x(), spec.y(), Math.toRadians(spec.heading()), angle, levels);
   }
 }

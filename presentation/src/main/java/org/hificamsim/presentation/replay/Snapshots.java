@@ -13,7 +13,7 @@ public final class Snapshots {
   private final Setup setup;
   private final DetectedRanges ranges;
   private final ZoomPolicy policy;
-  private final Pose[] poses;
+  private final CameraPose[] poses;
   private String estimated;
   private int revision = Integer.MIN_VALUE;
 
@@ -24,7 +24,7 @@ public final class Snapshots {
     this.setup = setup;
     this.ranges = new DetectedRanges(detection, setup.targetSize());
     this.policy = policy;
-    this.poses = setup.cameras().stream().map(CameraSetup::pose).toArray(Pose[]::new);
+    this.poses = setup.cameras().stream().map(CameraSetup::pose).toArray(CameraPose[]::new);
   }
 
   /** What the agents' estimates are ("mean reward", "Q"); empty where they have none. */
@@ -49,8 +49,8 @@ public final class Snapshots {
     }
     for (int target = 0; target < network.targets(); target++) {
       frame.present()[target] = network.present(target);
-      frame.x()[target] = network.targetX(target);
-      frame.y()[target] = network.targetY(target);
+      frame.x()[target] = network.oracle().targetX(target);
+      frame.y()[target] = network.oracle().targetY(target);
       frame.coverage()[target] = network.coverage(target);
     }
     for (int camera = 0; camera < frame.estimates().length; camera++) {
@@ -69,7 +69,7 @@ public final class Snapshots {
     revision = network.revision();
     List<Move> moves = new ArrayList<>();
     for (int camera = 0; camera < network.cameras(); camera++) {
-      Pose pose = network.online(camera) ? pose(network, camera) : poses[camera];
+      CameraPose pose = network.online(camera) ? pose(network, camera) : poses[camera];
       if (!pose.equals(poses[camera])) {
         poses[camera] = pose;
         moves.add(new Move(network.step(), camera, pose));
@@ -79,16 +79,16 @@ public final class Snapshots {
   }
 
   /** Where every camera is, as the last call of {@link #moves} found it. */
-  public List<Pose> poses() {
+  public List<CameraPose> poses() {
     return Arrays.asList(poses.clone());
   }
 
-  private Pose pose(NetworkView network, int camera) {
+  private CameraPose pose(NetworkView network, int camera) {
     List<Level> levels =
         IntStream.range(0, network.levels(camera))
             .mapToObj(level -> ranges.level(network.zoom(camera, level)))
             .toList();
-    return new Pose(
+    return new CameraPose(
         network.cameraX(camera),
         network.cameraY(camera),
         network.cameraHeading(camera),

@@ -10,8 +10,8 @@ import org.hificamsim.runs.output.TableFile;
 
 /** k_min over time of all cases, in few enough points for a page. */
 final class Curves {
-  private static final int MOST_POINTS_OF_A_CASE = 1_000;
-  private static final int MOST_POINTS = 150_000;
+  private static final int MAX_POINTS_OF_A_CASE = 1_000;
+  private static final int MAX_POINTS = 150_000;
   private static final double ROUNDING = 1e4;
 
   private Curves() {}
@@ -30,7 +30,7 @@ final class Curves {
     }
     int longest = lengths.values().stream().mapToInt(length -> length).max().orElse(1);
     int most =
-        Math.max(2, Math.min(MOST_POINTS_OF_A_CASE, MOST_POINTS / Math.max(1, lengths.size())));
+        Math.max(2, Math.min(MAX_POINTS_OF_A_CASE, MAX_POINTS / Math.max(1, lengths.size())));
     int group = (longest + most - 1) / most;
     for (int row = 0; row < table.rows().size(); row++) {
       List<String> key = table.caseOf(row);

@@ -16,7 +16,7 @@ import java.util.zip.DeflaterOutputStream;
 
 /** The pictures (SVG) of a folder, compressed for a page. */
 final class Pictures {
-  private static final int MOST_BYTES = 3_000_000;
+  private static final int MAX_BYTES = 3_000_000;
 
   private Pictures() {}
 
@@ -31,7 +31,7 @@ final class Pictures {
       bytes += data.length();
       ObjectNode picture = pictures.addObject();
       picture.put("name", file.getFileName().toString());
-      picture.put("data", bytes <= MOST_BYTES ? data : "");
+      picture.put("data", bytes <= MAX_BYTES ? data : "");
     }
     return pictures;
   }

@@ -11,8 +11,8 @@ import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
+import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.Move;
-import org.hificamsim.presentation.replay.Pose;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
 
@@ -69,7 +69,7 @@ final class LiveSide {
   /** Where every camera is: whoever watches may know them from another simulation. */
   private List<Move> allPoses(NetworkView network) {
     List<Move> moves = new ArrayList<>();
-    List<Pose> poses = snapshots.poses();
+    List<CameraPose> poses = snapshots.poses();
     for (int camera = 0; camera < poses.size(); camera++) {
       moves.add(new Move(network.step(), camera, poses.get(camera)));
     }

@@ -16,8 +16,8 @@ import org.hificamsim.presentation.replay.Setup;
  * steps, in their order. Everything that touches the run goes through its queue.
  */
 public final class Session implements AutoCloseable {
-  private static final int MOST_PER_SECOND = 1000;
-  private static final int MOST_STEPS = 1000;
+  private static final int MAX_PER_SECOND = 1000;
+  private static final int MAX_STEPS = 1000;
   private static final long LATEST = TimeUnit.MILLISECONDS.toNanos(200);
 
   /** Who is told what happens, on the session's thread: must not wait for anything. */
@@ -69,7 +69,7 @@ public final class Session implements AutoCloseable {
   /** A session that is paused after the first step. */
   public Session(LiveRun run) {
     this.run = run;
-    this.kept = Memory.steps(run.sides().get(0).setup());
+    this.kept = HistoryLimit.steps(run.sides().get(0).setup());
     this.history = new StepBuffer(kept);
     step();
     thread.setDaemon(true);
@@ -159,7 +159,7 @@ public final class Session implements AutoCloseable {
   }
 
   void steps(int steps) {
-    between("steps", steps, 1, MOST_STEPS);
+    between("steps", steps, 1, MAX_STEPS);
     running = false;
     fault = "";
     for (int i = 0; i < steps && fault.isEmpty(); i++) {
@@ -169,7 +169,7 @@ public final class Session implements AutoCloseable {
   }
 
   void speed(int newPerSecond) {
-    between("perSecond", newPerSecond, 1, MOST_PER_SECOND);
+    between("perSecond", newPerSecond, 1, MAX_PER_SECOND);
     perSecond = newPerSecond;
     due = System.nanoTime();
     tellState();

@@ -27,11 +27,11 @@ import org.hificamsim.core.Place;
  * alone. It ends when no page has been open for some seconds after one was.
  */
 public final class ViewServer implements AutoCloseable {
-  private static final int MOST_BODY = 4096;
-  private static final int MOST_PAGES = 8;
-  private static final int THREADS = 2 * MOST_PAGES + 4;
+  private static final int MAX_BODY = 4096;
+  private static final int MAX_PAGES = 8;
+  private static final int THREADS = 2 * MAX_PAGES + 4;
   private static final int WAITING_CONNECTIONS = 32;
-  private static final long LONGEST_COMMAND = 60;
+  private static final long MAX_COMMAND = 60;
 
   /** At most so many events a second, each with the steps since the one before. */
   private static final long BETWEEN_EVENTS = 25;
@@ -71,7 +71,7 @@ public final class ViewServer implements AutoCloseable {
     this.page = html.getBytes(StandardCharsets.UTF_8);
     this.server = open(port);
     this.guard = new Guard(server.getAddress().getPort());
-    this.pages = new OpenPages(MOST_PAGES, grace, ended::countDown);
+    this.pages = new OpenPages(MAX_PAGES, grace, ended::countDown);
     server.setExecutor(threads);
     server.createContext("/", this::handle);
     server.start();
@@ -131,10 +131,10 @@ public final class ViewServer implements AutoCloseable {
   }
 
   private void command(HttpExchange exchange) throws IOException, InterruptedException {
-    byte[] body = exchange.getRequestBody().readNBytes(MOST_BODY + 1);
+    byte[] body = exchange.getRequestBody().readNBytes(MAX_BODY + 1);
     String type = exchange.getRequestHeaders().getFirst("Content-Type");
-    if (body.length > MOST_BODY) {
-      answer(exchange, 413, "text/plain", "more than " + MOST_BODY + " bytes");
+    if (body.length > MAX_BODY) {
+      answer(exchange, 413, "text/plain", "more than " + MAX_BODY + " bytes");
     } else if (!"application/json".equals(type)) {
       answer(exchange, 415, "text/plain", "expected application/json");
     } else {
@@ -149,7 +149,7 @@ public final class ViewServer implements AutoCloseable {
 
   private void obey(Command command) throws InterruptedException {
     try {
-      session.submit(command).get(LONGEST_COMMAND, TimeUnit.SECONDS);
+      session.submit(command).get(MAX_COMMAND, TimeUnit.SECONDS);
     } catch (ExecutionException | CompletionException e) {
       if (e.getCause() instanceof InputException wrong) {
         throw wrong;

@@ -1,7 +1,7 @@
 // Which frame is shown, and the clock that moves it; one for all players that are to keep in step.
 
 export const SPEEDS = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000];
-const LONGEST_PAUSE = 250;
+const MAX_PAUSE = 250;
 
 export class Playhead {
   /**
@@ -66,7 +66,7 @@ export class Playhead {
 
   tick(now) {
     if (!this.playing) return;
-    const passed = Math.max(0, Math.min(now - this.before, LONGEST_PAUSE));
+    const passed = Math.max(0, Math.min(now - this.before, MAX_PAUSE));
     this.before = now;
     this.exact = Math.min(this.exact + (passed * this.speed) / (1000 * this.every), this.count - 1);
     const frame = Math.floor(this.exact);

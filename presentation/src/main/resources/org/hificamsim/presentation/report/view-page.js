@@ -6,7 +6,7 @@ import { Player } from './player.js';
 import { LivePlayhead } from './live-playhead.js';
 import { ChoiceForm } from './choice.js';
 
-const MOST_FRAMES = 8000;
+const MAX_FRAMES = 8000;
 const RECENT = 100;
 
 /** The page; `data` is what LivePage wrote. */
@@ -133,7 +133,7 @@ class LiveView {
 
   push(steps) {
     for (const {sides} of steps) sides.forEach(({frame, moves}, i) => this.runs[i].push(frame, moves));
-    if (this.runs[0].count > MOST_FRAMES) this.runs.forEach(run => run.thin());
+    if (this.runs[0].count > MAX_FRAMES) this.runs.forEach(run => run.thin());
     this.refresh();
   }
 

@@ -67,14 +67,14 @@ class StepPictureTest {
 
   @Test
   void everyTargetStandsWhereItIsInTheColourOfItsCoverage() {
-    Set<Cover> seen = EnumSet.noneOf(Cover.class);
+    Set<CoverClass> seen = EnumSet.noneOf(CoverClass.class);
     for (int step = 0; step < 300; step += 7) {
       BufferedImage image = FigureFile.image(new StepPicture(run, step), WIDTH);
       Frame frame = run.frame(step);
       FieldMap map = StepPicture.map(run.setup().field());
       for (int target = 0; target < frame.x().length; target++) {
         if (alone(frame, target, map)) {
-          Cover cover = Cover.of(frame.coverage()[target]);
+          CoverClass cover = CoverClass.of(frame.coverage()[target]);
           int x = (int) map.x(frame.x()[target]);
           int y = (int) map.y(frame.y()[target]);
           boolean painted = false;
@@ -86,7 +86,7 @@ class StepPictureTest {
         }
       }
     }
-    assertTrue(seen.contains(Cover.NONE) && seen.contains(Cover.MORE), seen.toString());
+    assertTrue(seen.contains(CoverClass.NONE) && seen.contains(CoverClass.MORE), seen.toString());
   }
 
   private static boolean alone(Frame frame, int target, FieldMap map) {
@@ -107,7 +107,7 @@ class StepPictureTest {
         StepPicture.class.getResourceAsStream("/org/hificamsim/presentation/report/palette.js")) {
       page = new String(in.readAllBytes(), java.nio.charset.StandardCharsets.UTF_8);
     }
-    for (Cover cover : Cover.values()) {
+    for (CoverClass cover : CoverClass.values()) {
       String rgb = "%06x".formatted(cover.color().getRGB() & 0xFFFFFF);
       assertTrue(
           page.contains("{label: '%s', colour: '#%s'".formatted(cover.label(), rgb)),

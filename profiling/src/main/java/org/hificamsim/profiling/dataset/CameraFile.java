@@ -10,7 +10,7 @@ import org.hificamsim.hifi.json.JsonObject;
 
 /** Reads {@code camera.json}. */
 final class CameraFile {
-  private static final int MOST_PIXELS = 100_000;
+  private static final int MAX_PIXELS = 100_000;
 
   private CameraFile() {}
 
@@ -19,14 +19,14 @@ final class CameraFile {
    *
    * @throws InputException with its place, when the file is missing or wrong
    */
-  static Camera read(Path file) {
+  static PhotoCamera read(Path file) {
     JsonObject json = JsonFile.parse(file.toString(), bytes(file));
-    Camera camera =
-        new Camera(
+    PhotoCamera camera =
+        new PhotoCamera(
             json.number("sensorWidth", 1e-6, 1),
             json.number("sensorHeight", 1e-6, 1),
-            (int) json.number("width", 1, MOST_PIXELS),
-            (int) json.number("height", 1, MOST_PIXELS));
+            (int) json.number("width", 1, MAX_PIXELS),
+            (int) json.number("height", 1, MAX_PIXELS));
     json.rejectUnknown();
     return camera;
   }

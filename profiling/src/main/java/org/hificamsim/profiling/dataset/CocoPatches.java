@@ -14,8 +14,8 @@ import org.hificamsim.hifi.json.JsonObject;
 
 /** The boxes of a COCO annotation file, by picture and category. */
 final class CocoPatches {
-  private static final double MOST = 1e9;
-  private static final long LARGEST_BYTES = 64L << 20;
+  private static final double MAX = 1e9;
+  private static final long MAX_BYTES = 64L << 20;
 
   private record Box(String category, Patch patch) {}
 
@@ -47,7 +47,7 @@ final class CocoPatches {
         throw annotation.error("image_id", "expected an id of images");
       }
       String category = categories.getOrDefault(id(annotation, "category_id"), "");
-      Box box = new Box(category, patch(annotation.numbers("bbox", 4, 0, MOST)));
+      Box box = new Box(category, patch(annotation.numbers("bbox", 4, 0, MAX)));
       patches.boxes.computeIfAbsent(image, name -> new ArrayList<>()).add(box);
     }
     return patches;
@@ -75,7 +75,7 @@ final class CocoPatches {
 
   private static byte[] bytes(Path file) {
     try {
-      if (Files.size(file) > LARGEST_BYTES) {
+      if (Files.size(file) > MAX_BYTES) {
         throw new InputException(file + ":1:1: the file is too big, expected at most 64 MiB");
       }
       return Files.readAllBytes(file);

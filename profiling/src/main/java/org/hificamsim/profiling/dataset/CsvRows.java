@@ -25,7 +25,7 @@ import org.hificamsim.core.Place;
  * @param rows by column name
  */
 public record CsvRows(String file, List<String> columns, List<Map<String, Cell>> rows) {
-  private static final long LARGEST_BYTES = 256L << 20;
+  private static final long MAX_BYTES = 256L << 20;
 
   /** A cell's text without surrounding blanks, and where it stands. */
   public record Cell(Place place, String text) {
@@ -93,7 +93,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
 
   private static List<List<Cell>> lines(Path file, String name) {
     try {
-      if (Files.size(file) > LARGEST_BYTES) {
+      if (Files.size(file) > MAX_BYTES) {
         throw new Place(name, 1, 1).error("the table is too big, expected at most 256 MiB");
       }
       try (Reader reader = Files.newBufferedReader(file);

@@ -5,13 +5,13 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Photos of objects with the physical properties of each (§3.5).
+ * Photos of objects with the physical properties of each (thesis 3.5).
  *
  * @param samples in the order of the table
  * @param templates the close-up of each object, by the object's name
  */
 public record Dataset(
-    Path folder, Camera camera, List<Sample> samples, Map<String, Path> templates) {
+    Path folder, PhotoCamera camera, List<Sample> samples, Map<String, Path> templates) {
   /** The table's file name. */
   public static final String TABLE = "dataset.csv";
 

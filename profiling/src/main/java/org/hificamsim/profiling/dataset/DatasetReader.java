@@ -46,12 +46,12 @@ public final class DatasetReader {
    *
    * @throws InputException with its place, when {@code camera.json} is missing or wrong
    */
-  public static Camera camera(Path folder) {
+  public static PhotoCamera camera(Path folder) {
     return CameraFile.read(folder.resolve(Dataset.CAMERA));
   }
 
   private Optional<Dataset> dataset() {
-    Camera camera = CameraFile.read(folder.resolve(Dataset.CAMERA));
+    PhotoCamera camera = CameraFile.read(folder.resolve(Dataset.CAMERA));
     Path cocoFile = folder.resolve(Dataset.COCO);
     CocoPatches coco = Files.exists(cocoFile) ? CocoPatches.read(cocoFile) : CocoPatches.none();
     CsvRows table = CsvRows.read(folder.resolve(Dataset.TABLE), COLUMNS);

@@ -13,19 +13,23 @@ import org.hificamsim.profiling.dataset.CsvRows.Cell;
 final class SampleReader {
   static final List<String> PATCH = List.of("patch_x", "patch_y", "patch_width", "patch_height");
 
-  private static final double LARGEST_SIZE = 1e3;
+  private static final double MAX_SIZE = 1e3;
   private static final double FARTHEST = 1e5;
-  private static final double LONGEST = 10;
-  private static final double MOST_PIXELS = 1e6;
+  private static final double MAX = 10;
+  private static final double MAX_PIXELS = 1e6;
 
   private final Path folder;
-  private final Camera camera;
+  private final PhotoCamera camera;
   private final CocoPatches coco;
   private final Map<String, Cell> row;
   private final List<String> problems;
 
   SampleReader(
-      Path folder, Camera camera, CocoPatches coco, Map<String, Cell> row, List<String> problems) {
+      Path folder,
+      PhotoCamera camera,
+      CocoPatches coco,
+      Map<String, Cell> row,
+      List<String> problems) {
     this.folder = folder;
     this.camera = camera;
     this.coco = coco;
@@ -38,7 +42,7 @@ final class SampleReader {
     int before = problems.size();
     Path image = check(this::image);
     String object = check(this::object);
-    Double size = check(() -> length("size_m", LARGEST_SIZE));
+    Double size = check(() -> length("size_m", MAX_SIZE));
     Double distance = check(() -> length("distance_m", FARTHEST));
     Double focalLength = image == null ? null : check(() -> focalLength(image));
     Patch patch = object == null ? null : check(() -> patch(object));
@@ -118,7 +122,7 @@ final class SampleReader {
       return ExifFocalLength.of(image)
           .orElseThrow(() -> cell.error("focal_length_m", "metres, or a photo whose EXIF has it"));
     }
-    return length("focal_length_m", LONGEST);
+    return length("focal_length_m", MAX);
   }
 
   private Patch patch(String object) {
@@ -152,7 +156,7 @@ final class SampleReader {
   private int pixels(String column, int least) {
     Cell cell = row.get(column);
     String expected = "a whole number of pixels from " + least;
-    double value = cell.number(column, least, MOST_PIXELS, expected);
+    double value = cell.number(column, least, MAX_PIXELS, expected);
     if (value != Math.rint(value)) {
       throw cell.error(column, expected);
     }

@@ -3,7 +3,7 @@ package org.hificamsim.profiling.detector;
 import org.opencv.core.Mat;
 
 /**
- * A local feature extractor (§5.2): an extension point, found by {@link #name}.
+ * A local feature extractor (thesis 5.2): an extension point, found by {@link #name}.
  *
  * <p>An implementer writes all three methods. An instance serves one thread.
  */

@@ -7,7 +7,10 @@ import org.opencv.features2d.Feature2D;
 import org.opencv.features2d.ORB;
 import org.opencv.features2d.SIFT;
 
-/** A detector of OpenCV's with OpenCV's defaults: ORB (500 features, §5.4) or SIFT (§5.5). */
+/**
+ * A detector of OpenCV's with OpenCV's defaults: ORB (500 features, thesis 5.4) or SIFT (thesis
+ * 5.5).
+ */
 public final class OpenCvDetector implements FeatureDetector {
   private final String name;
   private final Feature2D detector;

@@ -9,15 +9,15 @@ import org.opencv.core.MatOfDMatch;
 import org.opencv.features2d.BFMatcher;
 
 /**
- * Brute-force matching with Lowe's ratio test (§5.3): a template feature is found when its nearest
- * neighbour in the image is closer than {@code ratio} times the second nearest.
+ * Brute-force matching with Lowe's ratio test (thesis 5.3): a template feature is found when its
+ * nearest neighbour in the image is closer than {@code ratio} times the second nearest.
  *
  * @param metric between descriptors
  * @param ratio (0, 1]; 0.8 in the thesis
  */
-public record RatioTest(Metric metric, double ratio) {
+public record RatioTest(DescriptorDistance metric, double ratio) {
   /** The thesis's: Euclidean, 0.8. */
-  public static final RatioTest THESIS = new RatioTest(Metric.EUCLIDEAN, 0.8);
+  public static final RatioTest THESIS = new RatioTest(DescriptorDistance.EUCLIDEAN, 0.8);
 
   /** The matches that pass; none where the image has fewer than two features. */
   public List<DMatch> matches(Features template, Features image) {

@@ -10,16 +10,16 @@ import org.opencv.core.CvType;
 import org.opencv.core.KeyPoint;
 import org.opencv.core.Mat;
 
-/** Speeded-up robust features (§5.6) by BoofCV, since Debian's OpenCV has none. */
+/** Speeded-up robust features (thesis 5.6) by BoofCV, since Debian's OpenCV has none. */
 public final class SurfDetector implements FeatureDetector {
   /** The blob response below which nothing counts as a feature; BoofCV's scale, for 8-bit grey. */
-  private static final float LEAST_RESPONSE = 12;
+  private static final float MIN_RESPONSE = 12;
 
   private final DetectDescribePoint<GrayU8, TupleDesc_F64> detector;
 
   public SurfDetector() {
     ConfigFastHessian config = new ConfigFastHessian();
-    config.extract.threshold = LEAST_RESPONSE;
+    config.extract.threshold = MIN_RESPONSE;
     detector = FactoryDetectDescribe.surfFast(config, null, null, GrayU8.class);
   }
 

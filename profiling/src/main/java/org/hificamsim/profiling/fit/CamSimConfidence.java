@@ -6,8 +6,8 @@ import org.hificamsim.profiling.measure.Measurement;
 
 /**
  * CamSim's standard confidence {@code 0.95 (1 - r / rMax) - 0.15} (Eq 6.2) for the laboratory's
- * zooms. CamSim's zoom is a radius, which falls as the focal length grows; as §6.2 says, its values
- * are computed with the focal lengths as radii and dealt out in reverse order.
+ * zooms. CamSim's zoom is a radius, which falls as the focal length grows; as thesis 6.2 says, its
+ * values are computed with the focal lengths as radii and dealt out in reverse order.
  */
 public final class CamSimConfidence {
   private static final double SLOPE = 0.95;

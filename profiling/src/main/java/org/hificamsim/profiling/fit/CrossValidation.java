@@ -7,7 +7,8 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 
 /**
- * K-fold cross-validation (§4.4): every observation is predicted by a fit that has not seen it.
+ * K-fold cross-validation (thesis 4.4): every observation is predicted by a fit that has not seen
+ * it.
  *
  * @param folds the R2 of each fold
  * @param predicted the held-out prediction of each observation's {@code -log10(PIP)}

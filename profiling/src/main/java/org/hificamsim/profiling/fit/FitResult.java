@@ -2,7 +2,7 @@ package org.hificamsim.profiling.fit;
 
 import java.util.List;
 import java.util.Map;
-import org.hificamsim.profiling.dataset.Camera;
+import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
 /**
@@ -14,7 +14,7 @@ import org.hificamsim.profiling.measure.Measurement;
  *     #GROUND_TRUTH} or {@link #CAMSIM}
  */
 public record FitResult(
-    Camera camera,
+    PhotoCamera camera,
     List<Measurement> measurements,
     List<String> detectors,
     List<FeatureResult> features,

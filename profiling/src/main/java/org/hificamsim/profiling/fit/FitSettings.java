@@ -10,7 +10,7 @@ package org.hificamsim.profiling.fit;
  */
 public record FitSettings(
     int folds, long seed, SymbolicSettings symbolic, SupportVectorSettings vectors) {
-  /** The thesis's: five folds (§4.4). */
+  /** The thesis's: five folds (thesis 4.4). */
   public static FitSettings thesis(long seed) {
     return new FitSettings(5, seed, SymbolicSettings.thesis(seed), SupportVectorSettings.THESIS);
   }

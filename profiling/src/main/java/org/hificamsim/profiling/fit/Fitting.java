@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.profiling.Parallel;
-import org.hificamsim.profiling.dataset.Camera;
+import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
 /** Fits every f and every g to a data set's measurements. */
@@ -20,7 +20,7 @@ public final class Fitting {
    *
    * @throws org.hificamsim.core.InputException when the measurements do not determine a fit
    */
-  public FitResult fit(Camera camera, List<Measurement> measurements, int threads) {
+  public FitResult fit(PhotoCamera camera, List<Measurement> measurements, int threads) {
     List<Observation> observations = FitResult.observations(measurements);
     List<FeatureResult> features =
         Parallel.map(regressions(camera), threads, regression -> result(regression, observations));
@@ -32,7 +32,7 @@ public final class Fitting {
   }
 
   /** Every way to fit f. */
-  private List<FeatureRegression> regressions(Camera camera) {
+  private List<FeatureRegression> regressions(PhotoCamera camera) {
     return List.of(
         new LinearRegression(),
         new LinearSupportVectors(settings.vectors()),

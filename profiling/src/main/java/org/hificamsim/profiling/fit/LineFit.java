@@ -5,7 +5,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.detector.DetectorLine;
 
 /**
- * A detector line g fitted by least squares, confidence on PIP (§5.4, §6.1).
+ * A detector line g fitted by least squares, confidence on PIP (thesis 5.4, thesis 6.1).
  *
  * @param slope with its error and interval
  * @param intercept with its error and interval

@@ -3,7 +3,7 @@ package org.hificamsim.profiling.fit;
 import java.util.List;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 
-/** Multiple linear regression of {@code -log10(PIP)} on z, q and d (§4.5.1). */
+/** Multiple linear regression of {@code -log10(PIP)} on z, q and d (thesis 4.5.1). */
 public final class LinearRegression implements FeatureRegression {
   @Override
   public String name() {

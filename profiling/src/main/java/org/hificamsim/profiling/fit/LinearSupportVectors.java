@@ -7,8 +7,8 @@ import smile.regression.KernelMachine;
 
 /**
  * Epsilon support vector regression with a linear kernel on q, d and z in metres, as the magnitude
- * of Eq 4.11's coefficients shows it was used (§4.5.3): flatness then costs z most, whose metres
- * are few.
+ * of Eq 4.11's coefficients shows it was used (thesis 4.5.3): flatness then costs z most, whose
+ * metres are few.
  *
  * @param settings epsilon, C and tolerance
  */

@@ -8,8 +8,8 @@ import java.util.Locale;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.detector.DetectorLine;
-import org.hificamsim.hifi.model.Catalogue;
 import org.hificamsim.hifi.model.ModelFiles;
+import org.hificamsim.hifi.model.PublishedModels;
 import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.profiling.measure.Measurement;
 
@@ -52,7 +52,7 @@ public record ModelFolder(Path folder, String prefix) {
             f.fit().f(),
             line,
             new Optics(result.camera().sensorWidth(), longest),
-            Catalogue.published().threshold(line),
+            PublishedModels.published().threshold(line),
             provenance(result, f, fit, on));
     ModelFiles.write(model, folder.resolve(name + ".json"));
   }

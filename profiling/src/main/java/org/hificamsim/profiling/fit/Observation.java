@@ -9,7 +9,7 @@ package org.hificamsim.profiling.fit;
  * @param pip ground truth, (0, 1]
  */
 public record Observation(double size, double distance, double focalLength, double pip) {
-  /** The response of the regressions: {@code -log10(PIP)} (§4.3). */
+  /** The response of the regressions: {@code -log10(PIP)} (thesis 4.3). */
   public double response() {
     return -StrictMath.log10(pip);
   }

@@ -13,7 +13,7 @@ import smile.regression.KernelMachine;
  * @param tolerance when the optimisation stops
  */
 public record SupportVectorSettings(double epsilon, double penalty, double tolerance) {
-  /** The thesis's epsilon and C (§4.5.3), and LIBSVM's tolerance. */
+  /** The thesis's epsilon and C (thesis 4.5.3), and LIBSVM's tolerance. */
   public static final SupportVectorSettings THESIS = new SupportVectorSettings(0.1, 1, 1e-3);
 
   KernelMachine<double[]> fit(MercerKernel<double[]> kernel, double[][] x, double[] y) {

@@ -24,15 +24,15 @@ import org.hificamsim.hifi.feature.Expression;
 import org.hificamsim.hifi.feature.SymbolicAbstraction;
 
 /**
- * Symbolic regression of {@code -log10(PIP)} by genetic programming (§4.5.2), on Jenetics: programs
- * of + - * /, the predictors and constants in [-1, 1], selected by their mean squared error plus a
- * charge for every node.
+ * Symbolic regression of {@code -log10(PIP)} by genetic programming (thesis 4.5.2), on Jenetics:
+ * programs of + - * /, the predictors and constants in [-1, 1], selected by their mean squared
+ * error plus a charge for every node.
  *
  * @param settings population, generations, parsimony and seed
  */
 public record SymbolicRegression(SymbolicSettings settings) implements FeatureRegression {
   private static final int FIRST_DEPTH = 3;
-  private static final int MOST_NODES = 60;
+  private static final int MAX_NODES = 60;
   private static final int TOURNAMENT = 10;
   private static final double CROSSOVER = 0.9;
   private static final double MUTATION = 0.01;
@@ -75,7 +75,7 @@ public record SymbolicRegression(SymbolicSettings settings) implements FeatureRe
             Genotype.of(
                 ProgramChromosome.of(
                     FIRST_DEPTH,
-                    program -> program.root().size() <= MOST_NODES,
+                    program -> program.root().size() <= MAX_NODES,
                     OPERATIONS,
                     terminals())),
             Genotype::gene);

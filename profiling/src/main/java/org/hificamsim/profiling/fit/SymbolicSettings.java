@@ -9,7 +9,7 @@ package org.hificamsim.profiling.fit;
  * @param seed of everything random
  */
 public record SymbolicSettings(int population, int generations, double parsimony, long seed) {
-  /** The thesis's (§4.5.2). */
+  /** The thesis's (thesis 4.5.2). */
   public static SymbolicSettings thesis(long seed) {
     return new SymbolicSettings(1000, 30, 0.001, seed);
   }

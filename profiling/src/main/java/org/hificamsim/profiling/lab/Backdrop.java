@@ -18,7 +18,7 @@ import org.opencv.imgproc.Imgproc;
 record Backdrop(double distance, long seed) {
   private static final double COARSEST = 2.4;
   private static final int OCTAVES = 9;
-  private static final double LARGEST_CELL = 32;
+  private static final double MAX_CELL = 32;
 
   /** Fills a canvas (32 bits, BGR, linear light) with what the camera sees of the bare wall. */
   void paint(Mat canvas, Pinhole camera) {
@@ -37,7 +37,7 @@ record Backdrop(double distance, long seed) {
 
   /** Adds one octave, drawn small where its cells are large, since warping knows 1/32 pixel. */
   private void add(Mat canvas, double pixels, double strength, int octave) {
-    double shrink = Math.min(1, LARGEST_CELL / pixels);
+    double shrink = Math.min(1, MAX_CELL / pixels);
     Size size =
         new Size(Math.ceil(canvas.cols() * shrink) + 1, Math.ceil(canvas.rows() * shrink) + 1);
     double step = pixels * shrink;

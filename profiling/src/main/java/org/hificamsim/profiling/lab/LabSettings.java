@@ -3,8 +3,8 @@ package org.hificamsim.profiling.lab;
 import java.util.List;
 
 /**
- * What a laboratory is rendered with; {@link #thesis} gives the published experiment (§3.5) with
- * realistic imperfections, each of which 0 turns off.
+ * What a laboratory is rendered with; {@link #thesis} gives the published experiment (thesis 3.5)
+ * with realistic imperfections, each of which 0 turns off.
  *
  * @param seed of everything random
  * @param scale image width as a share of the sensor's 5184 pixels, (0, 1]
@@ -49,7 +49,7 @@ public record LabSettings(
     distances = List.copyOf(distances);
   }
 
-  /** The experiment of §3.5: 6 focal lengths, 10 distances, 8 objects. */
+  /** The experiment of thesis 3.5: 6 focal lengths, 10 distances, 8 objects. */
   public static LabSettings thesis(long seed) {
     return new LabSettings(
         seed,

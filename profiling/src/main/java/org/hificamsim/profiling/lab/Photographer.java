@@ -15,7 +15,7 @@ import org.opencv.imgproc.Imgproc;
 final class Photographer {
   private static final double TEMPLATE_FRAME_SHARE = 0.82;
   private static final double CLOSE_UP = 1;
-  private static final double LONGEST = 0.085;
+  private static final double MAX = 0.085;
 
   private final LabSettings settings;
   private final Sensor sensor;
@@ -53,7 +53,7 @@ final class Photographer {
 
   /** The close-up by which an object is known: sharp, upright, before a plain wall. */
   Mat template(LabObject object) {
-    Pinhole camera = camera(LONGEST);
+    Pinhole camera = camera(MAX);
     double size =
         TEMPLATE_FRAME_SHARE * sensor.height() / camera.magnification(CLOSE_UP) / object.aspect();
     Board board =
@@ -66,7 +66,7 @@ final class Photographer {
             0,
             CLOSE_UP,
             Board.Pose.FRONTAL);
-    Lens lens = new Lens(LONGEST, settings.optics().aperture(), CLOSE_UP);
+    Lens lens = new Lens(MAX, settings.optics().aperture(), CLOSE_UP);
     RandomGenerator random = new SplittableRandom(settings.seed() - object.name().hashCode());
     try (Mats mats = new Mats()) {
       Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3, Scalar.all(0.4)));
@@ -79,7 +79,7 @@ final class Photographer {
   }
 
   private Pinhole camera(double focalLength) {
-    double bend = RadialDistortion.MOST * settings.optics().distortion();
+    double bend = RadialDistortion.MAX * settings.optics().distortion();
     int margin = (int) Math.ceil(bend * Math.max(sensor.width(), sensor.height())) + 2;
     return new Pinhole(
         focalLength, Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height(), margin);

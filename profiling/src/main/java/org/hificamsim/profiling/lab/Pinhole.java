@@ -4,7 +4,8 @@ import org.opencv.core.Point;
 import org.opencv.core.Size;
 
 /**
- * A pinhole camera (§3.3) with a margin around its frame, which lens distortion moves into view.
+ * A pinhole camera (thesis 3.3) with a margin around its frame, which lens distortion moves into
+ * view.
  *
  * @param focalLength z, metres
  * @param width of the frame, pixels, without the margin

@@ -20,7 +20,7 @@ record RadialDistortion(double k) {
   private static final double PINCUSHION_AT_LONG = -0.012;
 
   /** The most that {@link #at} bends towards the outside, as a share of the half-diagonal. */
-  static final double MOST = BARREL_AT_WIDE;
+  static final double MAX = BARREL_AT_WIDE;
 
   /** What zoom lenses of this focal length (metres) typically have, times {@code factor}. */
   static RadialDistortion at(double focalLength, double factor) {

@@ -9,8 +9,8 @@ import org.opencv.core.Size;
 import org.opencv.imgproc.Imgproc;
 
 /**
- * The image sensor of a Canon EOS 7D (§3.5), and what it makes of the light: vignetting, noise and
- * 8-bit values.
+ * The image sensor of a Canon EOS 7D (thesis 3.5), and what it makes of the light: vignetting,
+ * noise and 8-bit values.
  *
  * @param width pixels across the picture
  * @param height pixels down the picture

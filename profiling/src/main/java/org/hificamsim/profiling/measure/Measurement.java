@@ -27,7 +27,7 @@ public record Measurement(
     confidences = Collections.unmodifiableMap(new LinkedHashMap<>(confidences));
   }
 
-  /** The response of the regressions, {@code -log10(PIP)} (§4.3). */
+  /** The response of the regressions, {@code -log10(PIP)} (thesis 4.3). */
   public double response() {
     return -StrictMath.log10(pip);
   }

@@ -21,7 +21,7 @@ public final class MeasurementsFile {
 
   private static final List<String> FIXED =
       List.of("image", "object", "size_m", "distance_m", "focal_length_m", "pip");
-  private static final double LARGEST = 1e5;
+  private static final double MAX = 1e5;
 
   private MeasurementsFile() {}
 
@@ -95,6 +95,6 @@ public final class MeasurementsFile {
   }
 
   private static double length(Map<String, Cell> row, String column) {
-    return row.get(column).number(column, Double.MIN_NORMAL, LARGEST, "metres above 0");
+    return row.get(column).number(column, Double.MIN_NORMAL, MAX, "metres above 0");
   }
 }

@@ -24,7 +24,7 @@ import org.opencv.imgcodecs.Imgcodecs;
 
 /**
  * Measures every photo of a data set. At most one photo per thread is in memory, and the templates'
- * features; what has been measured survives a kill (see {@link Progress}).
+ * features; what has been measured survives a kill (see {@link MeasurementJournal}).
  */
 public final class Measurer {
   private final Dataset dataset;
@@ -46,7 +46,7 @@ public final class Measurer {
    */
   public int measure(int threads, Runnable progress) {
     OpenCv.load();
-    try (Progress done = Progress.open(dataset, settings);
+    try (MeasurementJournal done = MeasurementJournal.open(dataset, settings);
         Toolboxes toolboxes = new Toolboxes(settings.detectors());
         Templates templates = templates(threads, toolboxes)) {
       int resumed = done.count();

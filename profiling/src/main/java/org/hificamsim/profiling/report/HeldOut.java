@@ -16,7 +16,8 @@ final class HeldOut {
   /** Metres. */
   static final double BALL = 0.22;
 
-  private final List<Observation> photos = Published.ball().stream().map(HeldOut::photo).toList();
+  private final List<Observation> photos =
+      PublishedTables.ball().stream().map(HeldOut::photo).toList();
 
   /** How an f did: the root of the mean squared error and the mean error, of -log10(PIP). */
   record Check(String f, double rmse, double bias, List<Double> pips) {}

@@ -6,8 +6,8 @@ import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 /**
  * What Table 4.1 tells of a variable.
  *
- * @param skewness by §4.2's formula, {@code sum (x - mean)^3 / ((n - 1) v^(3/2))}; its exponent is
- *     printed as 2/3
+ * @param skewness by thesis 4.2's formula, {@code sum (x - mean)^3 / ((n - 1) v^(3/2))}; its
+ *     exponent is printed as 2/3
  */
 record Moments(double mean, double sd, double min, double max, double skewness) {
   static Moments of(double[] values) {

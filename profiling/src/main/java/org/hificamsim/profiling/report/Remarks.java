@@ -39,7 +39,7 @@ final class Remarks {
   String features() {
     List<String> sentences = new ArrayList<>();
     for (FeatureResult f : result.features()) {
-      Map<String, String> published = Published.feature(f.name());
+      Map<String, String> published = PublishedTables.feature(f.name());
       if (!published.isEmpty()) {
         double theirs = Double.parseDouble(published.get("r2_best"));
         double ours = f.scores().r2();
@@ -57,7 +57,7 @@ final class Remarks {
   String detectors() {
     List<String> sentences = new ArrayList<>();
     for (String detector : result.detectors()) {
-      Map<String, String> published = Published.groundTruthLine(detector);
+      Map<String, String> published = PublishedTables.groundTruthLine(detector);
       LineFit line = result.line(detector, FitResult.GROUND_TRUTH);
       if (!published.isEmpty()) {
         double slope = Double.parseDouble(published.get("slope"));
@@ -87,7 +87,7 @@ final class Remarks {
     for (String detector : result.detectors()) {
       for (String f : TABLE_6_1) {
         double ours = result.line(detector, f).r2();
-        Map<String, String> published = Published.line(detector, f);
+        Map<String, String> published = PublishedTables.line(detector, f);
         if (ours > most) {
           most = ours;
           best = detector + "-" + f;
@@ -121,8 +121,8 @@ final class Remarks {
               detector,
               100 * camSim,
               100 * lin,
-              percent(Published.camSimLine(detector)),
-              percent(Published.line(detector, "lin"))));
+              percent(PublishedTables.camSimLine(detector)),
+              percent(PublishedTables.line(detector, "lin"))));
     }
     sentences.add(
         "It looks at the zoom alone, so that size and distance, which move PIP as much, are"

@@ -25,7 +25,7 @@ final class Tables {
     for (Figures.Variable variable : Figures.Variable.of(result)) {
       Moments m = Moments.of(variable.values());
       Map<String, String> published =
-          Published.variables().stream()
+          PublishedTables.variables().stream()
               .filter(row -> row.get("variable").equals(variable.id()))
               .findFirst()
               .orElse(Map.of());
@@ -45,7 +45,7 @@ final class Tables {
   void features(HtmlPage page) {
     List<List<String>> rows = new ArrayList<>();
     for (FeatureResult f : result.features()) {
-      Map<String, String> published = Published.feature(f.name());
+      Map<String, String> published = PublishedTables.feature(f.name());
       String theirs =
           published.isEmpty()
               ? "-"
@@ -93,7 +93,7 @@ final class Tables {
     List<List<String>> rows = new ArrayList<>();
     for (String detector : result.detectors()) {
       LineFit line = result.line(detector, FitResult.GROUND_TRUTH);
-      rows.add(line(detector, line, Published.groundTruthLine(detector)));
+      rows.add(line(detector, line, PublishedTables.groundTruthLine(detector)));
     }
     page.table(columns("detector"), rows);
   }
@@ -107,7 +107,7 @@ final class Tables {
             line(
                 detector + "-" + f.name(),
                 result.line(detector, f.name()),
-                Published.line(detector, f.name())));
+                PublishedTables.line(detector, f.name())));
       }
     }
     page.table(columns("model"), rows);
@@ -118,7 +118,7 @@ final class Tables {
     List<List<String>> rows = new ArrayList<>();
     for (String detector : result.detectors()) {
       LineFit line = result.line(detector, FitResult.CAMSIM);
-      rows.add(line(detector + "-CamSim", line, Published.camSimLine(detector)));
+      rows.add(line(detector + "-CamSim", line, PublishedTables.camSimLine(detector)));
     }
     page.table(columns("model"), rows);
   }

@@ -61,21 +61,22 @@ class DetectorsTest {
         FeatureDetector detector = Detectors.create("orb");
         Features template = detector.detect(mats.own(blocks(1)));
         Features other = detector.detect(mats.own(blocks(2)))) {
-      int strict = new RatioTest(Metric.EUCLIDEAN, 0.6).matches(template, other).size();
-      int loose = new RatioTest(Metric.EUCLIDEAN, 0.95).matches(template, other).size();
+      int strict = new RatioTest(DescriptorDistance.EUCLIDEAN, 0.6).matches(template, other).size();
+      int loose = new RatioTest(DescriptorDistance.EUCLIDEAN, 0.95).matches(template, other).size();
       assertTrue(strict < loose, strict + " and " + loose);
     }
   }
 
   @Test
   void metricsDifferForBitsAlone() {
-    assertEquals(Core.NORM_HAMMING, Metric.HAMMING.norm(true));
-    assertEquals(Core.NORM_L2, Metric.HAMMING.norm(false));
-    assertEquals(Core.NORM_L2, Metric.EUCLIDEAN.norm(true));
+    assertEquals(Core.NORM_HAMMING, DescriptorDistance.HAMMING.norm(true));
+    assertEquals(Core.NORM_L2, DescriptorDistance.HAMMING.norm(false));
+    assertEquals(Core.NORM_L2, DescriptorDistance.EUCLIDEAN.norm(true));
     try (Mats mats = new Mats();
         FeatureDetector detector = Detectors.create("orb");
         Features template = detector.detect(mats.own(blocks(1)))) {
-      assertTrue(new RatioTest(Metric.HAMMING, 0.8).confidence(template, template) > 0.9);
+      assertTrue(
+          new RatioTest(DescriptorDistance.HAMMING, 0.8).confidence(template, template) > 0.9);
     }
   }
 

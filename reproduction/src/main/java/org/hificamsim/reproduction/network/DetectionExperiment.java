@@ -10,8 +10,6 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
-import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
@@ -22,10 +20,10 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
-import org.hificamsim.network.GraphUse;
+import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
-import org.hificamsim.network.files.CamSimScenario;
+import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.files.RunSums;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
@@ -46,16 +44,16 @@ public final class DetectionExperiment {
   private static final List<Color> COLORS = List.of(Palette.GREY, Palette.BLUE);
   private static final List<Setting> SETTINGS =
       List.of(
-          new Setting("Active", 0),
-          new Setting("Active", 1),
-          new Setting("Passive", 0),
-          new Setting("Passive", 1));
+          new Setting(ScheduleKind.ACTIVE, 0),
+          new Setting(ScheduleKind.ACTIVE, 1),
+          new Setting(ScheduleKind.PASSIVE, 0),
+          new Setting(ScheduleKind.PASSIVE, 1));
 
   private final Catalogue catalogue = Catalogue.load();
 
-  private record Setting(String schedule, int comm) {
+  private record Setting(ScheduleKind schedule, int comm) {
     String label() {
-      return schedule + " c" + comm;
+      return schedule.names().get(0) + " c" + comm;
     }
   }
 
@@ -110,19 +108,7 @@ public final class DetectionExperiment {
   }
 
   private RunSums run(Path file, String detection, Setting setting, int seed) {
-    NetworkSettings camsim = NetworkSettings.CAMSIM;
-    NetworkSettings settings =
-        new NetworkSettings(
-            Optional.of(setting.schedule()),
-            OptionalInt.of(setting.comm()),
-            Optional.empty(),
-            Optional.empty(),
-            GraphUse.AS_IN_FILE,
-            camsim.errorLevel(),
-            camsim.resetLevel(),
-            camsim.banditParameters(),
-            camsim.historicalParameters(),
-            camsim.quirks());
+    NetworkSettings settings = NetworkSettings.CAMSIM.withAll(setting.schedule(), setting.comm());
     PrintWriter nowhere =
         new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
     Scenario scenario = CamSimScenario.read(file, null, false, settings, catalogue, nowhere);

@@ -11,7 +11,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.reproduction.Layout;
-import org.hificamsim.reproduction.Preset;
+import org.hificamsim.reproduction.ReproductionPlans;
 import org.hificamsim.runs.RunPlan;
 
 /** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
@@ -36,8 +36,8 @@ public final class Sweeps {
   public Sweeps(Map<String, Scenario> scenarios, Function<String, DetectionModel> models) {
     this.scenarios = scenarios;
     this.models = models;
-    this.hifi = Preset.detection(Preset.HIFI, models);
-    this.camsim = Preset.detection(Preset.CAMSIM, models);
+    this.hifi = ReproductionPlans.detection(ReproductionPlans.HIFI, models);
+    this.camsim = ReproductionPlans.detection(ReproductionPlans.CAMSIM, models);
   }
 
   /** The names of the scenarios that the sweeps need. */
@@ -97,7 +97,7 @@ public final class Sweeps {
     for (double threshold : thresholds) {
       boolean standard = threshold == usual.threshold();
       Detection changed =
-          standard ? usual : Preset.detection(usual.name() + "@" + threshold, models);
+          standard ? usual : ReproductionPlans.detection(usual.name() + "@" + threshold, models);
       variants.add(
           new Variant(
               String.valueOf(threshold),

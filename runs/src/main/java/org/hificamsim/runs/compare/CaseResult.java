@@ -11,7 +11,7 @@ import org.hificamsim.runs.RunResult;
  *
  * @param runs one per repeat, by rising seed
  * @param meanKMin the mean over the repeats of k_min, by step
- * @param levels each repeat's mean of k_min in {@link Levels equal parts} of the run: what
+ * @param levels each repeat's mean of k_min in {@link PartMeans equal parts} of the run: what
  *     intervals over time are made of
  */
 public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, double[][] levels) {

@@ -58,9 +58,16 @@ public final class Comparison {
    *
    * @param plans made by {@link #withOptimum}; all with the same seeds
    * @return one result per plan, in their order
+   * @throws org.hificamsim.core.InputException when the journal has runs of other inputs that have
+   *     the names of these
    */
   List<CaseResult> run(List<RunPlan> plans, Journal journal) throws IOException {
-    List<CaseUnderWay> cases = plans.stream().map(CaseUnderWay::new).toList();
+    List<RunKey> keys = RunKey.of(plans);
+    journal.requireUnchanged(keys);
+    List<CaseUnderWay> cases = new ArrayList<>();
+    for (RunPlan plan : plans) {
+      cases.add(new CaseUnderWay(plan, keys.get(cases.size()).text()));
+    }
     List<RunTask> missing = new ArrayList<>();
     for (RunTask task : tasks(plans)) {
       CaseUnderWay one = cases.get(task.plan());
@@ -117,9 +124,9 @@ public final class Comparison {
     private final double[][] levels;
     private final long[] sums;
 
-    CaseUnderWay(RunPlan plan) {
+    CaseUnderWay(RunPlan plan, String key) {
       this.plan = plan;
-      this.key = RunKey.of(plan);
+      this.key = key;
       this.outcomes = new Outcome[plan.repeats()];
       this.settling = new double[plan.repeats()];
       this.levels = new double[plan.repeats()][];
@@ -131,7 +138,7 @@ public final class Comparison {
         sums[step] += outcome.kMin()[step];
       }
       settling[repeat] = Settling.of(outcome.kMin());
-      levels[repeat] = Levels.of(outcome.kMin());
+      levels[repeat] = PartMeans.of(outcome.kMin());
       outcomes[repeat] = new Outcome(outcome.result().asRun(repeat), new int[0]);
     }
 

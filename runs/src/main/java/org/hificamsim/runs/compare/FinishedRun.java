@@ -33,6 +33,11 @@ record FinishedRun(String key, Outcome outcome) {
     return plan + "/" + seed;
   }
 
+  /** The plan's part of a key. */
+  static String plan(String key) {
+    return key.substring(0, Math.max(0, key.lastIndexOf('/')));
+  }
+
   /** The run in a line; empty where it is damaged. */
   static Optional<FinishedRun> parse(byte[] line) {
     try {

@@ -9,6 +9,7 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
@@ -104,6 +105,31 @@ final class Journal implements Closeable {
   /** Whether a run was finished before. */
   boolean has(String key, long seed) {
     return lines.containsKey(FinishedRun.key(key, seed));
+  }
+
+  /**
+   * Refuses to mix: what is found here must not come from other inputs under the same names.
+   *
+   * @throws InputException naming the input that has changed
+   */
+  void requireUnchanged(List<RunKey> keys) {
+    changed(keys)
+        .ifPresent(
+            input -> {
+              throw new InputException(
+                  "'%s' has runs of another %s, expected the same to --resume; without it, all runs are done again"
+                      .formatted(file, input));
+            });
+  }
+
+  /** The input that has another content than for the runs here, if there is one. */
+  Optional<String> changed(List<RunKey> keys) {
+    return lines.keySet().stream()
+        .map(FinishedRun::plan)
+        .distinct()
+        .map(RunKey::read)
+        .flatMap(found -> keys.stream().flatMap(key -> key.changed(found).stream()))
+        .findFirst();
   }
 
   /** The result of a run that was finished before. */

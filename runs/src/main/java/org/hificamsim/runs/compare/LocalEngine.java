@@ -72,6 +72,9 @@ public final class LocalEngine implements RunEngine {
       if (e.getCause() instanceof IOException fault) {
         throw fault;
       }
+      if (e.getCause() instanceof Error fault) {
+        throw fault;
+      }
       throw new IllegalStateException(e.getCause());
     }
   }

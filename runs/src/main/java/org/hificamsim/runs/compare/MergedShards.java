@@ -41,7 +41,7 @@ public final class MergedShards implements RunEngine {
 
   @Override
   public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
-    List<String> keys = plans.stream().map(RunKey::of).toList();
+    List<String> keys = RunKey.of(plans).stream().map(RunKey::text).toList();
     Set<RunTask> wanted = Set.copyOf(tasks);
     for (ShardFolder shard : shards.values()) {
       try (Journal runs = shard.runs()) {
@@ -65,8 +65,8 @@ public final class MergedShards implements RunEngine {
                             .formatted(folder)));
     if (!shard.isOf(plans)) {
       throw new InputException(
-          "--merge '%s' is shard %s of another sweep, expected this one's scenarios, models, policies, steps, seeds and version"
-              .formatted(folder, shard.shard()));
+          "--merge '%s' is shard %s of another sweep%s, expected this one's scenarios, models, policies, steps, seeds and version"
+              .formatted(folder, shard.shard(), shard.changed(plans)));
     }
     return shard;
   }
@@ -107,7 +107,7 @@ public final class MergedShards implements RunEngine {
 
   private static void requireComplete(ShardFolder shard, List<RunPlan> plans) throws IOException {
     List<RunTask> tasks = shard.shard().tasks(plans);
-    List<String> keys = plans.stream().map(RunKey::of).toList();
+    List<String> keys = RunKey.of(plans).stream().map(RunKey::text).toList();
     long there = 0;
     try (Journal runs = shard.runs()) {
       for (RunTask task : tasks) {

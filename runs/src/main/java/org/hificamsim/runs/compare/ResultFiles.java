@@ -9,7 +9,7 @@ import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.output.CsvTable;
-import org.hificamsim.runs.output.Settings;
+import org.hificamsim.runs.output.SettingsFile;
 import org.hificamsim.runs.output.Table;
 
 /** The tables that a comparison writes; {@code docs/data.md} says what each column holds. */
@@ -27,7 +27,7 @@ final class ResultFiles {
    * @param all those, and the optima beside them
    */
   void write(List<CaseResult> asked, List<CaseResult> all) throws IOException {
-    Settings.write(folder, all.stream().map(CaseResult::plan).toList());
+    SettingsFile.write(folder, all.stream().map(CaseResult::plan).toList());
     results(asked);
     metrics(all);
     summary(all);

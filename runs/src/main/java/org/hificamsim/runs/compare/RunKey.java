@@ -1,70 +1,128 @@
 package org.hificamsim.runs.compare;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Collectors;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.ZoomLevel;
+import java.util.stream.Stream;
+import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.ManifestFile;
 
 /**
- * What a run's result depends on, as a digest: two runs with the same key give the same result.
+ * What a run's result depends on, but for its seed: two runs with the same key give the same
+ * result.
  *
- * <p>A detection model is known by its values on a fixed grid at the scenario's mount height, so
- * that an edited model file, or a user's changed jar, is another model. A policy is known by its
- * name and options alone.
+ * @param inputs what has a name and a content: this program, the users' classes on the class path,
+ *     the scenario, the detection
+ * @param threshold of the detection
+ * @param policy name and options
  */
-public final class RunKey {
-  private RunKey() {}
-
-  /** The key of a plan's repeats, but for their seed. */
-  public static String of(RunPlan plan) {
-    String all =
-        String.join(
-            "\n",
-            ManifestFile.version(),
-            plan.scenario().name(),
-            ScenarioWriter.write(plan.scenario()),
-            plan.policy(),
-            String.valueOf(plan.steps()),
-            values(plan.detection(), plan.scenario().mountHeight().orElse(Double.NaN)));
-    return digest(all);
-  }
-
-  /** The key of all runs of a sweep. */
-  static String of(List<RunPlan> plans) {
-    return digest(
-        plans.stream()
-            .map(plan -> of(plan) + " " + plan.seed() + " " + plan.repeats())
-            .collect(Collectors.joining("\n")));
-  }
-
-  private static String digest(String text) {
-    return HexFormat.of().formatHex(digest().digest(text.getBytes(StandardCharsets.UTF_8)));
-  }
-
-  private static String values(Detection detection, double mountHeight) {
-    StringBuilder values = new StringBuilder(detection.model().name());
-    values.append(' ').append(detection.threshold());
-    for (double radius = 1; radius <= 16; radius *= 2) {
-      ZoomLevel zoom = new ZoomLevel(radius, 1, 16, mountHeight, 2 * Math.PI);
-      for (double distance = 0; distance <= radius; distance += radius / 8) {
-        values.append(' ').append(detection.model().confidence(0.5, distance, 0.25, zoom));
-      }
+public record RunKey(List<Input> inputs, double threshold, String policy, int steps) {
+  /**
+   * An input with a content.
+   *
+   * @param digest of the content
+   */
+  public record Input(String kind, String name, String digest) {
+    private boolean isChanged(Input other) {
+      return kind.equals(other.kind) && name.equals(other.name) && !digest.equals(other.digest);
     }
-    return values.toString();
+
+    @Override
+    public String toString() {
+      return kind + " '" + name + "'";
+    }
   }
 
-  private static MessageDigest digest() {
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  /** The key of a plan's repeats. */
+  public static RunKey of(RunPlan plan) {
+    return of(List.of(plan)).get(0);
+  }
+
+  /** The keys of plans, in their order. */
+  static List<RunKey> of(List<RunPlan> plans) {
+    List<Input> program = new ArrayList<>(UserCode.found());
+    program.add(program(ManifestFile.version()));
+    return plans.stream().map(plan -> of(program, plan)).toList();
+  }
+
+  private static RunKey of(List<Input> program, RunPlan plan) {
+    String scenario = ScenarioWriter.write(plan.scenario());
+    List<Input> inputs = new ArrayList<>(program);
+    inputs.add(new Input("scenario", plan.scenario().name(), digest(bytes(scenario))));
+    inputs.add(new Input("detection", plan.detection().name(), digest(plan.detection().model())));
+    return new RunKey(inputs, plan.detection().threshold(), plan.policy(), plan.steps());
+  }
+
+  /** A digest of the keys of all runs of a sweep. */
+  static String sweep(List<RunPlan> plans) {
+    Stream<String> keys = of(plans).stream().map(RunKey::text);
+    Stream<String> seeds = plans.stream().map(plan -> plan.seed() + " " + plan.repeats());
+    return digest(bytes(Stream.concat(keys, seeds).collect(Collectors.joining("\n"))));
+  }
+
+  /** The key of a text; one of an unknown version where it is none of ours. */
+  public static RunKey read(String text) {
     try {
-      return MessageDigest.getInstance("SHA-256");
+      return MAPPER.readValue(text, RunKey.class);
+    } catch (JsonProcessingException e) {
+      return new RunKey(List.of(program("unknown")), 0, "", 0);
+    }
+  }
+
+  /** The key in one line. */
+  public String text() {
+    try {
+      return MAPPER.writeValueAsString(this);
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /**
+   * The input that has another content under the same name in another key; empty where results of
+   * both may stand side by side.
+   */
+  public Optional<String> changed(RunKey other) {
+    return inputs.stream()
+        .filter(input -> other.inputs.stream().anyMatch(input::isChanged))
+        .findFirst()
+        .map(Input::toString);
+  }
+
+  static String digest(byte[] content) {
+    try {
+      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content));
     } catch (NoSuchAlgorithmException e) {
       throw new IllegalStateException("every Java platform has SHA-256", e);
     }
+  }
+
+  /** Of all parameters; of a model that is code, of its class, which {@link UserCode} knows. */
+  private static String digest(DetectionModel model) {
+    return digest(
+        model instanceof HiFiDetection fitted
+            ? ModelFiles.bytes(fitted)
+            : bytes(model.getClass().getName()));
+  }
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static Input program(String version) {
+    return new Input("version of", "hificamsim", version);
   }
 }

@@ -21,7 +21,7 @@ import org.hificamsim.runs.RunPlan;
 record ShardFolder(Path path, Content content) {
   static final String RUNS = "runs.jsonl";
   private static final String NAME = "shard.json";
-  private static final int LARGEST_BYTES = 1 << 16;
+  private static final int MAX_BYTES = 1 << 16;
 
   /** Which part of which sweep, the sweep as a digest of all that its results depend on. */
   record Content(String sweep, int shard, int of) {}
@@ -39,7 +39,7 @@ record ShardFolder(Path path, Content content) {
     if (!Files.isRegularFile(file)) {
       return Optional.empty();
     }
-    if (Files.size(file) <= LARGEST_BYTES) {
+    if (Files.size(file) <= MAX_BYTES) {
       try {
         Content content = MAPPER.readValue(Files.readAllBytes(file), Content.class);
         if (content != null && content.sweep != null && Shard.isOne(content.shard, content.of)) {
@@ -67,7 +67,14 @@ record ShardFolder(Path path, Content content) {
 
   /** Whether it holds a part of this sweep. */
   boolean isOf(List<RunPlan> plans) {
-    return content.sweep().equals(RunKey.of(plans));
+    return content.sweep().equals(RunKey.sweep(plans));
+  }
+
+  /** What tells its sweep from this one, for error lines; empty where that cannot be named. */
+  String changed(List<RunPlan> plans) throws IOException {
+    try (Journal runs = runs()) {
+      return runs.changed(RunKey.of(plans)).map(input -> " (another " + input + ")").orElse("");
+    }
   }
 
   Shard shard() {
@@ -88,6 +95,6 @@ record ShardFolder(Path path, Content content) {
   }
 
   private static Content content(Shard shard, List<RunPlan> plans) {
-    return new Content(RunKey.of(plans), shard.number(), shard.of());
+    return new Content(RunKey.sweep(plans), shard.number(), shard.of());
   }
 }

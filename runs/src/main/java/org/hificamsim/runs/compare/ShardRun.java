@@ -25,7 +25,7 @@ public final class ShardRun {
   public ShardRun(Shard shard, List<RunPlan> plans) {
     this.shard = shard;
     this.plans = plans;
-    this.keys = plans.stream().map(RunKey::of).toList();
+    this.keys = RunKey.of(plans).stream().map(RunKey::text).toList();
     this.tasks = shard.tasks(plans);
   }
 
@@ -96,9 +96,10 @@ public final class ShardRun {
     }
     ShardFolder other = found.get();
     if (other.isOf(plans) || resume) {
+      String sweep = other.isOf(plans) ? "" : " of another sweep" + other.changed(plans);
       throw new InputException(
           "--out '%s' holds shard %s%s, expected a folder of its own for %s"
-              .formatted(out, other.shard(), other.isOf(plans) ? "" : " of another sweep", shard));
+              .formatted(out, other.shard(), sweep, shard));
     }
   }
 }

@@ -81,8 +81,8 @@ public final class RunFolder implements Closeable {
             run,
             network.step(),
             network.targetName(target),
-            network.targetX(target),
-            network.targetY(target));
+            network.oracle().targetX(target),
+            network.oracle().targetY(target));
       }
     }
   }

@@ -29,7 +29,7 @@ public final class SummaryFile {
         json -> {
           json.writeStartObject();
           SummaryFile file = new SummaryFile(json);
-          Settings.write(json, plan);
+          SettingsFile.write(json, plan);
           file.figures(results);
           file.runs(results);
           json.writeEndObject();

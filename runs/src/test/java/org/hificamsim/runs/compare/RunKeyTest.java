@@ -6,9 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
@@ -35,13 +37,24 @@ class RunKeyTest {
        "optics": {"sensorWidth": SENSOR, "longestFocalLength": 0.085}, "threshold": 0.05}
       """;
 
+  /** One support vector at 30 m, whose kernel is 0 to the last bit below 16 m. */
+  private static final String FAR =
+      """
+      {"schema": "hificamsim-model", "version": 1, "name": "far",
+       "f": {"type": "svr-rbf", "gamma": 10, "intercept": 1.5,
+             "ranges": {"q": {"least": 0, "most": 1}, "d": {"least": 0, "most": 1},
+                        "z": {"least": 0, "most": 1}},
+             "support": [[0.5, 30, 0.02, WEIGHT]]},
+       "g": {"slope": 0.571, "intercept": 0.026}, "threshold": 0.05}
+      """;
+
   @TempDir Path folder;
 
   @Test
   void differsWithWhateverTheResultDependsOn() throws IOException {
     Scenario scenario = scenario();
     DetectionModel model = Catalogue.load().detection("hifi:orb-lin");
-    String key = key(scenario, model, 0.1, "zoom-out", 10);
+    RunKey key = key(scenario, model, 0.1, "zoom-out", 10);
     assertEquals(key, key(scenario(), Catalogue.load().detection("hifi:orb-lin"), 0.1));
     assertNotEquals(key, key(scenario.withOrder(StepOrder.CAMSIM), model, 0.1));
     assertNotEquals(key, key(scenario, Catalogue.load().detection("hifi:orb-sr"), 0.1));
@@ -55,21 +68,58 @@ class RunKeyTest {
     assertNotEquals(key(scenario(), model("0.0224"), 0.05), key(scenario(), model("0.0360"), 0.05));
   }
 
+  @Test
+  void differsWithAModelThatDiffersBeyondSixteenMetresAlone() throws IOException {
+    DetectionModel one = read(FAR.replace("WEIGHT", "-2"));
+    DetectionModel other = read(FAR.replace("WEIGHT", "2"));
+    ZoomLevel zoom = new ZoomLevel(40, 1, 16, 3, 2 * Math.PI);
+    for (double distance = 0; distance < 16; distance += 0.01) {
+      assertEquals(
+          one.confidence(0.5, distance, 0, zoom), other.confidence(0.5, distance, 0, zoom));
+    }
+    assertNotEquals(one.confidence(0.5, 30, 0, zoom), other.confidence(0.5, 30, 0, zoom));
+    assertNotEquals(key(scenario(), one, 0.05), key(scenario(), other, 0.05));
+  }
+
+  @Test
+  void namesTheInputThatHasChangedUnderItsName() throws IOException {
+    RunKey key = key(scenario(), model("0.0224"), 0.05);
+    assertEquals(
+        Optional.of("detection 'mine'"), key.changed(key(scenario(), model("0.0360"), 0.05)));
+    assertEquals(
+        Optional.of("scenario 'one'"),
+        key.changed(key(scenario().withOrder(StepOrder.CAMSIM), model("0.0224"), 0.05)));
+    assertEquals(Optional.of("version of 'hificamsim'"), key.changed(RunKey.read("a1b2c3")));
+  }
+
+  @Test
+  void findsNothingChangedWhereSettingsDiffer() throws IOException {
+    RunKey key = key(scenario(), model("0.0224"), 0.05);
+    assertEquals(Optional.empty(), key.changed(RunKey.read(key.text())));
+    assertEquals(
+        Optional.empty(), key.changed(key(scenario(), model("0.0224"), 0.2, "zoom-in", 9)));
+    assertEquals(
+        Optional.empty(), key.changed(key(scenario(), read(FAR.replace("WEIGHT", "2")), 0.05)));
+  }
+
   private Scenario scenario() throws IOException {
     Path file = Files.writeString(folder.resolve("one.xml"), SCENARIO);
     return ScenarioReader.read(file, name -> true, warning -> {});
   }
 
   private DetectionModel model(String sensorWidth) throws IOException {
-    Path file = folder.resolve("model.json");
-    return ModelFiles.read(Files.writeString(file, MODEL.replace("SENSOR", sensorWidth)));
+    return read(MODEL.replace("SENSOR", sensorWidth));
   }
 
-  private static String key(Scenario scenario, DetectionModel model, double threshold) {
+  private DetectionModel read(String model) throws IOException {
+    return ModelFiles.read(Files.writeString(folder.resolve("model.json"), model));
+  }
+
+  private static RunKey key(Scenario scenario, DetectionModel model, double threshold) {
     return key(scenario, model, threshold, "zoom-out", 10);
   }
 
-  private static String key(
+  private static RunKey key(
       Scenario scenario, DetectionModel model, double threshold, String policy, int steps) {
     return RunKey.of(new RunPlan(scenario, new Detection(model, threshold), policy, steps, 0, 1));
   }

@@ -6,8 +6,8 @@ import org.hificamsim.core.detection.ZoomLevel;
 /**
  * The visibility that the CamSim simulator itself computes: {@code 1 / (d + (R - d) / R)}, times
  * {@code (A/2 - offAxis) / (A/2)} unless the camera sees all round. An angle that is no number, or
- * not below A/2, makes it 0, so that a target exactly on the camera is invisible (CamSim's quirk
- * Q9). Visible is what is above 0, which the default threshold says.
+ * not below A/2, makes it 0, so that a target exactly on the camera is invisible (behaviour 6.1).
+ * Visible is what is above 0, which the default threshold says.
  */
 public final class CamSimVisibilityDetection implements DetectionModel {
   private static final double ALL_ROUND_DEGREES = 360;

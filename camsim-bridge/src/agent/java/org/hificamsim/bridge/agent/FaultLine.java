@@ -1,0 +1,31 @@
+package org.hificamsim.bridge.agent;
+
+/** Reports problems of the bridge: one line each on standard error. */
+public final class FaultLine {
+  private static final int STOPPED = 2;
+
+  private FaultLine() {}
+
+  /**
+   * Reports a problem.
+   *
+   * @param strict whether the JVM stops, with exit code 2; else CamSim runs on without the bridge
+   */
+  public static void tell(String problem, boolean strict) {
+    String outcome = strict ? "stopped, as strict=true asks" : "CamSim runs on unchanged";
+    note(problem + "; " + outcome);
+    if (strict) {
+      System.exit(STOPPED);
+    }
+  }
+
+  /** Reports something worth knowing. */
+  public static void note(String text) {
+    System.err.println("hificamsim-bridge: " + text);
+  }
+
+  /** Whether the options ask to stop, also when they are wrong otherwise. */
+  public static boolean strict(String options) {
+    return ("," + options.replace(" ", "") + ",").contains(",strict=true,");
+  }
+}

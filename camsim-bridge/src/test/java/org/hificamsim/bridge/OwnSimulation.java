@@ -1,0 +1,67 @@
+package org.hificamsim.bridge;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.world.World;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.SingleRun;
+
+/** This project's own engine on CamSim's scenarios: what the bridge has to agree with. */
+final class OwnSimulation {
+  static final Catalogue CATALOGUE = Catalogue.load();
+
+  private OwnSimulation() {}
+
+  /** Runs a scenario in CamSim's order, with seed 0, and writes the files of a record. */
+  static RunCoverage record(
+      Path folder, Path file, List<Double> zooms, Detection detection, String policy, int steps)
+      throws IOException {
+    return record(folder, file, zooms, detection, CATALOGUE.policies().create(policy), steps);
+  }
+
+  /** The same with a policy that can be asked afterwards. */
+  static RunCoverage record(
+      Path folder, Path file, List<Double> zooms, Detection detection, ZoomPolicy policy, int steps)
+      throws IOException {
+    World world = new World(scenario(file, zooms), CATALOGUE.movements(), 0);
+    RunCoverage coverage = new RunCoverage();
+    try (SingleRun run = new SingleRun(folder, 0, true)) {
+      new Simulation(world, detection, policy, 0, List.of(coverage, run)).run(steps);
+      RunPlan plan = new RunPlan(world.scenario(), detection, "own", steps, 0, 1);
+      run.commit(plan, 0, Optional.empty());
+    }
+    return coverage;
+  }
+
+  /** A detection model with its own threshold. */
+  static Detection detection(String name) {
+    return Detection.of(CATALOGUE.detection(name));
+  }
+
+  static Scenario scenario(Path file, List<Double> zooms) {
+    Scenario read = ScenarioReader.read(file, name -> true, warning -> {});
+    return new Scenario(
+        read.name(),
+        read.field(),
+        StepOrder.CAMSIM,
+        read.headings(),
+        read.threshold(),
+        read.mountHeight(),
+        zooms,
+        read.cameras(),
+        read.targets(),
+        read.events(),
+        read.visionGraph(),
+        read.extras());
+  }
+}

@@ -1,0 +1,49 @@
+package org.hificamsim.core.policy;
+
+import java.util.Arrays;
+
+/**
+ * A network with knowledge that no camera has: where the targets are, and what cameras would detect
+ * at other levels. Upper bounds such as the exact optimum use it, and listeners that record a run;
+ * learning policies must not.
+ */
+public interface OracleView extends NetworkView {
+  @Override
+  default OracleView oracle() {
+    return this;
+  }
+
+  /** Metres. */
+  double targetX(int target);
+
+  /** Metres. */
+  double targetY(int target);
+
+  /** Whether the camera would detect the target where both are now, were it at this level. */
+  boolean detects(int camera, int level, int target);
+
+  /**
+   * Whether {@code level} is proven to detect everything that {@code other} does, wherever the
+   * targets stand; false where that is not known.
+   */
+  boolean dominates(int camera, int level, int other);
+
+  /**
+   * What the camera would detect at each of its levels, where all are now: {@link #detects} for all
+   * targets at once.
+   *
+   * @param masks filled with {@code words} words for each level, level 0 first; target t is at bit
+   *     {@code t % 64} of word {@code t / 64}
+   * @param words the number of words of a level, enough for all targets
+   */
+  default void detections(int camera, long[] masks, int words) {
+    Arrays.fill(masks, 0, levels(camera) * words, 0);
+    for (int level = 0; level < levels(camera); level++) {
+      for (int target = 0; target < targets(); target++) {
+        if (present(target) && detects(camera, level, target)) {
+          masks[level * words + (target >> 6)] |= 1L << target;
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,119 @@
+package org.hificamsim.network;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.TargetSpec;
+
+/** Reads a scenario file as CamSim would: its order of a step, its ranges, its movements. */
+public final class CamSimScenario {
+  private CamSimScenario() {}
+
+  /**
+   * Reads the file.
+   *
+   * @param movement of all objects, a class name; null for that of the file
+   * @param zooming whether the file's zoom list counts, which CamSim ignores
+   * @throws InputException when the file, or what is asked for, is wrong
+   */
+  public static Scenario read(
+      Path file,
+      String movement,
+      boolean zooming,
+      NetworkSettings settings,
+      Catalogue catalogue,
+      PrintWriter err) {
+    Scenario scenario =
+        ScenarioReader.read(
+                file,
+                catalogue.movements().names()::contains,
+                settings.check(),
+                warning -> err.println("warning: " + Place.printable(warning)))
+            .withOrder(StepOrder.CAMSIM);
+    warnAboutDefaults(file, scenario, settings, err);
+    if (!zooming) {
+      scenario = scenario.withoutZooms();
+    }
+    if (movement != null) {
+      scenario = scenario.withMovement(movement);
+      requireWaypoints(scenario, movement);
+    }
+    return as(scenario, settings);
+  }
+
+  /** The scenario with the quirks of movement that are asked for. */
+  public static Scenario as(Scenario scenario, NetworkSettings settings) {
+    Scenario read = scenario;
+    if (!settings.has(Quirk.EVENT_MOVE_IGNORED)) {
+      read = read.withTargets(CamSimScenario::withAlias);
+    }
+    return settings.has(Quirk.WAYPOINT_SPEED_IS_HEADING)
+        ? read.withTargets(target -> withSwap(target, scenario.headings()))
+        : read;
+  }
+
+  /** An event's {@code move} names its movement where {@code fqName} does not. */
+  private static TargetSpec withAlias(TargetSpec target) {
+    String alias = target.extras().getOrDefault("move", "");
+    return target.origin() == TargetSpec.Origin.EVENT && target.movement().name().isEmpty()
+        ? target.withMovement(alias)
+        : target;
+  }
+
+  /** Speed becomes the heading in radians where a class name leads to waypoints. */
+  private static TargetSpec withSwap(TargetSpec target, Headings headings) {
+    boolean throughClassName = !target.movement().name().isEmpty();
+    return throughClassName && target.movement().shortName().equals("Waypoints")
+        ? target.withSpeed(headings.radians(target.heading()))
+        : target;
+  }
+
+  private static void requireWaypoints(Scenario scenario, String movement) {
+    Stream<TargetSpec> added =
+        scenario.events().stream()
+            .filter(ScenarioEvent.AddTarget.class::isInstance)
+            .map(event -> ((ScenarioEvent.AddTarget) event).target());
+    Stream.concat(scenario.targets().stream(), added)
+        .filter(target -> target.movement().shortName().equals("Waypoints"))
+        .filter(target -> target.movement().waypoints().isEmpty())
+        .findFirst()
+        .ifPresent(
+            target -> {
+              throw new InputException(
+                  "-m '%s': object %s has no waypoints, expected at least two"
+                      .formatted(movement, target.name()));
+            });
+  }
+
+  private static void warnAboutDefaults(
+      Path file, Scenario scenario, NetworkSettings settings, PrintWriter err) {
+    List<String> missing = new ArrayList<>();
+    if (settings.schedule().isEmpty()
+        && lacks(scenario, camera -> camera.agent().algorithm().isEmpty())) {
+      missing.add("ai_algorithm, taken as Active");
+    }
+    if (settings.comm().isEmpty() && lacks(scenario, camera -> camera.agent().comm().isEmpty())) {
+      missing.add("comm, taken as 0");
+    }
+    if (!missing.isEmpty()) {
+      err.println(
+          "warning: %s: cameras without %s".formatted(file, String.join(", and ", missing)));
+    }
+  }
+
+  private static boolean lacks(Scenario scenario, Predicate<CameraSpec> condition) {
+    return scenario.cameras().stream().anyMatch(condition);
+  }
+}

@@ -1,2 +1,0 @@
-/** The auctions by which targets change hands. */
-package org.hificamsim.network.auction;

@@ -1,0 +1,24 @@
+package org.hificamsim.network;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.hificamsim.core.scenario.VisionGraph;
+import org.junit.jupiter.api.Test;
+
+/** The links of a scenario's vision graph. */
+class InitialLinksTest {
+  @Test
+  void theFilesGraphGivesLinksForwardAndBackwardAndToUnknownNames() {
+    VisionGraph graph =
+        new VisionGraph(true, Map.of("A", List.of("B", "Nobody"), "C", List.of("A")));
+    InitialLinks links = new InitialLinks(List.of("A", "B", "C"), Optional.of(graph));
+    assertEquals(4, links.names());
+    assertEquals(List.of(1, 3), links.of("A", false));
+    assertEquals(List.of(1, 3, 2), links.of("A", true));
+    assertEquals(List.of(), links.of("B", false));
+    assertEquals(List.of(0), links.of("B", true));
+  }
+}

@@ -1,0 +1,90 @@
+package org.hificamsim.network;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Optional;
+import java.util.OptionalInt;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.network.agent.CommunicationPolicy;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.bandit.BanditAlgorithm;
+import org.junit.jupiter.api.Test;
+
+/** What cameras ask for, and what the settings say for all. */
+class RoleReaderTest {
+  private static final AgentSpec SMOOTH =
+      spec("PassiveAuctionSchedule", 1, null, "epics.learning.UCB1");
+
+  private static AgentSpec spec(String algorithm, int comm, String customComm, String bandit) {
+    return new AgentSpec(
+        Optional.ofNullable(algorithm),
+        OptionalInt.of(comm),
+        Optional.ofNullable(customComm),
+        7,
+        Optional.ofNullable(bandit));
+  }
+
+  private static Role read(RoleReader reader, AgentSpec agent, boolean added) {
+    return reader.read(
+        agent, added, (attribute, expected) -> new InputException(attribute + ": " + expected));
+  }
+
+  private static String fault(AgentSpec agent) {
+    RoleReader reader = new RoleReader(NetworkSettings.CAMSIM);
+    return assertThrows(InputException.class, () -> read(reader, agent, false)).getMessage();
+  }
+
+  @Test
+  void aCameraOfTheFileGetsWhatItAsksFor() {
+    Role role = read(new RoleReader(NetworkSettings.CAMSIM), SMOOTH, false);
+    assertEquals(ScheduleKind.PASSIVE, role.schedule());
+    assertEquals(CommunicationPolicy.SMOOTH, role.comm().policy());
+    assertEquals(7, role.limit());
+    assertEquals(Optional.of(BanditAlgorithm.UCB1), role.bandit());
+  }
+
+  @Test
+  void theSettingsCountForAllCamerasOfTheFile() {
+    NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_ACTIVE, 3);
+    Role role = read(new RoleReader(all), SMOOTH, false);
+    assertEquals(ScheduleKind.HISTORICAL_ACTIVE, role.schedule());
+    assertTrue(role.comm().isFix());
+  }
+
+  @Test
+  void anAddedCameraHasTheScheduleOfTheLastOneInTheFileAndItsOwnPolicy() {
+    NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_PASSIVE, 3);
+    RoleReader reader = new RoleReader(all);
+    read(reader, AgentSpec.NONE, false);
+    Role role = read(reader, spec("Nobody", 2, null, null), true);
+    assertEquals(ScheduleKind.HISTORICAL_PASSIVE, role.schedule());
+    assertEquals(CommunicationPolicy.STEP, role.comm().policy());
+  }
+
+  @Test
+  void onlyFixByItsNumberOrItsOldNameFreezesLinks() {
+    assertTrue(comm(3, null).freezesLinks());
+    assertTrue(comm(4, "epics.commpolicy.Fix").freezesLinks());
+    assertFalse(comm(4, "epics.ai.commpolicy.Fix").freezesLinks());
+    assertFalse(comm(0, null).freezesLinks());
+    assertTrue(comm(3, null).isFix());
+    assertFalse(comm(4, "Fix").isFix());
+  }
+
+  private static Comm comm(int number, String name) {
+    return Comm.of(number, Optional.ofNullable(name)).orElseThrow();
+  }
+
+  @Test
+  void whatIsNotKnownOrMissingIsAFaultOfItsAttribute() {
+    assertTrue(fault(spec("Nobody", 0, null, null)).startsWith("ai_algorithm: one of Active, "));
+    assertTrue(fault(spec("Active", 4, "Nobody", null)).startsWith("customcom: one of Broadcast"));
+    assertTrue(fault(spec("Active", 4, null, null)).endsWith(" where comm is 4"));
+    assertTrue(fault(spec("Active", 0, null, "Nobody")).startsWith("bandit: one of EpsilonG"));
+    assertTrue(fault(spec("BanditZoom", 0, null, null)).endsWith("schedule is BanditZoom"));
+  }
+}

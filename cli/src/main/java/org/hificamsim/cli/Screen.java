@@ -1,0 +1,58 @@
+package org.hificamsim.cli;
+
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.util.List;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** What a command that takes its time says, and {@code --quiet}: the files, and not a word. */
+final class Screen {
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  @Option(
+      names = "--quiet",
+      description = "Print nothing but errors: no table, no warnings, no progress.")
+  private boolean quiet;
+
+  /** For results. */
+  PrintWriter out() {
+    return quiet ? nowhere() : command.commandLine().getOut();
+  }
+
+  /** For warnings and progress. */
+  PrintWriter err() {
+    return quiet ? nowhere() : errors();
+  }
+
+  /** For errors, which are never left out. */
+  PrintWriter errors() {
+    return command.commandLine().getErr();
+  }
+
+  /**
+   * The progress of the command, shown unless it is to be quiet.
+   *
+   * @param subject what is worked on; empty where the command's name says it
+   * @param unit what is counted, as in {@code " steps"}
+   */
+  Progress progress(String subject, String unit, long total) {
+    return new Progress(
+        (command.name() + " " + subject).strip(),
+        unit,
+        total,
+        err(),
+        quiet ? Progress.Telling.NOTHING : Progress.Telling.asLaunched());
+  }
+
+  /** The words of the command line. */
+  List<String> words() {
+    return command.root().commandLine().getParseResult().originalArgs();
+  }
+
+  private static PrintWriter nowhere() {
+    return new PrintWriter(Writer.nullWriter());
+  }
+}

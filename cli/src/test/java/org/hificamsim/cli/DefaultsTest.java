@@ -1,0 +1,63 @@
+package org.hificamsim.cli;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Properties;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import picocli.CommandLine;
+import picocli.CommandLine.Model.OptionSpec;
+
+/** That {@code defaults.properties} and the options of the commands fit each other. */
+class DefaultsTest {
+  private final Properties defaults = new Properties();
+  private final List<OptionSpec> options = new ArrayList<>();
+
+  @BeforeEach
+  void readBoth() throws IOException {
+    try (InputStream in = Main.class.getResourceAsStream("defaults.properties")) {
+      defaults.load(in);
+    }
+    collect(new CommandLine(new Main()));
+    assertTrue(options.size() > 100, options.size() + " options");
+  }
+
+  @Test
+  void everyDefaultIsOfAnOption() {
+    Set<String> unknown = new TreeSet<>(defaults.stringPropertyNames());
+    options.forEach(option -> unknown.removeAll(List.of(qualified(option), plain(option))));
+    assertEquals(Set.of(), unknown);
+  }
+
+  @Test
+  void everyOptionThatHoldsABareNumberHasADefault() {
+    for (OptionSpec option : options) {
+      assertTrue(
+          option.arity().max() == 0
+              || !option.type().isPrimitive()
+              || defaults.containsKey(qualified(option))
+              || defaults.containsKey(plain(option)),
+          qualified(option));
+    }
+  }
+
+  private void collect(CommandLine command) {
+    options.addAll(command.getCommandSpec().options());
+    command.getSubcommands().values().forEach(this::collect);
+  }
+
+  private static String qualified(OptionSpec option) {
+    return option.command().qualifiedName(".") + "." + plain(option);
+  }
+
+  private static String plain(OptionSpec option) {
+    return option.longestName().replaceFirst("^-+", "");
+  }
+}

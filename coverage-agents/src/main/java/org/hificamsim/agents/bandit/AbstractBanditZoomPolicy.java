@@ -1,0 +1,71 @@
+package org.hificamsim.agents.bandit;
+
+import java.util.SplittableRandom;
+import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
+import org.hificamsim.agents.choice.LevelTable;
+import org.hificamsim.core.policy.CameraTask;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * What every bandit here learns: for each camera and level, its arms, how often the level was used
+ * and the average number of targets detected with it.
+ *
+ * <p>The reward is the utility U_i of Eq 7.3, the number of targets that the camera detected. The
+ * factor lambda of that equation scales all averages by the same and so changes no comparison.
+ */
+abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
+  private final CameraTask<long[]> learning = this::learn;
+  private LevelTable table;
+  private double[] means;
+  private long[] pulls;
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    table = new LevelTable(network);
+    means = new double[table.size()];
+    pulls = new long[table.size()];
+  }
+
+  /** Credits each online camera's current level with what it just detected. */
+  @Override
+  public final void learn(NetworkView network) {
+    network.divide(pulls, learning);
+  }
+
+  private void learn(NetworkView network, long[] pulls, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
+      if (network.online(camera)) {
+        int arm = table.offset(camera) + network.level(camera);
+        pulls[arm]++;
+        means[arm] += (network.detected(camera) - means[arm]) / pulls[arm];
+      }
+    }
+  }
+
+  /** What a camera has learned of each level, NaN for one never used. */
+  @Override
+  public final String estimates(
+      NetworkView network, int camera, double[] estimates, double[] counts) {
+    for (int level = 0; level < network.levels(camera); level++) {
+      int arm = table.offset(camera) + level;
+      counts[level] = pulls[arm];
+      estimates[level] = pulls[arm] == 0 ? Double.NaN : means[arm];
+    }
+    return "mean reward";
+  }
+
+  /** The index of the camera's narrowest level among all cameras' arms. */
+  final int offset(int camera) {
+    return table.offset(camera);
+  }
+
+  /** Average number of targets detected, by arm; 0 for an arm never used. */
+  final double[] means() {
+    return means;
+  }
+
+  /** Number of times that each arm was used. */
+  final long[] pulls() {
+    return pulls;
+  }
+}

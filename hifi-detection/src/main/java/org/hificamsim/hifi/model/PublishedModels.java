@@ -1,0 +1,79 @@
+package org.hificamsim.hifi.model;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.hifi.Provenance;
+import org.hificamsim.hifi.detector.DetectorLine;
+import org.hificamsim.hifi.feature.FeatureAbstraction;
+import org.hificamsim.hifi.feature.LinearAbstraction;
+import org.hificamsim.hifi.json.JsonFile;
+import org.hificamsim.hifi.optics.Optics;
+
+/**
+ * The published models as data, each with the equation or table that it comes from.
+ *
+ * @param optics the lab's camera (thesis 3.5)
+ * @param reference which line the default thresholds start from
+ * @param literal the weights of Eq 6.1
+ * @param features the feature abstractions f
+ * @param lines the detector lines g
+ */
+public record PublishedModels(
+    Optics optics,
+    Reference reference,
+    LinearAbstraction literal,
+    List<Feature> features,
+    List<Line> lines) {
+  /** The {@code f} of a line that was fitted on measured PIP rather than on an f's predictions. */
+  public static final String GROUND_TRUTH = "ground-truth";
+
+  private static final String RESOURCE = "catalogue.json";
+
+  /** A feature abstraction, its short name and what it is in words. */
+  public record Feature(String name, String title, FeatureAbstraction f, Provenance provenance) {}
+
+  /** A detector line and the f, or {@link #GROUND_TRUTH}, whose PIP it was fitted on. */
+  public record Line(String detector, String f, DetectorLine g, String source) {}
+
+  /** The line to which the default threshold was fitted, and that threshold. */
+  public record Reference(String detector, String f, double threshold) {}
+
+  /** The catalogue that comes with this module, read once. */
+  public static PublishedModels published() {
+    return Published.CATALOGUE;
+  }
+
+  /** The line of a detector on the PIP of {@code f}, if one was fitted. */
+  public Optional<Line> line(String detector, String f) {
+    return lines.stream().filter(l -> l.detector().equals(detector) && l.f().equals(f)).findFirst();
+  }
+
+  /** The detectors, in the order of the catalogue. */
+  public List<String> detectors() {
+    return lines.stream().map(Line::detector).distinct().toList();
+  }
+
+  /**
+   * The default threshold of a model with this line: the confidence at the PIP at which the
+   * reference line reaches its threshold, so that models differ by their f and g alone.
+   */
+  public double threshold(DetectorLine g) {
+    DetectorLine line = line(reference.detector(), reference.f()).orElseThrow().g();
+    return g.equals(line) ? reference.threshold() : g.confidence(line.pip(reference.threshold()));
+  }
+
+  private static PublishedModels read() {
+    try (InputStream in = PublishedModels.class.getResourceAsStream(RESOURCE)) {
+      return PublishedModelsFormat.read(JsonFile.parse(RESOURCE, in.readAllBytes()));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static final class Published {
+    static final PublishedModels CATALOGUE = read();
+  }
+}

@@ -1,0 +1,123 @@
+package org.hificamsim.profiling.report;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.fit.FitResult;
+
+/** Writes {@code report.html} and its pictures. */
+public final class FitReport {
+  private static final Map<String, String> DETECTOR_FIGURES =
+      Map.of("orb", "5.3", "sift", "5.5", "surf", "5.7");
+
+  private final FitResult result;
+  private final Path folder;
+  private final HtmlPage page;
+  private final Figures figures;
+  private final Tables tables;
+  private final HeldOut heldOut = new HeldOut();
+  private final Remarks remarks;
+
+  private FitReport(FitResult result, Path folder, String title) {
+    this.result = result;
+    this.folder = folder;
+    this.page = new HtmlPage(title);
+    this.figures = new Figures(result);
+    this.tables = new Tables(result);
+    this.remarks = new Remarks(result, heldOut);
+  }
+
+  /** Writes the report on a data set of this name into a folder. */
+  public static void write(FitResult result, String name, Path folder) throws IOException {
+    new FitReport(result, folder, "Detection models fitted to " + name).write();
+  }
+
+  private void write() throws IOException {
+    page.paragraph(
+        "Every number is ours, with the thesis's in brackets or beside it where there is one.");
+    data();
+    features();
+    detectors();
+    combinations();
+    camSim();
+    ball();
+    ladder();
+    new OutputFile(folder.resolve("report.html")).write(page.text());
+  }
+
+  private void data() throws IOException {
+    page.heading("The photos (Table 4.1, Figures 4.1 and 4.2)");
+    tables.variables(page);
+    page.paragraph(remarks.variables());
+    figure("4.1", figures.variables(), "the distributions of the variables");
+    figure("4.2", figures.transformation(), "the density of PIP before and after -log10");
+  }
+
+  private void features() throws IOException {
+    page.heading("Feature abstractions f (Table 4.2, Figures 4.3 to 4.7)");
+    tables.features(page);
+    page.paragraph(remarks.features());
+    tables.coefficients(page);
+    figure("4.3", figures.transformedRegression(), "linear regression before and after -log10");
+    figure("4.4", figures.residuals(List.of("lin")), "held-out residuals of lin");
+    figure("4.5", figures.residuals(List.of("sr")), "held-out residuals of sr");
+    List<String> vectors = List.of("svr-lin", "svr-rbf");
+    figure("4.7", figures.residuals(vectors), "held-out residuals of support vectors");
+  }
+
+  private void detectors() throws IOException {
+    page.heading("Detectors on ground-truth PIP (Eqs 5.2 to 5.4, Figures 5.3, 5.5 and 5.7)");
+    tables.detectors(page);
+    page.paragraph(remarks.detectors());
+    for (String detector : result.detectors()) {
+      String number = DETECTOR_FIGURES.getOrDefault(detector, detector);
+      figure(number, figures.detector(detector), detector + " on measured PIP");
+    }
+  }
+
+  private void combinations() throws IOException {
+    page.heading("Detectors on predicted PIP (Table 6.1, Figure 6.1)");
+    tables.combinations(page);
+    page.paragraph(remarks.combinations());
+    figure("6.1", figures.combinations(), "detectors on predicted PIP");
+  }
+
+  private void camSim() throws IOException {
+    page.heading("CamSim's standard confidence (Table 6.2, Figure 6.2)");
+    tables.camSim(page);
+    page.paragraph(remarks.camSim());
+    figure("6.2", figures.camSim(), "detectors on CamSim's standard confidence");
+  }
+
+  private void ball() {
+    page.heading("Held out: six real photos (Figure 3.7)");
+    tables.ball(page, heldOut);
+    page.paragraph(remarks.ball());
+  }
+
+  private void ladder() throws IOException {
+    page.heading("The fidelity ladder");
+    Map<String, List<Ladder.Step>> ladders = new LinkedHashMap<>();
+    for (String detector : result.detectors()) {
+      ladders.put(detector, Ladder.of(result, detector, PublishedTables.nanoseconds()));
+    }
+    String first = result.detectors().get(0);
+    tables.ladder(page, ladders);
+    page.paragraph(remarks.ladder(ladders.get(first), first));
+    picture("ladder.png", Figures.ladder(ladders.get(first), first));
+    page.figure("ladder.png", "The fidelity ladder: what each step costs and buys.");
+  }
+
+  private void figure(String number, byte[] png, String caption) throws IOException {
+    String file = "figure-" + number + ".png";
+    picture(file, png);
+    page.figure(file, "Figure " + number + ": " + caption + ".");
+  }
+
+  private void picture(String file, byte[] png) throws IOException {
+    new OutputFile(folder.resolve(file)).write(out -> out.write(png));
+  }
+}

@@ -1,0 +1,80 @@
+package org.hificamsim.profiling.report;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The thesis's numbers, as tables of texts. */
+final class PublishedTables {
+  private PublishedTables() {}
+
+  /** Table 4.1. */
+  static List<Map<String, String>> variables() {
+    return rows("table-4.1.csv");
+  }
+
+  /** Table 4.2 and its like in thesis 4.5: how well each f fits. */
+  static Map<String, String> feature(String f) {
+    return find("feature-abstraction.csv", Map.of("id", f.replace('-', '_')));
+  }
+
+  /** Eqs 5.2 to 5.4: a detector's line on measured PIP. */
+  static Map<String, String> groundTruthLine(String detector) {
+    return find("detector-ground-truth-pip.csv", Map.of("detector", detector));
+  }
+
+  /** A row of Table 6.1. */
+  static Map<String, String> line(String detector, String f) {
+    return find("table-6.1.csv", Map.of("detector", detector, "f", f.replace('-', '_')));
+  }
+
+  /** A row of Table 6.2. */
+  static Map<String, String> camSimLine(String detector) {
+    return find("table-6.2.csv", Map.of("detector", detector));
+  }
+
+  /** Figure 3.7. */
+  static List<Map<String, String>> ball() {
+    return rows("figure-3.7-ball-at-1m.csv");
+  }
+
+  /** What JMH measured for the ladder, nanoseconds per evaluation by model. */
+  static Map<String, Double> nanoseconds() {
+    Map<String, Double> times = new LinkedHashMap<>();
+    rows("ladder-nanoseconds.csv")
+        .forEach(row -> times.put(row.get("model"), Double.parseDouble(row.get("nanoseconds"))));
+    return times;
+  }
+
+  /** The row that has these cells; no row has no cells. */
+  private static Map<String, String> find(String table, Map<String, String> cells) {
+    return rows(table).stream()
+        .filter(row -> row.entrySet().containsAll(cells.entrySet()))
+        .findFirst()
+        .orElse(Map.of());
+  }
+
+  private static List<Map<String, String>> rows(String table) {
+    try (InputStream in = PublishedTables.class.getResourceAsStream(table)) {
+      List<String> lines = new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
+      String[] columns = lines.get(0).split(",", -1);
+      List<Map<String, String>> rows = new ArrayList<>();
+      for (String line : lines.subList(1, lines.size())) {
+        String[] cells = line.split(",", -1);
+        Map<String, String> row = new LinkedHashMap<>();
+        for (int i = 0; i < columns.length; i++) {
+          row.put(columns[i], cells[i]);
+        }
+        rows.add(row);
+      }
+      return rows;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

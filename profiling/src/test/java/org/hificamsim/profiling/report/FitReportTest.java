@@ -1,0 +1,162 @@
+package org.hificamsim.profiling.report;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.stream.Stream;
+import org.hificamsim.core.Reference;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.model.ModelFiles;
+import org.hificamsim.profiling.dataset.PhotoCamera;
+import org.hificamsim.profiling.fit.CamSimConfidence;
+import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.fit.FitSettings;
+import org.hificamsim.profiling.fit.Fitting;
+import org.hificamsim.profiling.fit.ModelFolder;
+import org.hificamsim.profiling.fit.SupportVectorSettings;
+import org.hificamsim.profiling.fit.SymbolicSettings;
+import org.hificamsim.profiling.measure.Measurement;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What is fitted, written and told of 160 made-up photos. */
+class FitReportTest {
+  private static final FitSettings SETTINGS =
+      new FitSettings(5, 0, new SymbolicSettings(100, 5, 0.001, 0), SupportVectorSettings.THESIS);
+
+  @TempDir static Path folder;
+  private static FitResult result;
+
+  @BeforeAll
+  static void fitAndWrite() throws IOException {
+    result = new Fitting(SETTINGS).fit(new PhotoCamera(0.0224, 0.015, 1296, 864), photos(), 2);
+    assertEquals(36, new ModelFolder(folder.resolve("models"), "mine").write(result));
+    FitReport.write(result, "test & trial", folder);
+  }
+
+  @Test
+  void holdsEveryTableAndFigure() throws IOException {
+    String page = Files.readString(folder.resolve("report.html"));
+    assertTrue(page.contains("test &amp; trial"));
+    for (String table : List.of("Table 4.1", "Table 4.2", "Table 6.1", "Table 6.2", "3.7")) {
+      assertTrue(page.contains(table), table);
+    }
+    for (String figure :
+        List.of("4.1", "4.2", "4.3", "4.4", "4.5", "4.7", "5.3", "5.5", "5.7", "6.1", "6.2")) {
+      assertTrue(page.contains("figure-" + figure + ".png"), figure);
+      assertTrue(Files.size(folder.resolve("figure-" + figure + ".png")) > 5000, figure);
+    }
+    assertTrue(Files.exists(folder.resolve("ladder.png")));
+    assertFalse(page.contains("NaN"), "a number is missing");
+  }
+
+  @Test
+  void putsThePublishedNumbersBesideOurs() throws IOException {
+    String page = Files.readString(folder.resolve("report.html"));
+    for (String number : List.of("(0.77)", "(5.97)", "(0.71)", "(8.79)", "0.835", "-18.82*z")) {
+      assertTrue(page.contains(number), number);
+    }
+  }
+
+  @Test
+  void everyModelFileGivesTheFittedConfidence() {
+    ZoomLevel zoom = new ZoomLevel(5, 2.5, 7.5, Double.NaN, 2 * Math.PI);
+    for (String detector : result.detectors()) {
+      for (String f : List.of("lin", "svr-lin", "svr-rbf", "sr", "power", "pinhole")) {
+        HiFiDetection model =
+            ModelFiles.read(folder.resolve("models/" + detector + "-" + f + ".json"));
+        double pip = result.feature(f).fit().f().pip(0.3, 4, 0.0425);
+        assertEquals("mine:" + detector + "-" + f, model.name());
+        assertEquals(
+            result.line(detector, f).line().confidence(pip), model.confidence(0.3, 4, 0, zoom));
+      }
+    }
+  }
+
+  @Test
+  void fitsTheSameOnAnyNumberOfThreads() {
+    FitResult again = new Fitting(SETTINGS).fit(result.camera(), result.measurements(), 1);
+    assertEquals(result.lines(), again.lines());
+  }
+
+  @Test
+  void camSimsConfidenceGrowsWithTheFocalLengthInReversedOrder() {
+    double[] values = CamSimConfidence.of(result.measurements());
+    for (int i = 0; i < values.length; i++) {
+      double z = result.measurements().get(i).focalLength();
+      // Four zooms: 10, 24, 50 and 85 mm; 85 mm gets what the radius 10 of 85 gives.
+      double radius = z == 0.085 ? 0.010 : z == 0.050 ? 0.024 : z == 0.024 ? 0.050 : 0.085;
+      assertEquals(0.95 * (1 - radius / 0.085) - 0.15, values[i], 1e-12);
+    }
+  }
+
+  @Test
+  void ladderStartsAtNothingAndFindsTheLaw() {
+    List<Ladder.Step> steps = Ladder.of(result, "orb", Map.of("lin", 2.0));
+    assertEquals(Ladder.MODELS, steps.stream().map(Ladder.Step::model).toList());
+    assertEquals(0, steps.get(0).line().r2(), 1e-12);
+    assertTrue(steps.get(6).line().r2() > 0.9);
+    assertTrue(steps.get(1).line().r2() < 0.5);
+  }
+
+  @Test
+  void heldOutPhotosDoNotFollowThePinhole() {
+    HeldOut heldOut = new HeldOut();
+    assertEquals(6, heldOut.photos().size());
+    assertEquals(1.316, heldOut.exponent(), 0.001);
+  }
+
+  @Test
+  void publishedTablesAreTheReferences() throws IOException {
+    try (Stream<Path> files = Files.list(Reference.file("published"))) {
+      List<Path> tables = files.toList();
+      assertEquals(6, tables.size());
+      for (Path table : tables) {
+        try (InputStream ours =
+            PublishedTables.class.getResourceAsStream("" + table.getFileName())) {
+          assertArrayEquals(Files.readAllBytes(table), ours.readAllBytes(), "" + table);
+        }
+      }
+    }
+  }
+
+  @Test
+  void skewnessIsZeroForSymmetryAndPositiveForATail() {
+    assertEquals(0, Moments.of(new double[] {1, 2, 3}).skewness(), 1e-12);
+    // Mean 1, v = 4: (3 * (-1)^3 + 3^3) / (3 * 8)
+    assertEquals(1, Moments.of(new double[] {0, 0, 0, 4}).skewness(), 1e-12);
+  }
+
+  private static List<Measurement> photos() {
+    Random random = new Random(3);
+    List<Measurement> photos = new ArrayList<>();
+    for (double q : new double[] {0.1, 0.2, 0.3, 0.6}) {
+      for (double z : new double[] {0.010, 0.024, 0.050, 0.085}) {
+        for (int d = 1; d <= 10; d++) {
+          double side = z * q / d;
+          double pip = Math.min(1, side * side / (0.0224 * 0.015));
+          Map<String, Double> confidences = new LinkedHashMap<>();
+          for (String detector : List.of("orb", "sift", "surf")) {
+            double noise = 0.01 * random.nextGaussian();
+            confidences.put(detector, Math.max(0, Math.min(1, 0.6 * pip + 0.05 + noise)));
+          }
+          photos.add(new Measurement(q + "/" + z + "/" + d, "o", q, d, z, pip, confidences));
+        }
+      }
+    }
+    return photos;
+  }
+}

@@ -1,0 +1,48 @@
+package org.hificamsim.reproduction;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+
+/**
+ * A cell of Table 8.1 ("Improving the Fidelity of Abstract Camera Network Simulations", PhD thesis,
+ * Aston University, December 2019), from the resource {@code published.csv}.
+ *
+ * @param hifi whether the detection model is the high-fidelity one, else CamSim's
+ * @param proportion of the greedy approach's performance
+ */
+public record PublishedCell(Layout layout, String policy, boolean hifi, double proportion) {
+  /** Thesis 7.4.4: what epsilon-greedy reaches of the greedy performance in scenario 4. */
+  public static final double EPSILON_GREEDY_IN_4 = 0.81;
+
+  /** Thesis 7.4.4: what SARSA reaches of it. */
+  public static final double SARSA_IN_4 = 0.87;
+
+  /** The policies of the table, in its order. */
+  public static final List<String> POLICIES = List.of("zoom-out", "epsilon-greedy", "sarsa");
+
+  /** All eighteen cells. */
+  public static List<PublishedCell> table() {
+    try (BufferedReader reader =
+        new BufferedReader(
+            new InputStreamReader(
+                PublishedCell.class.getResourceAsStream("published.csv"),
+                StandardCharsets.UTF_8))) {
+      return reader.lines().skip(1).map(PublishedCell::parse).toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static PublishedCell parse(String line) {
+    String[] fields = line.split(",");
+    return new PublishedCell(
+        Layout.named(fields[0]),
+        fields[1],
+        fields[2].equals("hifi"),
+        Double.parseDouble(fields[3]));
+  }
+}

@@ -1,0 +1,116 @@
+package org.hificamsim.reproduction;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.RunPlan;
+
+/**
+ * All runs that Table 8.1, the figures and the statements need.
+ *
+ * @param scenarios by name: those of Table 7.1 and {@link #ORIGIN}
+ */
+public record ReproductionPlans(
+    Map<String, Scenario> scenarios, int steps, long seed, int repeats) {
+  public static final String HIFI = "hifi:orb-lin";
+  public static final String CAMSIM = "camsim-range";
+
+  /** CamSim's model with the threshold that fits the table best over the hi-fi optimum. */
+  public static final String CAMSIM_45 = "camsim-range@0.45";
+
+  /** Scenario 6 with the rectangle about the field's centre, as the text may be read too. */
+  public static final String ORIGIN = "cluster-scripted-origin";
+
+  static final String OPTIMAL = "optimal";
+  static final String ZOOM_OUT = "zoom-out";
+  static final String EPSILON_GREEDY = "epsilon-greedy";
+  static final String ANY = "epsilon-greedy:explore=any";
+  static final String SARSA = "sarsa";
+  static final String QB_SARSA = "qb-sarsa";
+  static final String COUNT = "sarsa:state=count";
+
+  /** The readings of SARSA and QB-SARSA that know no state. */
+  static final String STATELESS = ":state=none";
+
+  /** A combination by its names. */
+  private record Case(String scenario, String detection, String policy) {}
+
+  /** The names of the scenarios that the preset needs. */
+  public static List<String> scenarioNames() {
+    List<String> names = new ArrayList<>(Layout.SCENARIOS);
+    names.add(ORIGIN);
+    return names;
+  }
+
+  /** The plans, each once, the optima among them. */
+  public List<RunPlan> plans(Function<String, DetectionModel> models) {
+    Map<String, Detection> detections =
+        Stream.of(HIFI, CAMSIM, CAMSIM_45)
+            .collect(Collectors.toMap(name -> name, name -> detection(name, models)));
+    return cases().stream()
+        .map(
+            one ->
+                new RunPlan(
+                    scenarios.get(one.scenario()),
+                    detections.get(one.detection()),
+                    one.policy(),
+                    steps,
+                    seed,
+                    repeats))
+        .toList();
+  }
+
+  /** The detection of a name, at its own threshold or the model's default. */
+  public static Detection detection(String name, Function<String, DetectionModel> models) {
+    return Overrides.NONE.detection(DetectionSpec.parse(name, models), OptionalDouble.empty());
+  }
+
+  private static Set<Case> cases() {
+    Set<Case> cases = new LinkedHashSet<>();
+    for (String scenario : Layout.SCENARIOS) {
+      table(cases, scenario, List.of(CAMSIM, HIFI));
+      add(cases, scenario, CAMSIM_45, PublishedCell.POLICIES);
+      add(cases, scenario, HIFI, List.of(QB_SARSA, SARSA + STATELESS, QB_SARSA + STATELESS));
+      add(cases, scenario, HIFI, List.of(epsilon(EPSILON_GREEDY, 0.01)));
+      add(cases, scenario, HIFI, List.of(epsilon(EPSILON_GREEDY, 0.001)));
+      add(cases, scenario, HIFI, List.of(ANY));
+      add(cases, scenario, CAMSIM, List.of(ANY));
+    }
+    table(cases, ORIGIN, List.of(CAMSIM, HIFI));
+    add(cases, Layout.LATTICE.random(), HIFI, List.of("random"));
+    add(cases, Layout.LATTICE.scripted(), HIFI, List.of(epsilon(SARSA, 0.2), epsilon(SARSA, 0.3)));
+    add(cases, Layout.LATTICE.scripted(), HIFI, List.of(alpha(0.2), alpha(0.3), COUNT));
+    return cases;
+  }
+
+  private static void table(Set<Case> cases, String scenario, List<String> detections) {
+    for (String detection : detections) {
+      add(cases, scenario, detection, List.of(OPTIMAL));
+      add(cases, scenario, detection, PublishedCell.POLICIES);
+    }
+  }
+
+  private static void add(
+      Set<Case> cases, String scenario, String detection, List<String> policies) {
+    policies.forEach(policy -> cases.add(new Case(scenario, detection, policy)));
+  }
+
+  static String epsilon(String policy, double epsilon) {
+    return policy + ":epsilon=" + epsilon;
+  }
+
+  static String alpha(double alpha) {
+    return SARSA + ":alpha=" + alpha;
+  }
+}

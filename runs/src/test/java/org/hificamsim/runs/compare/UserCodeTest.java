@@ -1,0 +1,62 @@
+package org.hificamsim.runs.compare;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.jar.JarOutputStream;
+import java.util.zip.ZipEntry;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class UserCodeTest {
+  @TempDir Path folder;
+
+  @BeforeEach
+  void compile() throws IOException {
+    write("org/example/Fog.class", "fog");
+    write("org/example/weights.txt", "1 2 3");
+    write("META-INF/services/any", "org.example.Fog");
+  }
+
+  @Test
+  void aFolderAndAJarOfItAreTheSame() throws IOException {
+    Path jar = Files.createTempFile("packed", ".jar");
+    try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
+      for (String file : new String[] {"org/example/weights.txt", "org/example/Fog.class"}) {
+        out.putNextEntry(new ZipEntry(file));
+        Files.copy(folder.resolve(file), out);
+      }
+    }
+    assertEquals(UserCode.digest(folder), UserCode.digest(jar));
+    Files.delete(jar);
+  }
+
+  @Test
+  void differsWithAClassAndWithWhatLiesBesideIt() throws IOException {
+    String before = UserCode.digest(folder);
+    write("org/example/Fog.class", "mist");
+    assertNotEquals(before, UserCode.digest(folder));
+    write("org/example/Fog.class", "fog");
+    assertEquals(before, UserCode.digest(folder));
+    write("org/example/weights.txt", "1 2 4");
+    assertNotEquals(before, UserCode.digest(folder));
+  }
+
+  @Test
+  void doesNotDifferWithResultsInTheSameFolder() throws IOException {
+    String before = UserCode.digest(folder);
+    write("out/compare/.compare.journal", "{}");
+    write("notes.txt", "to do");
+    assertEquals(before, UserCode.digest(folder));
+  }
+
+  private void write(String file, String content) throws IOException {
+    Path path = folder.resolve(file);
+    Files.createDirectories(path.getParent());
+    Files.writeString(path, content);
+  }
+}

@@ -1,0 +1,49 @@
+package org.hificamsim.spark;
+
+import java.io.Serializable;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.Outcome;
+import org.hificamsim.runs.compare.RunTask;
+
+/** All plans of a comparison as text; each is read once in an executor. */
+final class PortableComparison implements Serializable {
+  private static final long serialVersionUID = 1L;
+
+  private final List<PortablePlan> plans;
+  private transient Catalogue catalogue;
+  private transient Map<Integer, RunPlan> read;
+
+  private PortableComparison(List<PortablePlan> plans) {
+    this.plans = plans;
+  }
+
+  /** The plans as text, checked to give the same plans. */
+  static PortableComparison of(List<RunPlan> plans, Catalogue catalogue) {
+    return new PortableComparison(
+        plans.stream().map(plan -> PortablePlan.of(plan, catalogue)).toList());
+  }
+
+  /** Computes one run. */
+  Outcome outcome(RunTask task) {
+    return Outcome.of(new RunExecutor(catalogue()), plan(task.plan()), task.repeat());
+  }
+
+  private synchronized RunPlan plan(int index) {
+    if (read == null) {
+      read = new HashMap<>();
+    }
+    return read.computeIfAbsent(index, i -> plans.get(i).plan(catalogue()));
+  }
+
+  private synchronized Catalogue catalogue() {
+    if (catalogue == null) {
+      catalogue = Catalogue.load();
+    }
+    return catalogue;
+  }
+}

@@ -1,0 +1,157 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.FileSystem;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Runs of different inputs under one name are never put together. */
+class MixedRunsTest {
+  /** Models that decide alike below 16 m, and otherwise at 30 m. */
+  private static final String MODEL =
+      """
+      {"schema": "hificamsim-model", "version": 1, "name": "mine",
+       "f": {"type": "svr-rbf", "gamma": 10, "intercept": 1.5,
+             "ranges": {"q": {"least": 0, "most": 1}, "d": {"least": 0, "most": 1},
+                        "z": {"least": 0, "most": 1}},
+             "support": [[0.5, 30, 0.02, WEIGHT]]},
+       "g": {"slope": 0.571, "intercept": 0.026}, "threshold": 0.05}
+      """;
+
+  @TempDir Path folder;
+
+  private Path model;
+  private Path scenario;
+
+  @BeforeEach
+  void writeInputs() throws IOException {
+    model = Files.writeString(folder.resolve("model.json"), MODEL.replace("WEIGHT", "-2"));
+    scenario = Files.copy(Cli.scenario("lattice-random"), folder.resolve("field.xml"));
+  }
+
+  @Test
+  void resumingWithTheSameInputsGivesTheBytesOfTheWhole() throws IOException {
+    Path out = interrupted();
+    Path whole = folder.resolve("whole");
+    assertEquals(0, Cli.run(words(model, whole)).exit());
+    Cli resumed = Cli.run(words(model, out, "--resume"));
+    assertEquals(0, resumed.exit(), resumed.err());
+    for (String name : new String[] {"results.csv", "metrics.csv", "steps.csv.gz"}) {
+      assertArrayEquals(
+          Files.readAllBytes(whole.resolve(name)), Files.readAllBytes(out.resolve(name)), name);
+    }
+  }
+
+  @Test
+  void anotherModelUnderTheSameNameIsRefusedAndNothingIsLost() throws IOException {
+    Path out = interrupted();
+    byte[] journal = Files.readAllBytes(out.resolve(".compare.journal"));
+    Files.writeString(model, MODEL.replace("WEIGHT", "2"));
+    refused("has runs of another detection 'mine'", words(model, out, "--resume"));
+    assertArrayEquals(journal, Files.readAllBytes(out.resolve(".compare.journal")));
+    assertFalse(Files.exists(out.resolve("results.csv")));
+  }
+
+  @Test
+  void anotherScenarioUnderTheSameNameIsRefused() throws IOException {
+    Path out = interrupted();
+    Files.copy(
+        Cli.scenario("ring-random"), scenario, java.nio.file.StandardCopyOption.REPLACE_EXISTING);
+    refused("has runs of another scenario 'field'", words(model, out, "--resume"));
+  }
+
+  @Test
+  void runsOfAnotherVersionAreRefused() throws IOException {
+    Path out = interrupted();
+    Path journal = out.resolve(".compare.journal");
+    String runs = Files.readString(journal);
+    assertTrue(runs.contains("development"), runs);
+    Files.writeString(journal, runs.replace("development", "0.0.1"));
+    refused("has runs of another version of 'hificamsim'", words(model, out, "--resume"));
+  }
+
+  @Test
+  void otherSettingsAreOtherRunsAndNoReasonToRefuse() throws IOException {
+    Cli other = Cli.run(words(model, interrupted(), "--resume", "--threshold", 0.2));
+    assertEquals(0, other.exit(), other.err());
+  }
+
+  @Test
+  void partsOfDifferentModelsAreNotMerged() throws IOException {
+    Path one = folder.resolve("one");
+    Path two = folder.resolve("two");
+    assertEquals(0, Cli.run(words(model, one, "--shard", "1/2")).exit());
+    Files.writeString(model, MODEL.replace("WEIGHT", "2"));
+    assertEquals(0, Cli.run(words(model, two, "--shard", "2/2")).exit());
+    refused(
+        "'%s' is shard 1/2 of another sweep (another detection 'mine')".formatted(one),
+        words(model, folder.resolve("merged"), "--merge", one, two));
+    refused(
+        "holds shard 1/2 of another sweep (another detection 'mine')",
+        words(model, one, "--shard", "1/2", "--resume"));
+  }
+
+  @Test
+  void anotherJarOfTheSameModelIsRefused() throws Exception {
+    Example fog = Example.pack("own-detection", folder);
+    Path part = folder.resolve("part");
+    assertEquals(0, fog.run(words("fog", part, "--shard", "1/1")).exit());
+    Path out = asInterrupted(part);
+    try (FileSystem jar = FileSystems.newFileSystem(fog.jar())) {
+      Files.writeString(jar.getPath("/org/example/density.txt"), "0.3");
+    }
+    Cli resumed = fog.run(words("fog", out, "--resume"));
+    assertEquals(2, resumed.exit(), resumed.out());
+    assertTrue(
+        resumed.out().contains("another jar of class 'org.example.FogDetection'"), resumed.out());
+  }
+
+  /** The folder of a comparison that was killed when all its runs were in the journal. */
+  private Path interrupted() throws IOException {
+    Path part = folder.resolve("part");
+    assertEquals(0, Cli.run(words(model, part, "--shard", "1/1")).exit());
+    return asInterrupted(part);
+  }
+
+  private Path asInterrupted(Path part) throws IOException {
+    Path out = Files.createDirectories(folder.resolve("out"));
+    Files.copy(part.resolve("runs.jsonl"), out.resolve(".compare.journal"));
+    return out;
+  }
+
+  private Object[] words(Object detection, Path out, Object... more) {
+    Object[] words = {
+      "compare",
+      scenario,
+      "--detections",
+      detection,
+      "--policies",
+      "zoom-out",
+      "--steps",
+      20,
+      "--repeat",
+      2,
+      "--out",
+      out
+    };
+    return Stream.concat(Arrays.stream(words), Arrays.stream(more)).toArray();
+  }
+
+  private static void refused(String expected, Object... words) {
+    Cli cli = Cli.run(words);
+    assertEquals(2, cli.exit(), cli.err());
+    assertEquals(1, cli.err().lines().count(), cli.err());
+    assertTrue(cli.err().contains(expected), cli.err());
+  }
+}

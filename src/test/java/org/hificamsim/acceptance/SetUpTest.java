@@ -1,0 +1,121 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What {@code ./hificamsim} and {@code ./test} say on a machine that lacks something. */
+class SetUpTest {
+  private static final String MISSING = "hificamsim: missing: openjdk-17-jdk-headless gradle";
+  private static final String LIBRARIES =
+      "libraries from Maven Central (some 100 MB)"
+          + " and OpenCV from Maven Central (101 MB; libopencv-java takes its place)";
+
+  @TempDir Path folder;
+
+  /** An apt-get that writes down how it is called, and a sudo that needs no password. */
+  @BeforeEach
+  void pretend() throws IOException {
+    program(
+        "apt-get",
+        "echo \"$*\" >>calls",
+        "echo 'Need to get 85.5 MB of archives.'",
+        "[ ! -e broken ] || exit 100");
+    program("sudo", "shift", "exec \"$@\"");
+  }
+
+  @Test
+  void saysWhatIsInstalledAndHowMuchThatFetchesBeforeItDoes() throws Exception {
+    Said said = source("install_missing");
+    assertEquals(0, said.exit(), said.text());
+    assertEquals(
+        List.of(MISSING + "; asking apt-get for it", "hificamsim: installing it, 85.5 MB to fetch"),
+        said.lines());
+    assertEquals(1, calls().stream().filter(call -> call.contains("--yes openjdk-17")).count());
+  }
+
+  @Test
+  void tellsWhatAptGetSaidIfItFailed() throws Exception {
+    Files.createFile(folder.resolve("broken"));
+    Said said = source("install_missing");
+    assertEquals(1, said.exit());
+    assertEquals(
+        "hificamsim: could not install openjdk-17-jdk-headless gradle",
+        said.lines().get(said.lines().size() - 1));
+    assertEquals("Need to get 85.5 MB of archives.", said.lines().get(2));
+  }
+
+  @Test
+  void withoutInstallingOneLineSaysWhatIsMissing() throws Exception {
+    Said said = source("installing=no; install_missing");
+    assertEquals(1, said.exit());
+    assertEquals(
+        List.of(MISSING + "; as root: apt-get install openjdk-17-jdk-headless gradle"),
+        said.lines());
+    assertFalse(Files.exists(folder.resolve("calls")));
+  }
+
+  @Test
+  void withoutABrowserTheTestsGoOn() throws Exception {
+    Said said = source("installing=no; PATH=$PWD; install_browser");
+    assertEquals(0, said.exit());
+    assertEquals(
+        List.of(
+            "hificamsim: missing: chromium and chromedriver, so pages are not tested;"
+                + " as root: apt-get install chromium chromium-driver"),
+        said.lines());
+  }
+
+  @Test
+  void saysHowMuchGradleFetchesBeforeItDoes() throws Exception {
+    assertEquals(List.of("hificamsim: fetching " + LIBRARIES), source("tell_libraries").lines());
+    Said refused = source("installing=no; tell_libraries");
+    assertEquals(1, refused.exit());
+    assertEquals(List.of("hificamsim: missing: " + LIBRARIES), refused.lines());
+    Path cache = folder.resolve("gradle/caches/modules-2/files-2.1");
+    Files.createDirectories(cache.resolve("com.google.errorprone"));
+    Files.createDirectories(cache.resolve("org.openpnp"));
+    assertEquals(List.of(), source("tell_libraries").lines());
+  }
+
+  /** What was said, on either output. */
+  private record Said(int exit, String text) {
+    List<String> lines() {
+      return text.lines().toList();
+    }
+  }
+
+  /** Runs words of {@code tools/setup.sh} as if there were no JDK, Gradle or OpenCV. */
+  private Said source(String words) throws Exception {
+    Path script = Cli.ROOT.resolve("tools/setup.sh").toRealPath();
+    String missing = "gradle=/none; build_home() { return 1; }; debian_opencv=/none;";
+    ProcessBuilder shell =
+        new ProcessBuilder("sh", "-euc", "root=$PWD; . " + script + "; " + missing + words)
+            .directory(folder.toFile())
+            .redirectErrorStream(true);
+    shell.environment().merge("PATH", folder.toString(), (path, fake) -> fake + ":" + path);
+    shell.environment().put("GRADLE_USER_HOME", folder.resolve("gradle").toString());
+    Process process = shell.start();
+    process.getOutputStream().close();
+    String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    return new Said(process.waitFor(), text);
+  }
+
+  private List<String> calls() throws IOException {
+    return Files.readAllLines(folder.resolve("calls"));
+  }
+
+  private void program(String name, String... lines) throws IOException {
+    Path program = folder.resolve(name);
+    Files.writeString(program, "#!/bin/sh\n" + String.join("\n", lines) + "\n");
+    program.toFile().setExecutable(true);
+  }
+}
