@@ -11,9 +11,16 @@ final class Java {
 
   /** Starts a command; both its outputs are read from the process's input stream. */
   static Process main(String classPath, Object... words) throws IOException {
+    return main(Path.of("."), List.of(), classPath, words);
+  }
+
+  /** The same in a folder, with options for the JVM. */
+  static Process main(Path folder, List<String> options, String classPath, Object... words)
+      throws IOException {
     List<String> command = new ArrayList<>();
     command.addAll(List.of("env", "--default-signal=INT")); // even where this process ignores it
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(options);
     command.add("-Dhificamsim.root=" + Cli.ROOT);
     command.add("-cp");
     command.add(classPath);
@@ -21,6 +28,6 @@ final class Java {
     for (Object word : words) {
       command.add(word.toString());
     }
-    return new ProcessBuilder(command).redirectErrorStream(true).start();
+    return new ProcessBuilder(command).directory(folder.toFile()).redirectErrorStream(true).start();
   }
 }
