@@ -31,7 +31,11 @@ public final class FixedZoomPolicy implements ZoomPolicy {
   public static FixedZoomPolicy from(Options options) {
     return new FixedZoomPolicy(
         options.integers(
-            "levels", List.of(0), 0, MOST, "level of all cameras or of each, 0 the narrowest"));
+            "levels",
+            List.of(0),
+            0,
+            MOST,
+            "level of all cameras, or of each as in 0,2,1; 0 the narrowest"));
   }
 
   @Override
