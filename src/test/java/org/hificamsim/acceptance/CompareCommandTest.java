@@ -205,7 +205,7 @@ class CompareCommandTest {
         "--policies zoom-out,zoom-in:x=1 | unknown option 'x=1', expected no options",
         "--policies zoom-out,zoom-out | 'zoom-out' twice",
         "--policies sarsa:gamma=2 | gamma is '2'",
-        "--policies walk | unknown policy 'walk', expected one of zoom-out",
+        "--policies walk | unknown policy 'walk', expected one of ",
         "--detections geometric@0.5,geometric@.5 | 'geometric@0.5' twice",
         "--threshold 2 | threshold is 2.0, expected a number from 0 to 1",
         "--threads -1 | --threads is -1",

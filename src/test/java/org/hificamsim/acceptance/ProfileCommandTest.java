@@ -83,7 +83,7 @@ class ProfileCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "profile | expected one of lab, measure, fit",
+        "profile | expected lab, measure, fit",
         "profile lab | --out",
         "profile lab --out DIR --scale 2 | --scale is 2.0, expected a number from 0.02 to 1.0",
         "profile lab --out DIR --distances 0 | --distances is 0.0",

@@ -143,17 +143,20 @@ class RunCommandTest {
         "--seed 9223372036854775807 --repeat 2 | --seed is 9223372036854775807, expected at most",
         "--threshold 1.5 | threshold is 1.5, expected a number from 0 to 1",
         "--threshold NaN | threshold is NaN",
-        "--detection hifi:orb-cubic | unknown detection 'hifi:orb-cubic', expected one of camsim",
+        "--detection hifi:orb-cubic | unknown detection 'hifi:orb-cubic', expected one of"
+            + " hifi:orb-",
         "--detection nothing.json | nothing.json",
         "--detection geometric@2 | threshold is 2.0, expected a number from 0 to 1",
-        "--policy greedy | unknown policy 'greedy', expected one of zoom-out",
+        "--policy greedy | unknown policy 'greedy', expected one of epsilon-greedy, ",
         "--policy epsilon-greedy:epsilon=2 | epsilon is '2', expected a number from 0.0 to 1.0",
         "--policy epsilon-greedy:gamma=2 | unknown option 'gamma=2', expected one of epsilon",
         "--policy fixed:9 | 9",
+        "--policy sarsa:alpha | policy sarsa: option 'alpha' has no value, expected alpha=VALUE",
         "--order sideways | --order is 'sideways', expected one of coverage, camsim",
         "--headings grads | --headings is 'grads', expected one of degrees, as-radians",
-        "--listener nobody | unknown listener 'nobody'",
-        "--colour blue | --colour",
+        "--listener nobody | unknown listener 'nobody', expected none: no jar on the class path"
+            + " brings one",
+        "--colour blue | '--colour'",
       })
   void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
     Path out = folder.resolve("out");

@@ -12,6 +12,7 @@ import org.hificamsim.core.Reference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** The commands {@code validate} and {@code list}. */
@@ -90,6 +91,29 @@ class ValidateAndListTest {
     Cli help = Cli.run((Object[]) (words + " --help").split(" "));
     assertEquals(0, help.exit(), help.err());
     assertTrue(help.out().startsWith("Usage: hificamsim " + words), help.out());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "rnu x.xml | unknown command 'rnu', expected one of run, ",
+        "list detction | unknown command 'detction', expected one of detections, policies,"
+            + " scenarios",
+        "profile | expected lab, measure, fit",
+        "run --stepz 3 | Unknown option: '--stepz', maybe --steps",
+      })
+  void aMisspelledWordIsToldWhatWasMeant(String words, String expected) {
+    Cli wrong = Cli.run((Object[]) words.split(" "));
+    assertEquals(2, wrong.exit());
+    assertEquals(1, wrong.err().lines().count(), wrong.err());
+    assertTrue(wrong.err().contains(expected), wrong.err());
+  }
+
+  @Test
+  void helpAndACompletionScriptAreCommands() {
+    assertTrue(Cli.run("help", "run").out().startsWith("Usage: hificamsim run "));
+    assertTrue(Cli.run("generate-completion").out().startsWith("#!/usr/bin/env bash"));
   }
 
   @ParameterizedTest

@@ -76,7 +76,7 @@ class BridgeOptionsTest {
     return Stream.of(
         arguments(
             "detection=hifi:orb-line",
-            "unknown detection 'hifi:orb-line', expected one of camsim-standard"),
+            "unknown detection 'hifi:orb-line', expected one of hifi:orb-lin, "),
         arguments("detection=none.json", "none.json: no such file, expected a model in JSON"),
         arguments(
             "policy=sarsa:gama=0.9", "policy sarsa: unknown option 'gama=0.9', expected one of"),

@@ -10,8 +10,10 @@ import java.util.Properties;
 import java.util.ServiceConfigurationError;
 import java.util.Set;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Nearest;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Unfinished;
+import org.hificamsim.runs.RunFault;
 import org.hificamsim.runs.output.ManifestFile;
 import picocli.AutoComplete.GenerateCompletion;
 import picocli.CommandLine;
@@ -94,21 +96,23 @@ public final class Main {
   private static int usage(ParameterException fault) {
     CommandLine command = fault.getCommandLine();
     String name = command.getCommandSpec().qualifiedName();
-    print(command, oneLine(fault.getMessage()) + hint(fault) + "; see " + name + " --help");
+    print(command, oneLine(message(fault)) + "; see " + name + " --help");
     return BAD_INPUT;
   }
 
-  /** What was probably meant, or what there is. */
-  private static String hint(ParameterException fault) {
-    List<String> meant =
-        fault instanceof UnmatchedArgumentException unmatched
-            ? unmatched.getSuggestions()
-            : List.of();
+  /** What is wrong, with what there is, or what was probably meant. */
+  private static String message(ParameterException fault) {
     Set<String> commands = fault.getCommandLine().getSubcommands().keySet();
-    if (!meant.isEmpty()) {
-      return ", maybe " + String.join(" or ", meant);
+    if (!(fault instanceof UnmatchedArgumentException unmatched)) {
+      String expected = commands.isEmpty() ? "" : ", expected " + String.join(", ", commands);
+      return fault.getMessage() + expected;
     }
-    return commands.isEmpty() ? "" : ", expected one of " + String.join(", ", commands);
+    if (!commands.isEmpty() && !unmatched.isUnknownOption()) {
+      String word = unmatched.getUnmatched().get(0);
+      return "unknown command '%s', expected one of %s".formatted(word, Nearest.to(word, commands));
+    }
+    List<String> meant = unmatched.getSuggestions();
+    return fault.getMessage() + (meant.isEmpty() ? "" : ", maybe " + String.join(" or ", meant));
   }
 
   private static int failure(Throwable fault, CommandLine command) {
@@ -126,8 +130,17 @@ public final class Main {
       print(command, "out of memory, expected fewer steps or HIFICAMSIM_OPTS=-Xmx8g or more");
       return FAILURE;
     }
-    print(command, oneLine(fault.getClass().getSimpleName() + ": " + fault.getMessage()));
+    print(command, oneLine(message(fault)));
     return FAILURE;
+  }
+
+  private static String message(Throwable fault) {
+    if (fault instanceof RunFault) {
+      return fault.getMessage();
+    }
+    return fault instanceof RuntimeException
+        ? RunFault.describe(fault)
+        : fault.getClass().getSimpleName() + ": " + fault.getMessage();
   }
 
   private static void print(CommandLine command, String message) {

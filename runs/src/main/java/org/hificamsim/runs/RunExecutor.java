@@ -1,9 +1,11 @@
 package org.hificamsim.runs;
 
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
@@ -43,7 +45,11 @@ public final class RunExecutor {
     return results;
   }
 
-  /** Runs one repeat. */
+  /**
+   * Runs one repeat.
+   *
+   * @throws RunFault when a policy, model, movement or listener fails
+   */
   public RunResult repeat(RunPlan plan, int run, List<StepListener> listeners) {
     RunCoverage coverage = new RunCoverage();
     List<StepListener> all = new ArrayList<>(listeners);
@@ -52,7 +58,7 @@ public final class RunExecutor {
     if (policy instanceof HindsightZoomPolicy hindsight) {
       rehearse(plan, run, hindsight);
     }
-    simulation(plan, run, policy, all).run(plan.steps());
+    run(simulation(plan, run, policy, all), plan, run);
     return RunResult.of(run, plan.seed(run), coverage, policy);
   }
 
@@ -68,7 +74,17 @@ public final class RunExecutor {
   private void rehearse(RunPlan plan, int run, HindsightZoomPolicy policy) {
     StepListener rehearsal = (network, coverage) -> policy.rehearse(network);
     ZoomPolicy widest = catalogue.policies().create("zoom-out");
-    simulation(plan, run, widest, List.of(rehearsal)).run(plan.steps());
+    run(simulation(plan, run, widest, List.of(rehearsal)), plan, run);
+  }
+
+  private static void run(Simulation simulation, RunPlan plan, int run) {
+    try {
+      simulation.run(plan.steps());
+    } catch (InputException | UncheckedIOException e) {
+      throw e;
+    } catch (RuntimeException e) {
+      throw new RunFault(plan, plan.seed(run), simulation.network().step(), e);
+    }
   }
 
   private Simulation simulation(

@@ -135,6 +135,11 @@ public final class Options {
    */
   public void rejectUnknown() {
     for (Map.Entry<String, String> entry : values.entrySet()) {
+      if (entry.getKey().isEmpty() && declared.containsKey(entry.getValue())) {
+        throw new InputException(
+            owner
+                + ": option '%1$s' has no value, expected %1$s=VALUE".formatted(entry.getValue()));
+      }
       String given =
           entry.getKey().isEmpty() ? entry.getValue() : entry.getKey() + "=" + entry.getValue();
       throw new InputException(

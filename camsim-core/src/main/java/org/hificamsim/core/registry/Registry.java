@@ -8,6 +8,7 @@ import java.util.ServiceLoader;
 import java.util.function.BiConsumer;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Nearest;
 
 /**
  * The implementations of one extension point by name, in the order of registration.
@@ -83,7 +84,13 @@ public final class Registry<T> {
       }
     }
     throw new InputException(
-        "unknown " + kind + " '" + spec + "', expected one of " + String.join(", ", names()));
+        "unknown %s '%s', expected %s"
+            .formatted(
+                kind,
+                spec,
+                entries.isEmpty()
+                    ? "none: no jar on the class path brings one"
+                    : "one of " + Nearest.to(spec.replaceFirst(":[^:]*=.*", ""), names())));
   }
 
   /** Whether {@code spec} starts with a registered name. */

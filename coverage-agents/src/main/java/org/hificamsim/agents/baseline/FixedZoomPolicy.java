@@ -35,7 +35,7 @@ public final class FixedZoomPolicy implements ZoomPolicy {
             List.of(0),
             0,
             MAX_LEVEL,
-            "level of all cameras or of each, 0 the narrowest"));
+            "level of all cameras, or of each as in 0,2,1; 0 the narrowest"));
   }
 
   @Override

@@ -10,6 +10,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.runs.RunFault;
 
 /**
  * A live run on a thread of its own: it steps by the clock and does what commands say between two
@@ -140,7 +141,7 @@ public final class Session implements AutoCloseable {
       history.add(step);
       watchers.forEach(watcher -> watcher.step(step));
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
-      fault = Place.printable("step %d: %s".formatted(run.next(), e));
+      fault = Place.printable("step %d: %s".formatted(run.next(), RunFault.describe(e)));
       running = false;
       tellState();
     }

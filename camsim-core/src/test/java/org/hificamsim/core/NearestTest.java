@@ -1,0 +1,40 @@
+package org.hificamsim.core;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class NearestTest {
+  private static final List<String> COMMANDS =
+      List.of("compare", "validate", "list", "run", "view", "report", "camsim");
+
+  @ParameterizedTest
+  @CsvSource({
+    "rnu, run",
+    "lst, list",
+    "viewer, view",
+    "comapre, compare",
+    "sim, camsim",
+    "'', run"
+  })
+  void theOneThatWasMeantComesFirst(String text, String expected) {
+    String names = Nearest.to(text, COMMANDS);
+    assertTrue(names.startsWith(expected + ", "), names);
+    assertTrue(names.endsWith(", ... (7 in all)"), names);
+    assertEquals(6, names.split(", ").length, names);
+  }
+
+  @Test
+  void fewNamesAreAllThereInTheirOrder() {
+    assertEquals("view, run", Nearest.to("rnu", List.of("view", "run")));
+  }
+
+  @Test
+  void aTextOfAnyLengthIsFine() {
+    assertTrue(Nearest.to("x".repeat(1_000_000), COMMANDS).contains("(7 in all)"));
+  }
+}
