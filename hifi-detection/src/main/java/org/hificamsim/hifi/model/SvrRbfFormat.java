@@ -1,7 +1,5 @@
 package org.hificamsim.hifi.model;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-import java.io.IOException;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction.Range;
 import org.hificamsim.hifi.json.JsonObject;
@@ -28,21 +26,6 @@ final class SvrRbfFormat {
         gamma, intercept, q, d, z, json.rows("support", 4, MOST_VECTORS, -LARGEST, LARGEST));
   }
 
-  static void write(SvrRbfAbstraction f, JsonGenerator json) throws IOException {
-    json.writeNumberField("gamma", f.gamma());
-    json.writeNumberField("intercept", f.intercept());
-    json.writeObjectFieldStart("ranges");
-    write("q", f.q(), json);
-    write("d", f.d(), json);
-    write("z", f.z(), json);
-    json.writeEndObject();
-    json.writeArrayFieldStart("support");
-    for (double[] row : f.support()) {
-      json.writeArray(row, 0, row.length);
-    }
-    json.writeEndArray();
-  }
-
   private static Range range(JsonObject json) {
     Range range = new Range(json.number("least", 0, 1000), json.number("most", 0, 1000));
     if (!(range.most() > range.least())) {
@@ -50,12 +33,5 @@ final class SvrRbfFormat {
     }
     json.rejectUnknown();
     return range;
-  }
-
-  private static void write(String key, Range range, JsonGenerator json) throws IOException {
-    json.writeObjectFieldStart(key);
-    json.writeNumberField("least", range.least());
-    json.writeNumberField("most", range.most());
-    json.writeEndObject();
   }
 }
