@@ -7,53 +7,41 @@ import org.hificamsim.hifi.json.JsonObject;
 final class CatalogueFormat {
   private CatalogueFormat() {}
 
-  static Catalogue read(JsonObject json) {
+  static Catalogue read(JsonObject file) {
+    return file.whole(CatalogueFormat::catalogue);
+  }
+
+  private static Catalogue catalogue(JsonObject json) {
     ModelFormat.checkSchema(json, "hificamsim-catalogue");
-    Catalogue catalogue =
-        new Catalogue(
-            ModelFormat.optics(json.object("optics")),
-            reference(json.object("reference")),
-            literal(json.object("literal")),
-            json.objects("features").stream().map(CatalogueFormat::feature).toList(),
-            json.objects("lines").stream().map(CatalogueFormat::line).toList());
-    json.rejectUnknown();
-    return catalogue;
+    return new Catalogue(
+        ModelFormat.optics(json),
+        json.object("reference").whole(CatalogueFormat::reference),
+        json.object("literal").whole(CatalogueFormat::literal),
+        json.objects("features").stream().map(f -> f.whole(CatalogueFormat::feature)).toList(),
+        json.objects("lines").stream().map(g -> g.whole(CatalogueFormat::line)).toList());
   }
 
   private static Catalogue.Reference reference(JsonObject json) {
-    Catalogue.Reference reference =
-        new Catalogue.Reference(json.text("detector"), json.text("f"), ModelFormat.threshold(json));
     ModelFormat.provenance(json);
-    json.rejectUnknown();
-    return reference;
+    return new Catalogue.Reference(
+        json.text("detector"), json.text("f"), ModelFormat.threshold(json));
   }
 
   private static LinearAbstraction literal(JsonObject json) {
-    LinearAbstraction sum = FeatureFormats.linear(json);
     ModelFormat.provenance(json);
-    json.rejectUnknown();
-    return sum;
+    return FeatureFormats.linear(json);
   }
 
   private static Catalogue.Feature feature(JsonObject json) {
-    Catalogue.Feature feature =
-        new Catalogue.Feature(
-            json.text("name"),
-            json.text("title"),
-            FeatureFormats.read(json.object("f")),
-            ModelFormat.provenance(json));
-    json.rejectUnknown();
-    return feature;
+    return new Catalogue.Feature(
+        json.text("name"),
+        json.text("title"),
+        FeatureFormats.read(json.object("f")),
+        ModelFormat.provenance(json));
   }
 
   private static Catalogue.Line line(JsonObject json) {
-    Catalogue.Line line =
-        new Catalogue.Line(
-            json.text("detector"),
-            json.text("f"),
-            ModelFormat.detectorLine(json),
-            json.text("source"));
-    json.rejectUnknown();
-    return line;
+    return new Catalogue.Line(
+        json.text("detector"), json.text("f"), ModelFormat.detectorLine(json), json.text("source"));
   }
 }

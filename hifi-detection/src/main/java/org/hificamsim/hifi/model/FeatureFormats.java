@@ -3,6 +3,7 @@ package org.hificamsim.hifi.model;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import org.hificamsim.hifi.feature.Expression;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
@@ -19,26 +20,39 @@ final class FeatureFormats {
   private static final double LARGEST_EXPONENT = 20;
   private static final double LARGEST_SENSOR = 1;
 
-  private static final List<FeatureFormat> ALL =
+  /**
+   * How one type is spelt.
+   *
+   * @param type the text of its property {@code type}
+   * @param of the class, whose properties Jackson writes
+   * @param reader makes one from these properties; those that it does not ask for are refused
+   */
+  private record Format(
+      String type,
+      Class<? extends FeatureAbstraction> of,
+      Function<JsonObject, FeatureAbstraction> reader) {}
+
+  private static final List<Format> ALL =
       List.of(
-          new FeatureFormat("linear", LinearAbstraction.class, FeatureFormats::linear),
-          new FeatureFormat("symbolic", SymbolicAbstraction.class, FeatureFormats::symbolic),
-          new FeatureFormat("power", PowerLawAbstraction.class, FeatureFormats::power),
-          new FeatureFormat("pinhole", PinholeAbstraction.class, FeatureFormats::pinhole),
-          new FeatureFormat("svr-rbf", SvrRbfAbstraction.class, SvrRbfFormat::read));
+          new Format("linear", LinearAbstraction.class, FeatureFormats::linear),
+          new Format("symbolic", SymbolicAbstraction.class, FeatureFormats::symbolic),
+          new Format("power", PowerLawAbstraction.class, FeatureFormats::power),
+          new Format("pinhole", PinholeAbstraction.class, FeatureFormats::pinhole),
+          new Format("svr-rbf", SvrRbfAbstraction.class, SvrRbfFormat::read));
 
   private FeatureFormats() {}
 
-  static FeatureAbstraction read(JsonObject json) {
-    String type = json.text("type", ALL.stream().map(FeatureFormat::type).toList());
-    FeatureAbstraction f =
-        format(one -> one.type().equals(type)).orElseThrow().reader().apply(json);
-    json.rejectUnknown();
-    return f;
+  static FeatureAbstraction read(JsonObject f) {
+    return f.whole(FeatureFormats::feature);
+  }
+
+  private static FeatureAbstraction feature(JsonObject json) {
+    String type = json.text("type", ALL.stream().map(Format::type).toList());
+    return format(one -> one.type().equals(type)).orElseThrow().reader().apply(json);
   }
 
   static ObjectNode json(FeatureAbstraction f) {
-    FeatureFormat format =
+    Format format =
         format(one -> one.of().isInstance(f))
             .orElseThrow(
                 () ->
@@ -50,7 +64,7 @@ final class FeatureFormats {
     return json.setAll(ModelWriter.MAPPER.<ObjectNode>valueToTree(f));
   }
 
-  private static Optional<FeatureFormat> format(Predicate<FeatureFormat> wanted) {
+  private static Optional<Format> format(Predicate<Format> wanted) {
     return ALL.stream().filter(wanted).findFirst();
   }
 

@@ -1,5 +1,6 @@
 package org.hificamsim.hifi.model;
 
+import java.util.List;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction.Range;
 import org.hificamsim.hifi.json.JsonObject;
@@ -17,13 +18,15 @@ final class SvrRbfFormat {
   static SvrRbfAbstraction read(JsonObject json) {
     double gamma = json.number("gamma", 1e-9, LARGEST);
     double intercept = json.number("intercept", -LARGEST, LARGEST);
-    JsonObject ranges = json.object("ranges");
-    Range q = range(ranges.object("q"));
-    Range d = range(ranges.object("d"));
-    Range z = range(ranges.object("z"));
-    ranges.rejectUnknown();
-    return new SvrRbfAbstraction(
-        gamma, intercept, q, d, z, json.rows("support", 4, MOST_VECTORS, -LARGEST, LARGEST));
+    List<Range> qdz = json.object("ranges").whole(SvrRbfFormat::ranges);
+    double[][] support = json.rows("support", 4, MOST_VECTORS, -LARGEST, LARGEST);
+    return new SvrRbfAbstraction(gamma, intercept, qdz.get(0), qdz.get(1), qdz.get(2), support);
+  }
+
+  private static List<Range> ranges(JsonObject json) {
+    return ModelFormat.LENGTHS.stream()
+        .map(name -> json.object(name).whole(SvrRbfFormat::range))
+        .toList();
   }
 
   private static Range range(JsonObject json) {
@@ -31,7 +34,6 @@ final class SvrRbfFormat {
     if (!(range.most() > range.least())) {
       throw json.error("most", "expected more than least, " + range.least());
     }
-    json.rejectUnknown();
     return range;
   }
 }

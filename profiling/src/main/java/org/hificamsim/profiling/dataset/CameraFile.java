@@ -20,15 +20,15 @@ final class CameraFile {
    * @throws InputException with its place, when the file is missing or wrong
    */
   static Camera read(Path file) {
-    JsonObject json = JsonFile.parse(file.toString(), bytes(file));
-    Camera camera =
-        new Camera(
-            json.number("sensorWidth", 1e-6, 1),
-            json.number("sensorHeight", 1e-6, 1),
-            (int) json.number("width", 1, MOST_PIXELS),
-            (int) json.number("height", 1, MOST_PIXELS));
-    json.rejectUnknown();
-    return camera;
+    return JsonFile.parse(file.toString(), bytes(file)).whole(CameraFile::camera);
+  }
+
+  private static Camera camera(JsonObject json) {
+    return new Camera(
+        json.number("sensorWidth", 1e-6, 1),
+        json.number("sensorHeight", 1e-6, 1),
+        (int) json.number("width", 1, MOST_PIXELS),
+        (int) json.number("height", 1, MOST_PIXELS));
   }
 
   private static byte[] bytes(Path file) {
