@@ -24,6 +24,11 @@ public record Published(Layout layout, String policy, boolean hifi, double propo
   /** The policies of the table, in its order. */
   public static final List<String> POLICIES = List.of("zoom-out", "epsilon-greedy", "sarsa");
 
+  /** The name of the detection model. */
+  public String detection() {
+    return hifi ? Preset.HIFI : Preset.CAMSIM;
+  }
+
   /** All eighteen cells. */
   public static List<Published> table() {
     try (BufferedReader reader =

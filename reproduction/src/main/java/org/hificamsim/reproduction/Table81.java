@@ -56,7 +56,7 @@ public final class Table81 {
 
   /** The ratio of a cell. */
   Ratio ratio(Published cell) {
-    return ratio(cell.layout().scenarios(), detection(cell), cell.policy());
+    return ratio(cell.layout().scenarios(), cell.detection(), cell.policy());
   }
 
   /** The ratio of a policy over some scenarios. */
@@ -77,20 +77,16 @@ public final class Table81 {
 
   private double exploreAny(Published cell) {
     return cell.policy().equals(Preset.EPSILON_GREEDY)
-        ? ratio(cell.layout().scenarios(), detection(cell), Preset.ANY).estimate().mean()
+        ? ratio(cell.layout().scenarios(), cell.detection(), Preset.ANY).estimate().mean()
         : Double.NaN;
   }
 
   private double origin(Published cell) {
     return cell.layout() == Layout.CLUSTER
-        ? ratio(List.of(cell.layout().random(), Preset.ORIGIN), detection(cell), cell.policy())
+        ? ratio(List.of(cell.layout().random(), Preset.ORIGIN), cell.detection(), cell.policy())
             .estimate()
             .mean()
         : Double.NaN;
-  }
-
-  private static String detection(Published cell) {
-    return cell.hifi() ? Preset.HIFI : Preset.CAMSIM;
   }
 
   private List<CaseResult> find(List<String> scenarios, String detection, String policy) {
