@@ -24,6 +24,11 @@ public record PublishedCell(Layout layout, String policy, boolean hifi, double p
   /** The policies of the table, in its order. */
   public static final List<String> POLICIES = List.of("zoom-out", "epsilon-greedy", "sarsa");
 
+  /** The name of the detection model. */
+  public String detection() {
+    return hifi ? ReproductionPlans.HIFI : ReproductionPlans.CAMSIM;
+  }
+
   /** All eighteen cells. */
   public static List<PublishedCell> table() {
     try (BufferedReader reader =

@@ -41,7 +41,7 @@ public final class ReproductionFiles {
         table.row(
             cell.published().layout().label(),
             cell.published().policy(),
-            cell.published().hifi() ? ReproductionPlans.HIFI : ReproductionPlans.CAMSIM,
+            cell.published().detection(),
             cell.published().proportion(),
             cell.ours().mean(),
             cell.ours().low(),

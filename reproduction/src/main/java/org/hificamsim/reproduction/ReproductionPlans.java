@@ -33,11 +33,11 @@ public record ReproductionPlans(
   public static final String ORIGIN = "cluster-scripted-origin";
 
   static final String OPTIMAL = "optimal";
-  static final String ZOOM_OUT = "zoom-out";
-  static final String EPSILON_GREEDY = "epsilon-greedy";
+  public static final String ZOOM_OUT = "zoom-out";
+  public static final String EPSILON_GREEDY = "epsilon-greedy";
   static final String ANY = "epsilon-greedy:explore=any";
-  static final String SARSA = "sarsa";
-  static final String QB_SARSA = "qb-sarsa";
+  public static final String SARSA = "sarsa";
+  public static final String QB_SARSA = "qb-sarsa";
   static final String COUNT = "sarsa:state=count";
 
   /** The readings of SARSA and QB-SARSA that know no state. */

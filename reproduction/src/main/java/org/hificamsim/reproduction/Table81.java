@@ -56,7 +56,7 @@ public final class Table81 {
 
   /** The ratio of a cell. */
   Ratio ratio(PublishedCell cell) {
-    return ratio(cell.layout().scenarios(), detection(cell), cell.policy());
+    return ratio(cell.layout().scenarios(), cell.detection(), cell.policy());
   }
 
   /** The ratio of a policy over some scenarios. */
@@ -78,23 +78,16 @@ public final class Table81 {
 
   private double exploreAny(PublishedCell cell) {
     return cell.policy().equals(ReproductionPlans.EPSILON_GREEDY)
-        ? ratio(cell.layout().scenarios(), detection(cell), ReproductionPlans.ANY).estimate().mean()
+        ? ratio(cell.layout().scenarios(), cell.detection(), ReproductionPlans.ANY).estimate().mean()
         : Double.NaN;
   }
 
   private double origin(PublishedCell cell) {
     return cell.layout() == Layout.CLUSTER
-        ? ratio(
-                List.of(cell.layout().random(), ReproductionPlans.ORIGIN),
-                detection(cell),
-                cell.policy())
+        ? ratio(List.of(cell.layout().random(), ReproductionPlans.ORIGIN), cell.detection(), cell.policy())
             .estimate()
             .mean()
         : Double.NaN;
-  }
-
-  private static String detection(PublishedCell cell) {
-    return cell.hifi() ? ReproductionPlans.HIFI : ReproductionPlans.CAMSIM;
   }
 
   private List<CaseResult> find(List<String> scenarios, String detection, String policy) {

@@ -1,13 +1,14 @@
 package org.hificamsim.reproduction;
 
 import java.util.List;
+import java.util.Locale;
 import org.hificamsim.runs.Estimate;
 
 /** Whether something published is found again; the rules are in {@code docs/reproduction.md}. */
 public enum Verdict {
-  REPRODUCED("reproduced"),
-  WITHIN_INTERVAL("within interval"),
-  NOT_REPRODUCED("not reproduced");
+  REPRODUCED,
+  WITHIN_INTERVAL,
+  NOT_REPRODUCED;
 
   /** How far from a published proportion ours may be to count as the same. */
   public static final double TOLERANCE = 0.05;
@@ -15,15 +16,9 @@ public enum Verdict {
   /** Published numbers have two digits: half of the last one is no difference. */
   private static final double ROUNDING = 1e-9;
 
-  private final String label;
-
-  Verdict(String label) {
-    this.label = label;
-  }
-
   /** The name in files. */
   public String label() {
-    return label;
+    return name().toLowerCase(Locale.ROOT).replace('_', ' ');
   }
 
   /**

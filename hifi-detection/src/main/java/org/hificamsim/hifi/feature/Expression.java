@@ -1,5 +1,7 @@
 package org.hificamsim.hifi.feature;
 
+import com.fasterxml.jackson.annotation.JsonValue;
+
 /**
  * A formula of numbers, the variables {@code z}, {@code q} and {@code d}, the operators {@code + -
  * * /} and brackets, such as {@code 2*z - 0.36/q}. Two formulas are equal when their texts are.
@@ -39,6 +41,7 @@ public final class Expression {
 
   /** The formula as it was written. */
   @Override
+  @JsonValue
   public String toString() {
     return text;
   }

@@ -1,10 +1,16 @@
 package org.hificamsim.hifi.feature;
 
+import java.util.function.Supplier;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.hificamsim.hifi.feature.Expression.Term;
 
 /** A recursive-descent reader of {@link Expression}s, with a bound on length and depth. */
 final class ExpressionParser {
-  private static final int MAX = 4_000;
+  /** As far as a number goes, a broken one too. */
+  private static final Pattern NUMBER = Pattern.compile("[0-9]*(\\.[0-9]*)?([eE][-+]?[0-9]*)?");
+
+  private static final int MAX_LENGTH = 4_000;
   private static final int DEEPEST = 200;
 
   private final String text;
@@ -16,9 +22,9 @@ final class ExpressionParser {
   }
 
   Term parse() {
-    if (text.length() > MAX) {
+    if (text.length() > MAX_LENGTH) {
       throw new IllegalArgumentException(
-          "expected at most " + MAX + " characters, not " + text.length());
+          "expected at most " + MAX_LENGTH + " characters, not " + text.length());
     }
     Term term = sum();
     if (next < text.length()) {
@@ -28,35 +34,31 @@ final class ExpressionParser {
   }
 
   private Term sum() {
-    Term left = product();
-    while (true) {
-      Term first = left;
-      if (accept('+')) {
-        Term second = product();
-        left = (q, d, z) -> first.at(q, d, z) + second.at(q, d, z);
-      } else if (accept('-')) {
-        Term second = product();
-        left = (q, d, z) -> first.at(q, d, z) - second.at(q, d, z);
-      } else {
-        return left;
-      }
-    }
+    return chain("+-", this::product);
   }
 
   private Term product() {
-    Term left = signed();
-    while (true) {
-      Term first = left;
-      if (accept('*')) {
-        Term second = signed();
-        left = (q, d, z) -> first.at(q, d, z) * second.at(q, d, z);
-      } else if (accept('/')) {
-        Term second = signed();
-        left = (q, d, z) -> first.at(q, d, z) / second.at(q, d, z);
-      } else {
-        return left;
-      }
+    return chain("*/", this::signed);
+  }
+
+  /** Parts with these operators in between, from the left. */
+  private Term chain(String operators, Supplier<Term> part) {
+    Term left = part.get();
+    while (next < text.length() && operators.indexOf(text.charAt(next)) >= 0) {
+      char operator = text.charAt(next);
+      accept(operator);
+      left = operation(left, operator, part.get());
     }
+    return left;
+  }
+
+  private static Term operation(Term first, char operator, Term second) {
+    return switch (operator) {
+      case '+' -> (q, d, z) -> first.at(q, d, z) + second.at(q, d, z);
+      case '-' -> (q, d, z) -> first.at(q, d, z) - second.at(q, d, z);
+      case '*' -> (q, d, z) -> first.at(q, d, z) * second.at(q, d, z);
+      default -> (q, d, z) -> first.at(q, d, z) / second.at(q, d, z);
+    };
   }
 
   private Term signed() {
@@ -95,30 +97,17 @@ final class ExpressionParser {
   }
 
   private Term number() {
-    int start = next;
-    skipDigits();
-    if (next < text.length() && text.charAt(next) == '.') {
-      next++;
-      skipDigits();
-    }
-    int mantissaEnd = next;
-    if (next < text.length() && (text.charAt(next) | 0x20) == 'e') {
-      next++;
-      if (next < text.length() && (text.charAt(next) == '-' || text.charAt(next) == '+')) {
-        next++;
-      }
-      skipDigits();
-    }
+    Matcher number = NUMBER.matcher(text).region(next, text.length());
     try {
-      double value = Double.parseDouble(text.substring(start, next));
-      if (mantissaEnd > start && Double.isFinite(value)) {
+      double value = number.lookingAt() ? Double.parseDouble(number.group()) : Double.NaN;
+      if (Double.isFinite(value)) {
+        next = number.end();
         skipSpace();
         return (q, d, z) -> value;
       }
     } catch (NumberFormatException e) {
       // told below
     }
-    next = start;
     throw fault("a finite number, z, q, d, '-' or '('");
   }
 
@@ -130,12 +119,6 @@ final class ExpressionParser {
     next++;
     skipSpace();
     return true;
-  }
-
-  private void skipDigits() {
-    while (next < text.length() && text.charAt(next) >= '0' && text.charAt(next) <= '9') {
-      next++;
-    }
   }
 
   private void skipSpace() {

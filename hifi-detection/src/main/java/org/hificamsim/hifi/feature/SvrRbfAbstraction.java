@@ -1,5 +1,7 @@
 package org.hificamsim.hifi.feature;
 
+import com.fasterxml.jackson.annotation.JsonProperty;
+import com.fasterxml.jackson.annotation.JsonPropertyOrder;
 import java.util.Arrays;
 
 /**
@@ -7,13 +9,12 @@ import java.util.Arrays;
  * {@code -log10(PIP) = intercept + sum of weight * exp(-gamma * |x - s|^2)} over the support
  * vectors s, with each variable scaled by its range first.
  */
+@JsonPropertyOrder({"gamma", "intercept", "ranges", "support"})
 public final class SvrRbfAbstraction implements LogPipAbstraction {
-  private final double gamma;
-  private final double intercept;
-  private final Range q;
-  private final Range d;
-  private final Range z;
-  private final double[][] support;
+  @JsonProperty private final double gamma;
+  @JsonProperty private final double intercept;
+  @JsonProperty private final Ranges ranges;
+  @JsonProperty private final double[][] support;
   private final double[] scaled;
 
   /**
@@ -29,6 +30,8 @@ public final class SvrRbfAbstraction implements LogPipAbstraction {
     }
   }
 
+  private record Ranges(Range q, Range d, Range z) {}
+
   /**
    * @param gamma width of the kernel, per scaled unit squared, above 0 (Eq 4.10's 1/(2 sigma^2))
    * @param intercept the constant term
@@ -38,9 +41,7 @@ public final class SvrRbfAbstraction implements LogPipAbstraction {
       double gamma, double intercept, Range q, Range d, Range z, double[][] support) {
     this.gamma = gamma;
     this.intercept = intercept;
-    this.q = q;
-    this.d = d;
-    this.z = z;
+    this.ranges = new Ranges(q, d, z);
     this.support = Arrays.stream(support).map(double[]::clone).toArray(double[][]::new);
     this.scaled =
         Arrays.stream(support)
@@ -53,9 +54,9 @@ public final class SvrRbfAbstraction implements LogPipAbstraction {
 
   @Override
   public double negativeLogPip(double size, double distance, double focalLength) {
-    double x = q.scale(size);
-    double y = d.scale(distance);
-    double w = z.scale(focalLength);
+    double x = ranges.q.scale(size);
+    double y = ranges.d.scale(distance);
+    double w = ranges.z.scale(focalLength);
     double sum = intercept;
     for (int i = 0; i < scaled.length; i += 4) {
       double dx = x - scaled[i];
@@ -71,26 +72,6 @@ public final class SvrRbfAbstraction implements LogPipAbstraction {
     return gamma;
   }
 
-  /** The constant term. */
-  public double intercept() {
-    return intercept;
-  }
-
-  /** The range of the target size. */
-  public Range q() {
-    return q;
-  }
-
-  /** The range of the distance. */
-  public Range d() {
-    return d;
-  }
-
-  /** The range of the focal length. */
-  public Range z() {
-    return z;
-  }
-
   /** A copy of the support vectors: q, d, z in metres and the weight of each. */
   public double[][] support() {
     return Arrays.stream(support).map(double[]::clone).toArray(double[][]::new);
@@ -101,9 +82,7 @@ public final class SvrRbfAbstraction implements LogPipAbstraction {
     return other instanceof SvrRbfAbstraction that
         && Double.compare(gamma, that.gamma) == 0
         && Double.compare(intercept, that.intercept) == 0
-        && q.equals(that.q)
-        && d.equals(that.d)
-        && z.equals(that.z)
+        && ranges.equals(that.ranges)
         && Arrays.deepEquals(support, that.support);
   }
 

@@ -6,6 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
@@ -13,8 +14,8 @@ import org.hificamsim.core.Place;
  * An object of a JSON file, read property by property.
  *
  * <p>Each getter declares one property, its type and range; one that is missing, of another type or
- * out of range is an {@link InputException} with its place. After all getters have been called,
- * {@link #rejectUnknown} refuses what nobody declared.
+ * out of range is an {@link InputException} with its place. {@link #whole} refuses what nobody
+ * declared.
  */
 public final class JsonObject implements JsonValue {
   record Property(Place place, JsonValue value) {}
@@ -160,20 +161,19 @@ public final class JsonObject implements JsonValue {
     return value.place().error(key + " is " + value.shown() + ", " + expectation);
   }
 
-  /** Refuses properties that no getter asked for. */
-  public void rejectUnknown() {
-    properties.forEach(
-        (key, property) -> {
-          if (!declared.contains(key)) {
-            throw property
-                .place()
-                .error(
-                    "unknown property '"
-                        + key
-                        + "', expected one of "
-                        + String.join(", ", declared));
-          }
-        });
+  /** What a form makes of this object; refuses properties that it did not ask for. */
+  public <T> T whole(Function<JsonObject, T> form) {
+    T whole = form.apply(this);
+    properties.forEach(this::checkDeclared);
+    return whole;
+  }
+
+  private void checkDeclared(String key, Property property) {
+    if (!declared.contains(key)) {
+      throw property
+          .place()
+          .error("unknown property '" + key + "', expected one of " + String.join(", ", declared));
+    }
   }
 
   private InputException wrong(String key, String expected) {

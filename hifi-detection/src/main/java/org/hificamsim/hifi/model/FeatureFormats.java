@@ -1,8 +1,10 @@
 package org.hificamsim.hifi.model;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-import java.io.IOException;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
 import org.hificamsim.hifi.feature.Expression;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.feature.LinearAbstraction;
@@ -18,45 +20,52 @@ final class FeatureFormats {
   private static final double MAX_EXPONENT = 20;
   private static final double MAX_SENSOR = 1;
 
-  private static final List<FeatureFormat<?>> ALL =
+  /**
+   * How one type is spelt.
+   *
+   * @param type the text of its property {@code type}
+   * @param of the class, whose properties Jackson writes
+   * @param reader makes one from these properties; those that it does not ask for are refused
+   */
+  private record Format(
+      String type,
+      Class<? extends FeatureAbstraction> of,
+      Function<JsonObject, FeatureAbstraction> reader) {}
+
+  private static final List<Format> ALL =
       List.of(
-          new FeatureFormat<>(
-              "linear", LinearAbstraction.class, FeatureFormats::linear, FeatureFormats::write),
-          new FeatureFormat<>(
-              "symbolic",
-              SymbolicAbstraction.class,
-              FeatureFormats::symbolic,
-              (f, json) -> json.writeStringField("formula", f.expression().toString())),
-          new FeatureFormat<>(
-              "power", PowerLawAbstraction.class, FeatureFormats::power, FeatureFormats::write),
-          new FeatureFormat<>(
-              "pinhole", PinholeAbstraction.class, FeatureFormats::pinhole, FeatureFormats::write),
-          new FeatureFormat<>(
-              "svr-rbf", SvrRbfAbstraction.class, SvrRbfFormat::read, SvrRbfFormat::write));
+          new Format("linear", LinearAbstraction.class, FeatureFormats::linear),
+          new Format("symbolic", SymbolicAbstraction.class, FeatureFormats::symbolic),
+          new Format("power", PowerLawAbstraction.class, FeatureFormats::power),
+          new Format("pinhole", PinholeAbstraction.class, FeatureFormats::pinhole),
+          new Format("svr-rbf", SvrRbfAbstraction.class, SvrRbfFormat::read));
 
   private FeatureFormats() {}
 
-  static FeatureAbstraction read(JsonObject json) {
-    String type = json.text("type", ALL.stream().map(FeatureFormat::type).toList());
-    for (FeatureFormat<?> format : ALL) {
-      if (format.type().equals(type)) {
-        FeatureAbstraction f = format.reader().read(json);
-        json.rejectUnknown();
-        return f;
-      }
-    }
-    throw new AssertionError(type);
+  static FeatureAbstraction read(JsonObject f) {
+    return f.whole(FeatureFormats::feature);
   }
 
-  static void write(FeatureAbstraction f, JsonGenerator json) throws IOException {
-    for (FeatureFormat<?> format : ALL) {
-      if (format.of().isInstance(f)) {
-        format.write(f, json);
-        return;
-      }
-    }
-    throw new IllegalArgumentException(
-        "no file format for " + f.getClass().getName() + ", expected a line in FeatureFormats");
+  private static FeatureAbstraction feature(JsonObject json) {
+    String type = json.text("type", ALL.stream().map(Format::type).toList());
+    return format(one -> one.type().equals(type)).orElseThrow().reader().apply(json);
+  }
+
+  static ObjectNode json(FeatureAbstraction f) {
+    Format format =
+        format(one -> one.of().isInstance(f))
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        "no file format for "
+                            + f.getClass().getName()
+                            + ", expected a line in FeatureFormats"));
+    ObjectNode json = ModelWriter.MAPPER.createObjectNode().put("type", format.type());
+    return json.setAll(ModelWriter.MAPPER.<ObjectNode>valueToTree(f));
+  }
+
+  private static Optional<Format> format(Predicate<Format> wanted) {
+    return ALL.stream().filter(wanted).findFirst();
   }
 
   static LinearAbstraction linear(JsonObject json) {
@@ -85,25 +94,6 @@ final class FeatureFormats {
     return new PinholeAbstraction(
         json.number("sensorWidth", 1e-6, MAX_SENSOR),
         json.number("sensorHeight", 1e-6, MAX_SENSOR));
-  }
-
-  private static void write(LinearAbstraction f, JsonGenerator json) throws IOException {
-    json.writeNumberField("z", f.z());
-    json.writeNumberField("q", f.q());
-    json.writeNumberField("d", f.d());
-    json.writeNumberField("intercept", f.intercept());
-  }
-
-  private static void write(PowerLawAbstraction f, JsonGenerator json) throws IOException {
-    json.writeNumberField("c", f.c());
-    json.writeNumberField("a", f.a());
-    json.writeNumberField("b", f.b());
-    json.writeNumberField("e", f.e());
-  }
-
-  private static void write(PinholeAbstraction f, JsonGenerator json) throws IOException {
-    json.writeNumberField("sensorWidth", f.sensorWidth());
-    json.writeNumberField("sensorHeight", f.sensorHeight());
   }
 
   private static double weight(JsonObject json, String key) {

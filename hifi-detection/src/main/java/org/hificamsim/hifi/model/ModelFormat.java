@@ -20,21 +20,19 @@ final class ModelFormat {
 
   private ModelFormat() {}
 
-  static HiFiDetection read(JsonObject json) {
+  static HiFiDetection read(JsonObject file) {
+    return file.whole(ModelFormat::model);
+  }
+
+  private static HiFiDetection model(JsonObject json) {
     checkSchema(json, SCHEMA);
     String name = name(json);
     FeatureAbstraction f = FeatureFormats.read(json.object("f"));
-    JsonObject line = json.object("g");
-    DetectorLine g = detectorLine(line);
-    line.rejectUnknown();
-    Optics optics =
-        json.has("optics") ? optics(json.object("optics")) : PublishedModels.published().optics();
-    double threshold =
-        json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g);
+    DetectorLine g = json.object("g").whole(ModelFormat::detectorLine);
+    Optics optics = json.has("optics") ? optics(json) : PublishedModels.published().optics();
+    double threshold = json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g);
     checkUnits(json);
-    HiFiDetection model = new HiFiDetection(name, f, g, optics, threshold, provenance(json));
-    json.rejectUnknown();
-    return model;
+    return new HiFiDetection(name, f, g, optics, threshold, provenance(json));
   }
 
   static void checkSchema(JsonObject json, String schema) {
@@ -48,11 +46,12 @@ final class ModelFormat {
   }
 
   static Optics optics(JsonObject json) {
-    Optics optics =
-        new Optics(
-            json.number("sensorWidth", 1e-6, 1), json.number("longestFocalLength", 1e-6, 10));
-    json.rejectUnknown();
-    return optics;
+    return json.object("optics")
+        .whole(
+            optics ->
+                new Optics(
+                    optics.number("sensorWidth", 1e-6, 1),
+                    optics.number("longestFocalLength", 1e-6, 10)));
   }
 
   static double threshold(JsonObject json) {
@@ -75,9 +74,8 @@ final class ModelFormat {
 
   private static void checkUnits(JsonObject json) {
     if (json.has("units")) {
-      JsonObject units = json.object("units");
-      LENGTHS.forEach(length -> units.text(length, List.of("m")));
-      units.rejectUnknown();
+      json.object("units")
+          .whole(units -> LENGTHS.stream().map(q -> units.text(q, List.of("m"))).toList());
     }
   }
 }

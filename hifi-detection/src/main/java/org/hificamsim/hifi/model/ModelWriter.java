@@ -1,82 +1,40 @@
 package org.hificamsim.hifi.model;
 
-import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import com.fasterxml.jackson.core.util.Separators;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.util.Map;
 import org.hificamsim.hifi.HiFiDetection;
-import org.hificamsim.hifi.detector.DetectorLine;
-import org.hificamsim.hifi.optics.Optics;
 
 /** Writes what {@link ModelFormat} reads, one property a line, each number to its last bit. */
 final class ModelWriter {
+  static final ObjectMapper MAPPER = new ObjectMapper();
   private static final DefaultIndenter LINES = new DefaultIndenter("  ", "\n");
   private static final int ROWS_LEVEL = 3;
 
-  private final JsonGenerator json;
-
-  private ModelWriter(JsonGenerator json) {
-    this.json = json;
-  }
+  private ModelWriter() {}
 
   static byte[] bytes(HiFiDetection model) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    try (JsonGenerator json = new JsonFactory().createGenerator(bytes)) {
-      json.setPrettyPrinter(printer());
-      new ModelWriter(json).write(model);
-    }
+    MAPPER.writer(printer()).writeValue(bytes, json(model));
+    bytes.write('\n');
     return bytes.toByteArray();
   }
 
-  private void write(HiFiDetection model) throws IOException {
-    json.writeStartObject();
-    json.writeStringField("schema", ModelFormat.SCHEMA);
-    json.writeNumberField("version", ModelFormat.VERSION);
-    json.writeStringField("name", model.name());
-    json.writeObjectFieldStart("f");
-    FeatureFormats.write(model.f(), json);
-    json.writeEndObject();
-    write(model.g());
-    write(model.optics());
-    json.writeNumberField("threshold", model.defaultThreshold());
-    writeUnits();
-    writeRemarks(model.provenance().remarks());
-    json.writeEndObject();
-    json.writeRaw('\n');
-  }
-
-  private void write(DetectorLine g) throws IOException {
-    json.writeObjectFieldStart("g");
-    json.writeNumberField("slope", g.slope());
-    json.writeNumberField("intercept", g.intercept());
-    json.writeEndObject();
-  }
-
-  private void write(Optics optics) throws IOException {
-    json.writeObjectFieldStart("optics");
-    json.writeNumberField("sensorWidth", optics.sensorWidth());
-    json.writeNumberField("longestFocalLength", optics.longestFocalLength());
-    json.writeEndObject();
-  }
-
-  private void writeUnits() throws IOException {
-    json.writeObjectFieldStart("units");
-    for (String length : ModelFormat.LENGTHS) {
-      json.writeStringField(length, "m");
-    }
-    json.writeEndObject();
-  }
-
-  private void writeRemarks(Map<String, String> remarks) throws IOException {
-    json.writeObjectFieldStart("provenance");
-    for (Map.Entry<String, String> remark : remarks.entrySet()) {
-      json.writeStringField(remark.getKey(), remark.getValue());
-    }
-    json.writeEndObject();
+  private static ObjectNode json(HiFiDetection model) {
+    ObjectNode json = MAPPER.createObjectNode();
+    json.put("schema", ModelFormat.SCHEMA).put("version", ModelFormat.VERSION);
+    json.put("name", model.name());
+    json.set("f", FeatureFormats.json(model.f()));
+    json.putPOJO("g", model.g()).putPOJO("optics", model.optics());
+    json.put("threshold", model.defaultThreshold());
+    ObjectNode units = json.putObject("units");
+    ModelFormat.LENGTHS.forEach(length -> units.put(length, "m"));
+    return json.putPOJO("provenance", model.provenance().remarks());
   }
 
   private static DefaultPrettyPrinter printer() {

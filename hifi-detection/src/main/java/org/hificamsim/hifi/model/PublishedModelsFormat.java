@@ -7,54 +7,41 @@ import org.hificamsim.hifi.json.JsonObject;
 final class PublishedModelsFormat {
   private PublishedModelsFormat() {}
 
-  static PublishedModels read(JsonObject json) {
+  static PublishedModels read(JsonObject file) {
+    return file.whole(PublishedModelsFormat::catalogue);
+  }
+
+  private static PublishedModels catalogue(JsonObject json) {
     ModelFormat.checkSchema(json, "hificamsim-catalogue");
-    PublishedModels catalogue =
-        new PublishedModels(
-            ModelFormat.optics(json.object("optics")),
-            reference(json.object("reference")),
-            literal(json.object("literal")),
-            json.objects("features").stream().map(PublishedModelsFormat::feature).toList(),
-            json.objects("lines").stream().map(PublishedModelsFormat::line).toList());
-    json.rejectUnknown();
-    return catalogue;
+    return new PublishedModels(
+        ModelFormat.optics(json),
+        json.object("reference").whole(PublishedModelsFormat::reference),
+        json.object("literal").whole(PublishedModelsFormat::literal),
+        json.objects("features").stream().map(f -> f.whole(PublishedModelsFormat::feature)).toList(),
+        json.objects("lines").stream().map(g -> g.whole(PublishedModelsFormat::line)).toList());
   }
 
   private static PublishedModels.Reference reference(JsonObject json) {
-    PublishedModels.Reference reference =
-        new PublishedModels.Reference(
-            json.text("detector"), json.text("f"), ModelFormat.threshold(json));
     ModelFormat.provenance(json);
-    json.rejectUnknown();
-    return reference;
+    return new PublishedModels.Reference(
+        json.text("detector"), json.text("f"), ModelFormat.threshold(json));
   }
 
   private static LinearAbstraction literal(JsonObject json) {
-    LinearAbstraction sum = FeatureFormats.linear(json);
     ModelFormat.provenance(json);
-    json.rejectUnknown();
-    return sum;
+    return FeatureFormats.linear(json);
   }
 
   private static PublishedModels.Feature feature(JsonObject json) {
-    PublishedModels.Feature feature =
-        new PublishedModels.Feature(
-            json.text("name"),
-            json.text("title"),
-            FeatureFormats.read(json.object("f")),
-            ModelFormat.provenance(json));
-    json.rejectUnknown();
-    return feature;
+    return new PublishedModels.Feature(
+        json.text("name"),
+        json.text("title"),
+        FeatureFormats.read(json.object("f")),
+        ModelFormat.provenance(json));
   }
 
   private static PublishedModels.Line line(JsonObject json) {
-    PublishedModels.Line line =
-        new PublishedModels.Line(
-            json.text("detector"),
-            json.text("f"),
-            ModelFormat.detectorLine(json),
-            json.text("source"));
-    json.rejectUnknown();
-    return line;
+    return new PublishedModels.Line(
+        json.text("detector"), json.text("f"), ModelFormat.detectorLine(json), json.text("source"));
   }
 }

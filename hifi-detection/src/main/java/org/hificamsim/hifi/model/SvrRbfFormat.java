@@ -1,7 +1,6 @@
 package org.hificamsim.hifi.model;
 
-import com.fasterxml.jackson.core.JsonGenerator;
-import java.io.IOException;
+import java.util.List;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction.Range;
 import org.hificamsim.hifi.json.JsonObject;
@@ -19,28 +18,15 @@ final class SvrRbfFormat {
   static SvrRbfAbstraction read(JsonObject json) {
     double gamma = json.number("gamma", 1e-9, MAX);
     double intercept = json.number("intercept", -MAX, MAX);
-    JsonObject ranges = json.object("ranges");
-    Range q = range(ranges.object("q"));
-    Range d = range(ranges.object("d"));
-    Range z = range(ranges.object("z"));
-    ranges.rejectUnknown();
-    return new SvrRbfAbstraction(
-        gamma, intercept, q, d, z, json.rows("support", 4, MAX_VECTORS, -MAX, MAX));
+    List<Range> qdz = json.object("ranges").whole(SvrRbfFormat::ranges);
+    double[][] support = json.rows("support", 4, MAX_VECTORS, -MAX, MAX);
+    return new SvrRbfAbstraction(gamma, intercept, qdz.get(0), qdz.get(1), qdz.get(2), support);
   }
 
-  static void write(SvrRbfAbstraction f, JsonGenerator json) throws IOException {
-    json.writeNumberField("gamma", f.gamma());
-    json.writeNumberField("intercept", f.intercept());
-    json.writeObjectFieldStart("ranges");
-    write("q", f.q(), json);
-    write("d", f.d(), json);
-    write("z", f.z(), json);
-    json.writeEndObject();
-    json.writeArrayFieldStart("support");
-    for (double[] row : f.support()) {
-      json.writeArray(row, 0, row.length);
-    }
-    json.writeEndArray();
+  private static List<Range> ranges(JsonObject json) {
+    return ModelFormat.LENGTHS.stream()
+        .map(name -> json.object(name).whole(SvrRbfFormat::range))
+        .toList();
   }
 
   private static Range range(JsonObject json) {
@@ -48,14 +34,6 @@ final class SvrRbfFormat {
     if (!(range.most() > range.least())) {
       throw json.error("most", "expected more than least, " + range.least());
     }
-    json.rejectUnknown();
     return range;
-  }
-
-  private static void write(String key, Range range, JsonGenerator json) throws IOException {
-    json.writeObjectFieldStart(key);
-    json.writeNumberField("least", range.least());
-    json.writeNumberField("most", range.most());
-    json.writeEndObject();
   }
 }

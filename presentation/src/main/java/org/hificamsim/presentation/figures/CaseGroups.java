@@ -1,10 +1,10 @@
 package org.hificamsim.presentation.figures;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.hificamsim.runs.compare.CaseResult;
 
 /** Results by the name of something, in the order of their first appearance. */
@@ -25,10 +25,7 @@ final class CaseGroups {
 
   private static Map<String, List<CaseResult>> by(
       List<CaseResult> cases, Function<CaseResult, String> name) {
-    Map<String, List<CaseResult>> groups = new LinkedHashMap<>();
-    for (CaseResult one : cases) {
-      groups.computeIfAbsent(name.apply(one), key -> new ArrayList<>()).add(one);
-    }
-    return groups;
+    return cases.stream()
+        .collect(Collectors.groupingBy(name, LinkedHashMap::new, Collectors.toList()));
   }
 }

@@ -21,13 +21,7 @@ public final class KMinFigure {
     int steps = lines.stream().mapToInt(line -> line.means().length).max().orElseThrow();
     KMinPanel panel = new KMinPanel("", steps, ceiling(lines.stream().map(Line::means).toList()));
     lines.forEach(line -> panel.raw(line.means(), colors.of(line.label())));
-    for (Line line : lines) {
-      if (PolicyColors.isOptimal(line.label())) {
-        panel.yardstick(line.means(), colors.of(line.label()));
-      } else {
-        panel.smooth(line.means(), colors.of(line.label()));
-      }
-    }
+    lines.forEach(line -> panel.smooth(line.label(), line.means(), colors));
     return new Figure(
         title, note, colors.legend(), List.of(panel.panel().chart()), 1, WIDTH, HEIGHT);
   }

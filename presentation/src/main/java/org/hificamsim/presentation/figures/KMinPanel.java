@@ -82,10 +82,13 @@ public final class KMinPanel {
     return this;
   }
 
-  /** Adds the smooth line dashed, for a yardstick. */
-  public KMinPanel yardstick(double[] means, Color color) {
-    panel.dashed(Lowess.smooth(Curve.of(means)), color);
-    return this;
+  /** Adds a policy's smooth line in its colour, dashed for the optimum. */
+  void smooth(String policy, double[] means, PolicyColors colors) {
+    if (PolicyColors.isOptimal(policy)) {
+      panel.dashed(Lowess.smooth(Curve.of(means)), colors.of(policy));
+    } else {
+      smooth(means, colors.of(policy));
+    }
   }
 
   /** The panel for a figure. */

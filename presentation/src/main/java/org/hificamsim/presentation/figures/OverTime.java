@@ -32,14 +32,7 @@ public final class OverTime {
     KMinPanel panel = new KMinPanel(title, cases.get(0).plan().steps(), most);
     cases.forEach(one -> panel.band(one, colors.of(one.plan().policy())));
     cases.forEach(one -> panel.raw(one.meanKMin(), colors.of(one.plan().policy())));
-    for (CaseResult one : cases) {
-      String policy = one.plan().policy();
-      if (PolicyColors.isOptimal(policy)) {
-        panel.yardstick(one.meanKMin(), colors.of(policy));
-      } else {
-        panel.smooth(one.meanKMin(), colors.of(policy));
-      }
-    }
+    cases.forEach(one -> panel.smooth(one.plan().policy(), one.meanKMin(), colors));
     return panel;
   }
 

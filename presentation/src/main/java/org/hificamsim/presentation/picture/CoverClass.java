@@ -15,37 +15,18 @@ import org.hificamsim.presentation.plot.Palette;
  * {@code palette.js}.
  */
 enum CoverClass {
-  NONE("no camera", Palette.VERMILION, 1.2f) {
-    @Override
-    Shape unit() {
-      Path2D cross = new Path2D.Double(Path2D.WIND_NON_ZERO);
-      double a = 0.45;
-      double[][] corners = {
-        {-1, -1 + a}, {-1 + a, -1}, {0, -a}, {1 - a, -1}, {1, -1 + a}, {a, 0},
-        {1, 1 - a}, {1 - a, 1}, {0, a}, {-1 + a, 1}, {-1, 1 - a}, {-a, 0}
-      };
-      return polygon(cross, corners);
-    }
-  },
-  ONE("1 camera", Palette.ORANGE, 2) {
-    @Override
-    Shape unit() {
-      double[][] corners = {{0, -1.15}, {1.1, 0.8}, {-1.1, 0.8}};
-      return polygon(new Path2D.Double(), corners);
-    }
-  },
-  TWO("2 cameras", Palette.SKY, 3) {
-    @Override
-    Shape unit() {
-      return new Rectangle2D.Double(-0.9, -0.9, 1.8, 1.8);
-    }
-  },
-  MORE("3 or more", Palette.GREEN, 4.5f) {
-    @Override
-    Shape unit() {
-      return new Ellipse2D.Double(-1, -1, 2, 2);
-    }
-  };
+  NONE(
+      "no camera",
+      Palette.VERMILION,
+      1.2f,
+      polygon(
+          new double[][] {
+            {-1, -0.55}, {-0.55, -1}, {0, -0.45}, {0.55, -1}, {1, -0.55}, {0.45, 0},
+            {1, 0.55}, {0.55, 1}, {0, 0.45}, {-0.55, 1}, {-1, 0.55}, {-0.45, 0}
+          })),
+  ONE("1 camera", Palette.ORANGE, 2, polygon(new double[][] {{0, -1.15}, {1.1, 0.8}, {-1.1, 0.8}})),
+  TWO("2 cameras", Palette.SKY, 3, new Rectangle2D.Double(-0.9, -0.9, 1.8, 1.8)),
+  MORE("3 or more", Palette.GREEN, 4.5f, new Ellipse2D.Double(-1, -1, 2, 2));
 
   private static final int SHADES = 6;
 
@@ -53,10 +34,15 @@ enum CoverClass {
   private final Color color;
   private final float trail;
 
-  CoverClass(String label, Color color, float trail) {
+  /** About the origin, a unit in each direction. */
+  @SuppressWarnings("ImmutableEnumChecker") // nobody changes it
+  private final Shape unit;
+
+  CoverClass(String label, Color color, float trail, Shape unit) {
     this.label = label;
     this.color = color;
     this.trail = trail;
+    this.unit = unit;
   }
 
   /** The class of a target that k cameras cover. */
@@ -100,17 +86,15 @@ enum CoverClass {
     return rgb;
   }
 
-  /** The shape about the origin, a unit in each direction. */
-  abstract Shape unit();
-
   /** The shape of this radius at a place. */
   Shape at(double x, double y, double radius) {
     AffineTransform place = AffineTransform.getTranslateInstance(x, y);
     place.scale(radius, radius);
-    return place.createTransformedShape(unit());
+    return place.createTransformedShape(unit);
   }
 
-  private static Shape polygon(Path2D path, double[][] corners) {
+  private static Shape polygon(double[][] corners) {
+    Path2D path = new Path2D.Double();
     path.moveTo(corners[0][0], corners[0][1]);
     for (int i = 1; i < corners.length; i++) {
       path.lineTo(corners[i][0], corners[i][1]);

@@ -53,16 +53,10 @@ final class GifPalette {
   }
 
   private int search(int rgb) {
-    int best = 0;
-    int least = Integer.MAX_VALUE;
-    for (int i = 0; i < colors.length; i++) {
-      int gap = squaredGap(rgb, colors[i]);
-      if (gap < least) {
-        least = gap;
-        best = i;
-      }
-    }
-    return best;
+    return IntStream.range(0, colors.length)
+        .boxed()
+        .min(Comparator.comparingInt(i -> squaredGap(rgb, colors[i])))
+        .orElseThrow();
   }
 
   private static int squaredGap(int a, int b) {

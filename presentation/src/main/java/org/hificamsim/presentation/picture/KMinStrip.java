@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.stream.IntStream;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Palette;
 
@@ -24,11 +25,7 @@ final class KMinStrip {
     this.run = run;
     this.plot =
         new Rectangle2D.Double(area.getX(), area.getY(), area.getWidth(), area.getHeight() - AXIS);
-    int highest = 1;
-    for (int i = 0; i < run.count(); i++) {
-      highest = Math.max(highest, run.kMin(i));
-    }
-    this.most = highest;
+    this.most = Math.max(1, IntStream.range(0, run.count()).map(run::kMin).max().orElseThrow());
   }
 
   /**

@@ -1,8 +1,9 @@
 package org.hificamsim.presentation.picture;
 
+import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.InputException;
-import org.hificamsim.presentation.replay.CameraPose;
+import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.Recording;
@@ -12,11 +13,13 @@ import org.hificamsim.presentation.replay.Setup;
 public final class RunFrames {
   private final Setup setup;
   private final Recording recording;
+  private final long[] steps;
   private final int[] kMin;
 
   public RunFrames(Setup setup, Recording recording) {
     this.setup = setup;
     this.recording = recording;
+    this.steps = recording.frames().stream().mapToLong(Frame::step).toArray();
     this.kMin = recording.frames().stream().mapToInt(frame -> frame.measure().kMin()).toArray();
   }
 
@@ -39,7 +42,7 @@ public final class RunFrames {
 
   /** The step of a frame. */
   public long step(int index) {
-    return frame(index).step();
+    return steps[index];
   }
 
   /** How many steps lie between two frames. */
@@ -78,23 +81,13 @@ public final class RunFrames {
 
   /** The frame of a step, or the last one before it. */
   private int before(long step) {
-    int low = 0;
-    int high = count() - 1;
-    while (low < high) {
-      int middle = (low + high + 1) / 2;
-      if (step(middle) <= step) {
-        low = middle;
-      } else {
-        high = middle - 1;
-      }
-    }
-    return low;
+    int found = Arrays.binarySearch(steps, step);
+    return Math.max(0, found < 0 ? -found - 2 : found);
   }
 
   /** Where every camera is in a frame. */
   List<CameraPose> poses(int index) {
-    CameraPose[] poses =
-        setup.cameras().stream().map(camera -> camera.pose()).toArray(CameraPose[]::new);
+    CameraPose[] poses = setup.cameras().stream().map(CameraSetup::pose).toArray(CameraPose[]::new);
     for (Move move : recording.moves()) {
       if (move.step() <= step(index)) {
         poses[move.camera()] = move.pose();

@@ -1,9 +1,12 @@
 package org.hificamsim.presentation.replay;
 
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntFunction;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
@@ -31,23 +34,23 @@ final class DetectedRanges {
 
   /** The most frequent size of a target, the first one of equals; metres. */
   static double usualSize(World world) {
-    Map<Double, Integer> counts = new LinkedHashMap<>();
-    for (int target = 0; target < world.targets().count(); target++) {
-      counts.merge(world.targets().size(target), 1, Integer::sum);
-    }
-    double usual = TargetSpec.DEFAULT_SIZE;
-    int most = 0;
-    for (Map.Entry<Double, Integer> count : counts.entrySet()) {
-      if (count.getValue() > most) {
-        usual = count.getKey();
-        most = count.getValue();
-      }
-    }
-    return usual;
+    Map<Double, Long> counts =
+        IntStream.range(0, world.targets().count())
+            .mapToObj(world.targets()::size)
+            .collect(
+                Collectors.groupingBy(size -> size, LinkedHashMap::new, Collectors.counting()));
+    return counts.entrySet().stream()
+        .min(Map.Entry.comparingByValue(Comparator.reverseOrder()))
+        .map(Map.Entry::getKey)
+        .orElse(TargetSpec.DEFAULT_SIZE);
   }
 
-  Level level(ZoomLevel zoom) {
-    return levels.computeIfAbsent(zoom, this::find);
+  /** The levels of a camera, from the narrowest. */
+  List<Level> levels(int count, IntFunction<ZoomLevel> zooms) {
+    return IntStream.range(0, count)
+        .mapToObj(zooms)
+        .map(zoom -> levels.computeIfAbsent(zoom, this::find))
+        .toList();
   }
 
   private Level find(ZoomLevel zoom) {

@@ -23,10 +23,6 @@ record RecordingLimits(int frames, long numbers, int bytes) {
 
   /** The most frames of one run, 2 or more. */
   int frames(Setup setup) {
-    long numbersPerFrame = 1 + 4L * setup.targets().size();
-    for (CameraSetup camera : setup.cameras()) {
-      numbersPerFrame += 3 + 2L * camera.pose().levels().size();
-    }
-    return (int) Math.max(2, Math.min(frames, numbers / numbersPerFrame));
+    return (int) Math.max(2, Math.min(frames, numbers / (1 + setup.numbersPerFrame())));
   }
 }

@@ -6,6 +6,7 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 
 /**
@@ -60,14 +61,19 @@ public record Setup(
         targets);
   }
 
+  /** How many numbers a frame holds, but for its step. */
+  public long numbersPerFrame() {
+    return 4L * targets.size()
+        + cameras.stream().mapToLong(camera -> 3 + 2L * camera.pose().levels().size()).sum();
+  }
+
   /** A camera that is yet to be added stands nowhere in the world: the scenario says where. */
   private static CameraPose pose(World world, int camera, DetectedRanges ranges) {
     CameraSpec spec = world.cameraSpec(camera);
+    Cameras cameras = world.cameras();
     List<Level> levels =
-        IntStream.range(0, world.cameras().levels(camera))
-            .mapToObj(level -> ranges.level(world.cameras().zoom(camera, level)))
-            .toList();
-    double angle = world.cameras().zoom(camera, 0).viewingAngle();
+        ranges.levels(cameras.levels(camera), level -> cameras.zoom(camera, level));
+    double angle = cameras.zoom(camera, 0).viewingAngle();
     return new CameraPose(spec.x(), spec.y(), Math.toRadians(spec.heading()), angle, levels);
   }
 }

@@ -84,15 +84,11 @@ public final class Snapshots {
   }
 
   private CameraPose pose(NetworkView network, int camera) {
-    List<Level> levels =
-        IntStream.range(0, network.levels(camera))
-            .mapToObj(level -> ranges.level(network.zoom(camera, level)))
-            .toList();
     return new CameraPose(
         network.cameraX(camera),
         network.cameraY(camera),
         network.cameraHeading(camera),
         network.zoom(camera, 0).viewingAngle(),
-        levels);
+        ranges.levels(network.levels(camera), level -> network.zoom(camera, level)));
   }
 }

@@ -96,14 +96,7 @@ final class ComparisonReport {
   private static void write(ObjectNode node, TableFile table, int max) {
     node.put("name", table.file().getFileName().toString());
     node.put("count", table.rows().size());
-    ArrayNode columns = node.putArray("columns");
-    table.columns().forEach(columns::add);
-    ArrayNode rows = node.putArray("rows");
-    for (String[] row : table.rows().subList(0, Math.min(max, table.rows().size()))) {
-      ArrayNode cells = rows.addArray();
-      for (String cell : row) {
-        cells.add(cell);
-      }
-    }
+    node.putPOJO("columns", table.columns());
+    node.putPOJO("rows", table.rows().subList(0, Math.min(max, table.rows().size())));
   }
 }

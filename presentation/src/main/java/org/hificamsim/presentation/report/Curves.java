@@ -3,6 +3,7 @@ package org.hificamsim.presentation.report;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -45,17 +46,14 @@ final class Curves {
   }
 
   private static ObjectNode node(Map<List<String>, double[]> cases, int group) {
-    ObjectNode node = new ObjectMapper().createObjectNode();
-    node.put("steps", group);
+    ObjectNode node = new ObjectMapper().createObjectNode().put("steps", group);
     ArrayNode list = node.putArray("cases");
     cases.forEach(
         (key, means) -> {
+          Arrays.setAll(means, i -> Math.round(means[i] * ROUNDING) / ROUNDING);
           ObjectNode one = list.addObject();
           one.put("scenario", key.get(0)).put("detection", key.get(1)).put("policy", key.get(2));
-          ArrayNode values = one.putArray("k_min");
-          for (double mean : means) {
-            values.add(Math.round(mean * ROUNDING) / ROUNDING);
-          }
+          one.putPOJO("k_min", means);
         });
     return node;
   }

@@ -1,6 +1,5 @@
 package org.hificamsim.presentation.view;
 
-import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.Setup;
 
 /** How many steps are kept, so that large scenarios need no more memory than small ones. */
@@ -13,10 +12,7 @@ final class HistoryLimit {
 
   /** The steps that are kept of a scenario. */
   static int steps(Setup setup) {
-    long numbers = 4L * setup.targets().size();
-    for (CameraSetup camera : setup.cameras()) {
-      numbers += 3 + 2L * camera.pose().levels().size();
-    }
+    long numbers = setup.numbersPerFrame();
     return (int) Math.max(MIN_STEPS, Math.min(MAX_STEPS, MAX_NUMBERS / Math.max(1, numbers)));
   }
 }

@@ -20,15 +20,15 @@ final class CameraFile {
    * @throws InputException with its place, when the file is missing or wrong
    */
   static PhotoCamera read(Path file) {
-    JsonObject json = JsonFile.parse(file.toString(), bytes(file));
-    PhotoCamera camera =
-        new PhotoCamera(
-            json.number("sensorWidth", 1e-6, 1),
-            json.number("sensorHeight", 1e-6, 1),
-            (int) json.number("width", 1, MAX_PIXELS),
-            (int) json.number("height", 1, MAX_PIXELS));
-    json.rejectUnknown();
-    return camera;
+    return JsonFile.parse(file.toString(), bytes(file)).whole(CameraFile::camera);
+  }
+
+  private static PhotoCamera camera(JsonObject json) {
+    return new PhotoCamera(
+        json.number("sensorWidth", 1e-6, 1),
+        json.number("sensorHeight", 1e-6, 1),
+        (int) json.number("width", 1, MAX_PIXELS),
+        (int) json.number("height", 1, MAX_PIXELS));
   }
 
   private static byte[] bytes(Path file) {

@@ -1,6 +1,7 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
@@ -37,7 +38,7 @@ public record CrossValidation(double[] folds, double[] predicted) {
 
   /** The mean of the folds' R2. */
   public double mean() {
-    return IntStream.range(0, folds.length).mapToDouble(i -> folds[i]).average().orElseThrow();
+    return Arrays.stream(folds).average().orElseThrow();
   }
 
   /** The standard deviation of the folds' R2. */

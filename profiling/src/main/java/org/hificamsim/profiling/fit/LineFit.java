@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.detector.DetectorLine;
@@ -25,18 +26,14 @@ public record LineFit(
       throw new InputException(x.length + " rows, expected three or more for a line");
     }
     double first = x[0];
-    if (java.util.Arrays.stream(x).allMatch(value -> value == first)) {
+    if (Arrays.stream(x).allMatch(value -> value == first)) {
       return level(y);
     }
-    double[][] rows = new double[x.length][];
-    double[] fitted = new double[x.length];
-    for (int i = 0; i < x.length; i++) {
-      rows[i] = new double[] {x[i]};
-    }
+    double[][] rows =
+        Arrays.stream(x).mapToObj(value -> new double[] {value}).toArray(double[][]::new);
     List<Coefficient> fit = LeastSquares.fit(rows, y, List.of("slope"));
-    for (int i = 0; i < x.length; i++) {
-      fitted[i] = fit.get(0).value() + fit.get(1).value() * x[i];
-    }
+    double[] fitted =
+        Arrays.stream(x).map(value -> fit.get(0).value() + fit.get(1).value() * value).toArray();
     return of(fit.get(1), fit.get(0), Scores.of(y, fitted));
   }
 
@@ -47,7 +44,7 @@ public record LineFit(
 
   private static LineFit level(double[] y) {
     double[] mean = new double[y.length];
-    java.util.Arrays.fill(mean, java.util.Arrays.stream(y).average().orElseThrow());
+    Arrays.fill(mean, Arrays.stream(y).average().orElseThrow());
     return of(
         Coefficient.plain("slope", 0), Coefficient.plain("intercept", mean[0]), Scores.of(y, mean));
   }

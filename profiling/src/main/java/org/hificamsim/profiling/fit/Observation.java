@@ -15,7 +15,7 @@ public record Observation(double size, double distance, double focalLength, doub
   }
 
   /** The predictors in the order q, d, z. */
-  double[] predictors() {
+  public double[] predictors() {
     return new double[] {size, distance, focalLength};
   }
 }

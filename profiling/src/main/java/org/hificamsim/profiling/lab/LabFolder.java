@@ -1,5 +1,13 @@
 package org.hificamsim.profiling.lab;
 
+import com.fasterxml.jackson.annotation.JsonUnwrapped;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.PrettyPrinter;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.core.util.Separators;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.ObjectWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -8,6 +16,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.core.Mat;
 import org.opencv.core.MatOfByte;
@@ -21,7 +30,13 @@ final class LabFolder {
   private static final String HEADER =
       "image,object,size_m,distance_m,focal_length_m,patch_x,patch_y,patch_width,patch_height,mask";
 
+  private static final ObjectWriter JSON = new ObjectMapper().writer(printer());
+
   private final Path folder;
+
+  /** What {@code lab.json} holds: all settings and what became of them, side by side. */
+  private record Rendered(
+      @JsonUnwrapped LabSettings settings, @JsonUnwrapped Laboratory.Outcome outcome) {}
 
   LabFolder(Path folder) {
     this.folder = folder;
@@ -41,8 +56,8 @@ final class LabFolder {
 
   /** Writes the tables last: a folder with a {@code dataset.csv} is complete. */
   void finish(LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.Outcome outcome) {
-    text("camera.json", camera(sensor));
-    text("lab.json", settings(settings, outcome));
+    json("camera.json", new PhotoCamera(Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height()));
+    json("lab.json", new Rendered(settings, outcome));
     StringBuilder table = new StringBuilder(HEADER).append('\n');
     rows.forEach(row -> table.append(line(row)).append('\n'));
     text("dataset.csv", table.toString());
@@ -66,60 +81,6 @@ final class LabFolder {
         row.mask());
   }
 
-  private static String camera(Sensor sensor) {
-    return String.format(
-        Locale.ROOT,
-        "{%n  \"sensorWidth\": %s,%n  \"sensorHeight\": %s,%n  \"width\": %d,%n  \"height\":"
-            + " %d%n}%n",
-        Sensor.WIDTH,
-        Sensor.HEIGHT,
-        sensor.width(),
-        sensor.height());
-  }
-
-  private static String settings(LabSettings settings, Laboratory.Outcome outcome) {
-    LabSettings.Optics optics = settings.optics();
-    LabSettings.Scene scene = settings.scene();
-    return String.format(
-        Locale.ROOT,
-        """
-        {
-          "seed": %d,
-          "scale": %s,
-          "focalLengths": %s,
-          "distances": %s,
-          "objects": %d,
-          "aperture": %s,
-          "focusError": %s,
-          "iso": %s,
-          "vignetting": %s,
-          "distortion": %s,
-          "pose": %s,
-          "offset": %s,
-          "lighting": %s,
-          "clutter": %d,
-          "taken": %d,
-          "dropped": %d
-        }
-        """,
-        settings.seed(),
-        settings.scale(),
-        settings.focalLengths(),
-        settings.distances(),
-        settings.objects(),
-        optics.aperture(),
-        optics.focusError(),
-        optics.iso(),
-        optics.vignetting(),
-        optics.distortion(),
-        scene.pose(),
-        scene.offset(),
-        scene.lighting(),
-        scene.clutter(),
-        outcome.taken(),
-        outcome.dropped());
-  }
-
   private void encode(String name, Mat picture) {
     String extension = name.substring(name.lastIndexOf('.'));
     try (Mats mats = new Mats()) {
@@ -130,6 +91,24 @@ final class LabFolder {
       }
       write(name, bytes.toArray());
     }
+  }
+
+  private void json(String name, Object value) {
+    try {
+      text(name, JSON.writeValueAsString(value) + "\n");
+    } catch (JsonProcessingException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** A property a line, lists on one. */
+  private static PrettyPrinter printer() {
+    return new DefaultPrettyPrinter(
+            Separators.createDefaultInstance()
+                .withObjectFieldValueSpacing(Separators.Spacing.AFTER)
+                .withArrayValueSpacing(Separators.Spacing.AFTER))
+        .withObjectIndenter(new DefaultIndenter("  ", "\n"))
+        .withArrayIndenter(DefaultPrettyPrinter.NopIndenter.instance);
   }
 
   private void text(String name, String content) {

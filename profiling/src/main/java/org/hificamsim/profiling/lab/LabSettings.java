@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.lab;
 
+import com.fasterxml.jackson.annotation.JsonUnwrapped;
 import java.util.List;
 
 /**
@@ -20,8 +21,8 @@ public record LabSettings(
     List<Double> focalLengths,
     List<Double> distances,
     int objects,
-    Optics optics,
-    Scene scene) {
+    @JsonUnwrapped Optics optics,
+    @JsonUnwrapped Scene scene) {
   /**
    * The camera's imperfections.
    *

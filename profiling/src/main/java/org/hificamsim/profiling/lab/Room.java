@@ -38,7 +38,7 @@ final class Room implements AutoCloseable {
 
   /** Every other thing hangs on the wall; the rest stand about, off the middle. */
   private static Board thing(int index, RandomGenerator random) {
-    Pattern pattern = Pattern.values()[index % Pattern.values().length];
+    Pattern pattern = Pattern.ALL.get(index % Pattern.ALL.size());
     Mat texture = TexturePainter.paint(pattern, TEXTURE_SIDE, random);
     boolean hangs = index % 2 == 0;
     double distance = hangs ? WALL - 0.05 : random.nextDouble(2, WALL - 0.5);

@@ -62,7 +62,7 @@ public final class MeasurementsFile {
   static String line(Measurement row) {
     String confidences =
         row.confidences().values().stream().map(String::valueOf).collect(Collectors.joining(","));
-    return "%s,%s,%s,%s,%s,%s,%s%n"
+    return "%s,%s,%s,%s,%s,%s,%s\n"
         .formatted(
             quoted(row.image()),
             quoted(row.object()),
@@ -70,8 +70,7 @@ public final class MeasurementsFile {
             row.distance(),
             row.focalLength(),
             row.pip(),
-            confidences)
-        .replace(System.lineSeparator(), "\n");
+            confidences);
   }
 
   private static String quoted(String text) {

@@ -1,7 +1,10 @@
 package org.hificamsim.profiling.report;
 
+import java.awt.Color;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.profiling.fit.CamSimConfidence;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
@@ -57,7 +60,8 @@ final class Figures {
     for (String f : names) {
       double[] predicted = result.feature(f).validation().predicted();
       XYChart chart = Charts.plot(f, "predicted -log10(PIP)", "residual");
-      Charts.points(chart, "photos", predicted, minus(responses, predicted), Charts.DOTS);
+      Charts.points(
+          chart, "photos", predicted, MathArrays.ebeSubtract(responses, predicted), Charts.DOTS);
       level(chart, predicted);
       charts.add(chart);
     }
@@ -69,12 +73,10 @@ final class Figures {
     double[] pip = result.measuredPip();
     double[] y = result.confidences(detector);
     LineFit fit = result.line(detector, FitResult.GROUND_TRUTH);
-    double[] predicted = new double[y.length];
-    for (int i = 0; i < y.length; i++) {
-      predicted[i] = fit.line().confidence(pip[i]);
-    }
+    double[] predicted = Arrays.stream(pip).map(fit.line()::confidence).toArray();
     XYChart residuals = Charts.plot("residuals", "predicted confidence", "residual");
-    Charts.points(residuals, "photos", predicted, minus(y, predicted), Charts.DOTS);
+    Charts.points(
+        residuals, "photos", predicted, MathArrays.ebeSubtract(y, predicted), Charts.DOTS);
     level(residuals, predicted);
     return Charts.png(List.of(fitted(detector + " on PIP", "PIP", pip, y, fit), residuals), 2);
   }
@@ -127,7 +129,7 @@ final class Figures {
           step.model(),
           x,
           y,
-          java.awt.Color.getHSBColor(hue, 0.75f, 0.75f),
+          Color.getHSBColor(hue, 0.75f, 0.75f),
           i % 2 == 0 ? SeriesMarkers.CIRCLE : SeriesMarkers.DIAMOND);
     }
     chart.getStyler().setYAxisMin(-0.05);
@@ -163,14 +165,6 @@ final class Figures {
   private static double[] ends(double[] values) {
     Moments moments = Moments.of(values);
     return new double[] {moments.min(), moments.max()};
-  }
-
-  private static double[] minus(double[] a, double[] b) {
-    double[] difference = new double[a.length];
-    for (int i = 0; i < a.length; i++) {
-      difference[i] = a[i] - b[i];
-    }
-    return difference;
   }
 
   /** One variable of Table 4.1. */

@@ -2,6 +2,7 @@ package org.hificamsim.profiling.report;
 
 import java.util.List;
 import org.apache.commons.math3.stat.regression.OLSMultipleLinearRegression;
+import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.profiling.fit.Observation;
 
 /** Multiple linear regression of PIP itself, for Figure 4.3's left side. */
@@ -9,18 +10,10 @@ final class LinearOnPip {
   private LinearOnPip() {}
 
   static double[] predict(List<Observation> observations) {
-    double[][] x =
-        observations.stream()
-            .map(o -> new double[] {o.size(), o.distance(), o.focalLength()})
-            .toArray(double[][]::new);
+    double[][] x = observations.stream().map(Observation::predictors).toArray(double[][]::new);
     double[] y = observations.stream().mapToDouble(Observation::pip).toArray();
     OLSMultipleLinearRegression regression = new OLSMultipleLinearRegression();
     regression.newSampleData(y, x);
-    double[] residuals = regression.estimateResiduals();
-    double[] predicted = new double[y.length];
-    for (int i = 0; i < y.length; i++) {
-      predicted[i] = y[i] - residuals[i];
-    }
-    return predicted;
+    return MathArrays.ebeSubtract(y, regression.estimateResiduals());
   }
 }

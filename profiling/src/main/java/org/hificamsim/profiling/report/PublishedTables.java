@@ -1,16 +1,20 @@
 package org.hificamsim.profiling.report;
 
+import com.fasterxml.jackson.databind.ObjectReader;
+import com.fasterxml.jackson.dataformat.csv.CsvMapper;
+import com.fasterxml.jackson.dataformat.csv.CsvSchema;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
 /** The thesis's numbers, as tables of texts. */
 final class PublishedTables {
+  private static final ObjectReader CSV =
+      new CsvMapper().readerForMapOf(String.class).with(CsvSchema.emptySchema().withHeader());
+
   private PublishedTables() {}
 
   /** Table 4.1. */
@@ -61,18 +65,7 @@ final class PublishedTables {
 
   private static List<Map<String, String>> rows(String table) {
     try (InputStream in = PublishedTables.class.getResourceAsStream(table)) {
-      List<String> lines = new String(in.readAllBytes(), StandardCharsets.UTF_8).lines().toList();
-      String[] columns = lines.get(0).split(",", -1);
-      List<Map<String, String>> rows = new ArrayList<>();
-      for (String line : lines.subList(1, lines.size())) {
-        String[] cells = line.split(",", -1);
-        Map<String, String> row = new LinkedHashMap<>();
-        for (int i = 0; i < columns.length; i++) {
-          row.put(columns[i], cells[i]);
-        }
-        rows.add(row);
-      }
-      return rows;
+      return CSV.<Map<String, String>>readValues(in).readAll();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -1,5 +1,6 @@
 package org.hificamsim.reproduction.sensitivity;
 
+import java.util.Locale;
 import org.hificamsim.runs.Estimate;
 
 /**
@@ -21,18 +22,13 @@ record Gap(
 
   /** What the gap says of the conclusion. */
   enum Finding {
-    UNDERESTIMATES("underestimates"),
-    OVERESTIMATES("overestimates"),
-    OPEN("open");
+    UNDERESTIMATES,
+    OVERESTIMATES,
+    OPEN;
 
-    private final String label;
-
-    Finding(String label) {
-      this.label = label;
-    }
-
+    /** The name in files. */
     String label() {
-      return label;
+      return name().toLowerCase(Locale.ROOT);
     }
   }
 

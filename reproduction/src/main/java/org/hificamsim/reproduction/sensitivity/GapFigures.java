@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.DoubleStream;
-import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.PolicyColors;
 import org.hificamsim.presentation.plot.Curve;
@@ -120,8 +119,7 @@ final class GapFigures {
   private static DoubleStream bounds(List<Gap> gaps) {
     return gaps.stream()
         .map(Gap::difference)
-        .flatMap(difference -> Stream.of(difference.low(), difference.high()))
-        .filter(bound -> !bound.isNaN())
-        .mapToDouble(bound -> bound);
+        .flatMapToDouble(difference -> DoubleStream.of(difference.low(), difference.high()))
+        .filter(bound -> !Double.isNaN(bound));
   }
 }

@@ -2,10 +2,8 @@ package org.hificamsim.reproduction.sensitivity;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.reproduction.Layout;
-import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
 
@@ -23,17 +21,18 @@ final class Gaps {
     for (Sweep sweep : sweeps) {
       for (Variant variant : sweep.variants()) {
         for (Layout layout : Layout.values()) {
-          sweep
-              .policies()
-              .forEach(
-                  policy -> gaps.add(gap(sweep, variant, layout.label(), policy, List.of(layout))));
+          gaps.addAll(gaps(sweep, variant, layout.label(), List.of(layout)));
         }
-        for (String policy : sweep.policies()) {
-          gaps.add(gap(sweep, variant, Gap.ALL, policy, List.of(Layout.values())));
-        }
+        gaps.addAll(gaps(sweep, variant, Gap.ALL, List.of(Layout.values())));
       }
     }
     return gaps;
+  }
+
+  private List<Gap> gaps(Sweep sweep, Variant variant, String name, List<Layout> layouts) {
+    return sweep.policies().stream()
+        .map(policy -> gap(sweep, variant, name, policy, layouts))
+        .toList();
   }
 
   private Gap gap(Sweep sweep, Variant variant, String name, String policy, List<Layout> layouts) {
@@ -45,13 +44,9 @@ final class Gaps {
         variant,
         name,
         policy,
-        estimate(seeds, drawn -> mean(hifi, drawn)),
-        estimate(seeds, drawn -> mean(camsim, drawn)),
-        estimate(seeds, drawn -> mean(hifi, drawn) - mean(camsim, drawn)));
-  }
-
-  private static Estimate estimate(int seeds, ToDoubleFunction<int[]> figure) {
-    return Ratio.estimate(seeds, figure);
+        Ratio.estimate(seeds, drawn -> mean(hifi, drawn)),
+        Ratio.estimate(seeds, drawn -> mean(camsim, drawn)),
+        Ratio.estimate(seeds, drawn -> mean(hifi, drawn) - mean(camsim, drawn)));
   }
 
   private static double mean(List<Ratio> ratios, int[] seeds) {

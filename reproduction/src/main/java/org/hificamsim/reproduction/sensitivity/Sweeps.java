@@ -16,13 +16,11 @@ import org.hificamsim.runs.RunPlan;
 
 /** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
 public final class Sweeps {
-  private static final String ZOOM_OUT = "zoom-out";
-  private static final String EPSILON_GREEDY = "epsilon-greedy";
-  private static final String SARSA = "sarsa";
-  private static final String QB_SARSA = "qb-sarsa";
-  private static final List<String> ALL = List.of(ZOOM_OUT, EPSILON_GREEDY, SARSA, QB_SARSA);
-  private static final List<String> LEARNERS = List.of(EPSILON_GREEDY, SARSA, QB_SARSA);
-  private static final List<String> TEMPORAL = List.of(SARSA, QB_SARSA);
+  private static final List<String> ALL =
+      List.of(ReproductionPlans.ZOOM_OUT, ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.SARSA, ReproductionPlans.QB_SARSA);
+  private static final List<String> LEARNERS =
+      List.of(ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.SARSA, ReproductionPlans.QB_SARSA);
+  private static final List<String> TEMPORAL = List.of(ReproductionPlans.SARSA, ReproductionPlans.QB_SARSA);
   private static final int TARGETS = 3;
 
   private final Map<String, Scenario> scenarios;
@@ -68,7 +66,7 @@ public final class Sweeps {
         new Sweep(
             "k",
             "cameras that QB-SARSA asks",
-            options(List.of(QB_SARSA), "k", "4", "0", "1", "2", "4", "6", "8")),
+            options(List.of(ReproductionPlans.QB_SARSA), "k", "4", "0", "1", "2", "4", "6", "8")),
         new Sweep(
             "reward",
             "reading of Eq 7.5",

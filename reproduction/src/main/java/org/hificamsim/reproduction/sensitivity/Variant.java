@@ -1,6 +1,5 @@
 package org.hificamsim.reproduction.sensitivity;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.detection.Detection;
@@ -22,6 +21,6 @@ record Variant(
     Map<String, String> policies) {
   /** Both detection models. */
   List<Detection> detections() {
-    return new ArrayList<>(List.of(camsim, hifi));
+    return List.of(camsim, hifi);
   }
 }
