@@ -12,6 +12,8 @@ import org.hificamsim.core.visibility.Pose;
 public final class Cameras {
   private final String[] names;
   private final Pose[] poses;
+  private final double[] x; // of the poses, which lie side by side here: looking reads little else
+  private final double[] y;
   private final ZoomLevel[][] zooms;
   private final int[] level;
   private final boolean[] online;
@@ -21,6 +23,8 @@ public final class Cameras {
     names = new String[count];
     poses = new Pose[count];
     Arrays.fill(poses, Pose.of(0, 0, 0));
+    x = new double[count];
+    y = new double[count];
     zooms = new ZoomLevel[count][];
     level = new int[count];
     online = new boolean[count];
@@ -34,6 +38,8 @@ public final class Cameras {
 
   void place(int camera, Pose pose) {
     poses[camera] = pose;
+    x[camera] = pose.x();
+    y[camera] = pose.y();
     revision++;
   }
 
@@ -74,12 +80,12 @@ public final class Cameras {
 
   /** Metres. */
   public double x(int camera) {
-    return poses[camera].x();
+    return x[camera];
   }
 
   /** Metres. */
   public double y(int camera) {
-    return poses[camera].y();
+    return y[camera];
   }
 
   /** Radians, 0 is +y and pi/2 is +x; not normalised. */
