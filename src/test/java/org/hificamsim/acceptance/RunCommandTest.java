@@ -91,6 +91,8 @@ class RunCommandTest {
           List.of("manifest.json", "steps.csv", "summary.json"),
           files.map(file -> file.getFileName().toString()).sorted().toList());
     }
+    String manifest = Files.readString(folder.resolve("manifest.json"));
+    assertFalse(manifest.contains("development"), manifest); // the version is known
   }
 
   @Test

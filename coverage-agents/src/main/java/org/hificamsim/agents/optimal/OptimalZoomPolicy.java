@@ -65,7 +65,7 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   }
 
   private ConfigurationSearch newSearch(NetworkView network) {
-    return new ConfigurationSearch(network, Preference.MAX_TARGETS_THEN_NARROWEST, nodes);
+    return new ConfigurationSearch(network, Preference.MOST_TARGETS_THEN_NARROWEST, nodes);
   }
 
   @Override

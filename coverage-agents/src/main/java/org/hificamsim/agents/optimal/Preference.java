@@ -2,8 +2,8 @@ package org.hificamsim.agents.optimal;
 
 /** What decides between configurations with the same k_min, camera by camera. */
 public enum Preference {
-  MAX_TARGETS_THEN_NARROWEST(true, false),
-  MAX_TARGETS_THEN_WIDEST(true, true),
+  MOST_TARGETS_THEN_NARROWEST(true, false),
+  MOST_TARGETS_THEN_WIDEST(true, true),
   NARROWEST(false, false),
   WIDEST(false, true);
 

@@ -4,9 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import org.hificamsim.agents.CoveragePolicies;
 import org.hificamsim.agents.toy.GeometricNetwork;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class OneHopZoomPolicyTest {
   @Test
@@ -29,11 +33,21 @@ class OneHopZoomPolicyTest {
     assertArrayEquals(new int[] {2, 3}, network.currentLevels());
   }
 
+  /** These names are in users' commands. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"widest", "narrowest", "most-targets-then-widest", "most-targets-then-narrowest"})
+  void itsTiesAreGivenByName(String ties) {
+    assertEquals(
+        "one-hop",
+        CoveragePolicies.register(new Registry<>("policy")).create("one-hop:ties=" + ties).name());
+  }
+
   @Test
   void canBeToldToKeepDetectionsWhereNothingIsGained() {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 1, 0).see(0, 0, 0);
     network.setLevel(0, 1);
-    Preference preference = Preference.MAX_TARGETS_THEN_WIDEST;
+    Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
     network.decide(network.begin(new OneHopZoomPolicy(preference), 1));
     assertEquals(1, network.level(0));
   }
