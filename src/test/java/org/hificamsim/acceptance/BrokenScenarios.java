@@ -469,7 +469,7 @@ final class BrokenScenarios {
     String laughs =
         "<!ENTITY e0 \"ha\">"
             + IntStream.range(1, 40)
-                .mapToObj(i -> "<!ENTITY e%d \"&e%d;&e%d;\">".formatted(i, i - 1, i - 1))
+                .mapToObj(i -> "<!ENTITY e%s \"&e%s;&e%s;\">".formatted(i, i - 1, i - 1))
                 .collect(Collectors.joining("\n"));
     String uri = canary.toUri().toString();
     return List.of(

@@ -40,7 +40,8 @@ class LocaleTest {
   @Test
   void modelsFittedToPhotosAreTheSame() throws Exception {
     Path lab = folder.resolve("lab");
-    String photos = " --scale 0.1 --objects 4 --focal-lengths 0.010,0.035,0.085 --distances 1,2,4,8";
+    String photos =
+        " --scale 0.1 --objects 4 --focal-lengths 0.010,0.035,0.085 --distances 1,2,4,8";
     assertEquals(0, Cli.run(("profile lab --out " + lab + photos).split(" ")).exit());
     assertEquals(0, Cli.run("profile", "measure", lab).exit());
     for (String locale : LOCALES) {
@@ -68,7 +69,8 @@ class LocaleTest {
         List.of(
             "-Duser.language=" + locale.substring(0, 2), "-Duser.country=" + locale.substring(3));
     Process process =
-        Java.main(own, options, System.getProperty("java.class.path"), (Object[]) command.split(" "));
+        Java.main(
+            own, options, System.getProperty("java.class.path"), (Object[]) command.split(" "));
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(0, process.waitFor(), said);
     return said.replaceAll("(?m)^.* left$\n", ""); // progress, on a slow machine

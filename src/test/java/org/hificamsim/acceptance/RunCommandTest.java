@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -108,7 +109,7 @@ class RunCommandTest {
     String line =
         run.out().lines().filter(l -> l.startsWith("k_min over time")).findFirst().orElseThrow();
     String bars = line.replaceFirst("k_min over time +(\\S+)  .*", "$1");
-    assertTrue(line.endsWith(" %.2f)".formatted(most)), line);
+    assertTrue(line.endsWith(String.format(Locale.ROOT, " %.2f)", most)), line);
     assertEquals(40, bars.length());
     char full = line.charAt(line.indexOf(" to ") + 4);
     char empty = line.charAt(line.indexOf('(') + 1);

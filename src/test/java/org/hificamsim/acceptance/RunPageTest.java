@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -74,7 +75,7 @@ class RunPageTest {
         List<String> told = hover(x, y).lines().toList();
         assertEquals("target " + row[2], told.get(0));
         assertEquals(
-            String.format("x %.3f m, y %.3f m", x, y).replace("-0.000", "0.000"),
+            String.format(Locale.ROOT, "x %.3f m, y %.3f m", x, y).replace("-0.000", "0.000"),
             told.get(1).replace("-0.000", "0.000"));
       }
       for (int camera : new int[] {0, 8, 13}) {
@@ -121,7 +122,7 @@ class RunPageTest {
             + "over.dispatchEvent(new PointerEvent('pointermove', {clientX: box.right - 0.1}))");
     String last = Files.readAllLines(run.resolve("steps.csv")).get(STEPS).split(",")[2];
     assertEquals(
-        "step %d: %s".formatted(STEPS - 1, last),
+        "step %s: %s".formatted(STEPS - 1, last),
         browser.findAll(".chart .value").get(0).getText());
   }
 
@@ -270,7 +271,7 @@ class RunPageTest {
     List<String> added = new ArrayList<>();
     for (int i = 0; i < 5; i++) {
       added.add(
-          "<object features=\"%d.0\" x=\"%d\" y=\"%d\" heading=\"%d\" speed=\"0.7\" size=\"0.66\"/>"
+          "<object features=\"%s.0\" x=\"%s\" y=\"%s\" heading=\"%s\" speed=\"0.7\" size=\"0.66\"/>"
               .formatted(40 + i, 2 * i - 5, 3 - i, 70 * i));
     }
     return Files.writeString(

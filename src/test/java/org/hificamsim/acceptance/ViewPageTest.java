@@ -219,7 +219,7 @@ class ViewPageTest {
     browser.until("return hificamsim.runs[0].count > 400");
     pause();
     Path pictures = Files.createDirectories(Path.of("build", "screenshots"));
-    browser.screenshot(pictures.resolve("view-%d-%d.png".formatted(width, models)));
+    browser.screenshot(pictures.resolve("view-%s-%s.png".formatted(width, models)));
     assertEquals(
         true, browser.run("return document.documentElement.scrollWidth <= innerWidth"), "overflow");
     browser.size(1280, 1000);

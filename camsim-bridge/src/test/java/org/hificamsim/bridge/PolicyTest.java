@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -102,10 +103,10 @@ class PolicyTest {
     StringBuilder cameras = new StringBuilder();
     StringBuilder objects = new StringBuilder();
     for (int i = 0; i < 60; i++) {
-      cameras.append(CAMERA.formatted(i, i * 5 % 13 - 6, i * 7 % 11 - 5));
+      cameras.append(String.format(Locale.ROOT, CAMERA, i, i * 5 % 13 - 6, i * 7 % 11 - 5));
     }
     for (int i = 0; i < 30; i++) {
-      objects.append(OBJECT.formatted(i + 1, i * 3 % 11 - 5, i * 8 % 13 - 6));
+      objects.append(String.format(Locale.ROOT, OBJECT, i + 1, i * 3 % 11 - 5, i * 8 % 13 - 6));
     }
     return DENSE.formatted(cameras, objects);
   }

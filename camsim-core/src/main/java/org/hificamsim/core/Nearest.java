@@ -20,7 +20,7 @@ public final class Nearest {
     return names.stream()
         .sorted(Comparator.comparingInt(name -> distance(start, name)))
         .limit(MAX_NAMES)
-        .collect(Collectors.joining(", ", "", ", ... (%d in all)".formatted(names.size())));
+        .collect(Collectors.joining(", ", "", ", ... (%s in all)".formatted(names.size())));
   }
 
   private static int distance(String text, String name) {

@@ -11,6 +11,7 @@ import java.util.Random;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.Auctions;
@@ -66,7 +67,8 @@ class CameraErrorsTest {
   }
 
   private void makeAgents(NetworkSettings settings) {
-    Sightings sightings = new Sightings(world, Detection.of(new CamSimVisibilityDetection()));
+    Detection detection = Detection.of(new CamSimVisibilityDetection());
+    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
     Agent.Shared shared =
         new Agent.Shared(
             world.cameras(),

@@ -125,7 +125,7 @@ final class BatchRun {
           options.out(),
           folder -> manifest(folder, run.steps()));
     }
-    screen.out().printf("shard %s: %d runs%n", shard, run.runs());
+    screen.out().printf("shard %s: %s runs%n", shard, run.runs());
   }
 
   private Progress progress(long runs) {

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.DatasetReader;
@@ -98,6 +99,7 @@ final class FitCommand implements Callable<Integer> {
               f -> {
                 LineFit line = result.line(detector, f.name());
                 out.printf(
+                    Locale.ROOT,
                     "%-16s %7.3f %8.4f  %.3f * PIP %+.3f%n",
                     detector + "-" + f.name(),
                     line.r2(),
@@ -106,7 +108,7 @@ final class FitCommand implements Callable<Integer> {
                     line.intercept().value());
               });
     }
-    out.printf("%d models in %s%n", models, folder.resolve("models"));
+    out.printf("%s models in %s%n", models, folder.resolve("models"));
     out.printf("report: %s%n", folder.resolve("report.html"));
   }
 

@@ -57,7 +57,7 @@ final class GenerateCommand implements Callable<Integer> {
     new OutputFile(absolute).write(ScenarioWriter.write(field.scenario()));
     spec.commandLine()
         .getOut()
-        .printf("%s: %d cameras, %d targets%n", file, field.cameras(), field.targets());
+        .printf("%s: %s cameras, %s targets%n", file, field.cameras(), field.targets());
     return 0;
   }
 

@@ -35,6 +35,7 @@ final class JudgementTable {
     out.println();
     for (Verdict verdict : Verdict.values()) {
       out.printf(
+          Locale.ROOT,
           "%-15s %d of %d cells, %d of %d statements%n",
           verdict.label(),
           judgement.cellsWith(verdict),

@@ -119,7 +119,7 @@ final class LabCommand implements Callable<Integer> {
     screen
         .out()
         .printf(
-            "%d photos in %s; %d dropped, whose object is larger than the frame%n",
+            "%s photos in %s; %s dropped, whose object is larger than the frame%n",
             outcome.taken(), out, outcome.dropped());
     return 0;
   }

@@ -84,7 +84,7 @@ final class MeasureCommand implements Callable<Integer> {
     screen
         .out()
         .printf(
-            "%d photos measured%s: %s%n",
+            "%s photos measured%s: %s%n",
             photos,
             resumed > 0 ? ", " + resumed + " of them by an earlier call" : "",
             folder.resolve("measurements.csv"));

@@ -12,7 +12,7 @@ final class Numbers {
   static int inRange(String option, int value, int min, int max) {
     if (value < min || value > max) {
       throw new InputException(
-          "%s is %d, expected a whole number from %d to %d".formatted(option, value, min, max));
+          "%s is %s, expected a whole number from %s to %s".formatted(option, value, min, max));
     }
     return value;
   }

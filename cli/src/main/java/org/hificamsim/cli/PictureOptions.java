@@ -116,7 +116,7 @@ final class PictureOptions {
       int pixels = width == null ? GIF_WIDTH : width;
       OutputFile.of("--gif", gif).write(stream -> animation.write(stream, pixels, perSecond));
       out.printf(
-          "%s (%d pictures, one for %s)%n",
+          "%s (%s pictures, one for %s)%n",
           gif,
           animation.pictures(),
           animation.stepsApart() == 1 ? "each step" : animation.stepsApart() + " steps");
@@ -132,7 +132,7 @@ final class PictureOptions {
       }
     }
     throw new InputException(
-        "--run is %d, expected one of the %d repeats recorded, from 0"
+        "--run is %s, expected one of the %s repeats recorded, from 0"
             .formatted(repeat, replay.runs().size()));
   }
 
@@ -140,7 +140,7 @@ final class PictureOptions {
     int first = run.at("--from", from);
     int last = run.at("--to", to == null ? run.last() : to);
     if (last < first) {
-      throw new InputException("--to is %d, expected a step from %d on".formatted(to, from));
+      throw new InputException("--to is %s, expected a step from %s on".formatted(to, from));
     }
     if (every == null) {
       return Animation.of(run, first, last);
@@ -148,7 +148,7 @@ final class PictureOptions {
     long recorded = run.stepsApart();
     if (every < 1 || every % recorded != 0) {
       throw new InputException(
-          "--every is %d, expected a multiple of %d, above 0".formatted(every, recorded));
+          "--every is %s, expected a multiple of %s, above 0".formatted(every, recorded));
     }
     return new Animation(run, first, last, (int) (every / recorded));
   }

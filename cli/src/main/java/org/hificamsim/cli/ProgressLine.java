@@ -63,11 +63,11 @@ final class ProgressLine {
   }
 
   private String count(long done) {
-    return "%d of %d %s".formatted(done, total, unit);
+    return "%s of %s %s".formatted(done, total, unit);
   }
 
   private String percent(long done) {
-    return "%3d%%".formatted(100 * done / total);
+    return String.format(Locale.ROOT, "%3d%%", 100 * done / total);
   }
 
   private String speed(long done, long elapsed) {
@@ -80,7 +80,8 @@ final class ProgressLine {
       return "? left";
     }
     long seconds = (long) Math.ceil((total - done) / perSecond(done, elapsed));
-    return "%d:%02d:%02d left".formatted(seconds / 3600, seconds / 60 % 60, seconds % 60);
+    return String.format(
+        Locale.ROOT, "%d:%02d:%02d left", seconds / 3600, seconds / 60 % 60, seconds % 60);
   }
 
   private static double perSecond(long done, long elapsed) {

@@ -45,7 +45,7 @@ final class RepeatOptions {
     long max = Long.MAX_VALUE - (repeats() - 1);
     if (seed.value() > max) {
       throw new InputException(
-          "--seed is %d, expected at most %d for %d repeats".formatted(seed.value(), max, repeats));
+          "--seed is %s, expected at most %s for %s repeats".formatted(seed.value(), max, repeats));
     }
     return seed.value();
   }

@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
@@ -106,9 +107,12 @@ final class RunCommand implements Callable<Integer> {
       screen
           .err()
           .printf(
+              Locale.ROOT,
               "warning: %s has %.1f MB: where the cameras of this network stand, and what they see"
                   + " at each zoom level, does not fit into %d MB%n",
-              page, megabytes, MAX_MEGABYTES);
+              page,
+              megabytes,
+              MAX_MEGABYTES);
     }
   }
 

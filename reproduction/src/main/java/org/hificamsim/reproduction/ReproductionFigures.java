@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.file.OutputFolder;
@@ -128,7 +129,7 @@ public final class ReproductionFigures {
     if (!Double.isNaN(published)) {
       legend.add(
           new LegendEntry(
-              "published: %.2f of the optimum in scenario 4".formatted(published),
+              String.format(Locale.ROOT, "published: %.2f of the optimum in scenario 4", published),
               PUBLISHED,
               LegendEntry.Mark.DASHES));
     }

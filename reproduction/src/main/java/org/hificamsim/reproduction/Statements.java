@@ -11,6 +11,7 @@ import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.hificamsim.reproduction.Statement.Margin;
 import org.hificamsim.runs.compare.Bootstrap;
@@ -143,9 +144,10 @@ public final class Statements {
     return new Statement(
         id,
         "7.4.4",
-        "In scenario 4 %s reaches %.2f of greedy.".formatted(policy, published),
+        String.format(Locale.ROOT, "In scenario 4 %s reaches %.2f of greedy.", policy, published),
         List.of(Margins.near("scenario 4", ours, published)),
-        "ours is %.2f; the margin is 0.05 less the distance".formatted(ours.mean()));
+        String.format(
+            Locale.ROOT, "ours is %.2f; the margin is 0.05 less the distance", ours.mean()));
   }
 
   private List<Statement> voting() {

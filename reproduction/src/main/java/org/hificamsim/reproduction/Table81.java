@@ -78,13 +78,18 @@ public final class Table81 {
 
   private double exploreAny(PublishedCell cell) {
     return cell.policy().equals(ReproductionPlans.EPSILON_GREEDY)
-        ? ratio(cell.layout().scenarios(), cell.detection(), ReproductionPlans.ANY).estimate().mean()
+        ? ratio(cell.layout().scenarios(), cell.detection(), ReproductionPlans.ANY)
+            .estimate()
+            .mean()
         : Double.NaN;
   }
 
   private double origin(PublishedCell cell) {
     return cell.layout() == Layout.CLUSTER
-        ? ratio(List.of(cell.layout().random(), ReproductionPlans.ORIGIN), cell.detection(), cell.policy())
+        ? ratio(
+                List.of(cell.layout().random(), ReproductionPlans.ORIGIN),
+                cell.detection(),
+                cell.policy())
             .estimate()
             .mean()
         : Double.NaN;

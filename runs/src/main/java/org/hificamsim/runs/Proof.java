@@ -27,7 +27,7 @@ public record Proof(long unprovenSteps, long gap) {
    * @param steps how many there were
    */
   public String missing(long steps) {
-    return "%d of %d steps; their k_min might be up to %d higher in sum"
+    return "%s of %s steps; their k_min might be up to %s higher in sum"
         .formatted(unprovenSteps, steps, gap);
   }
 

@@ -8,7 +8,7 @@ public final class RunFault extends RuntimeException {
 
   RunFault(RunPlan plan, long seed, long step, RuntimeException cause) {
     super(
-        "scenario %s, detection %s, policy %s, seed %d, step %d: %s"
+        "scenario %s, detection %s, policy %s, seed %s, step %s: %s"
             .formatted(
                 plan.scenario().name(),
                 plan.detection().name(),

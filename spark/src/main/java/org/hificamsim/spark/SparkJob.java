@@ -109,7 +109,7 @@ final class SparkJob {
       return connecting.get(PATIENCE_SECONDS, TimeUnit.SECONDS);
     } catch (TimeoutException e) {
       throw new InputException(
-          "--master '%s' has not taken the job within %d s, expected the URL of a Spark master"
+          "--master '%s' has not taken the job within %s s, expected the URL of a Spark master"
               .formatted(master.url(), PATIENCE_SECONDS),
           e);
     } catch (ExecutionException e) {

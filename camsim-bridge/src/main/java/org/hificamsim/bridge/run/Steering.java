@@ -63,7 +63,7 @@ final class Steering {
   private void begin(LiveNetwork network) {
     if (policy != null) {
       FaultLine.note(
-          "step %d: more cameras or objects than expected: policy %s starts over"
+          "step %s: more cameras or objects than expected: policy %s starts over"
               .formatted(network.step(), given.spec()));
     }
     if (network.outgrown()) {
@@ -79,7 +79,7 @@ final class Steering {
   private int checked(LiveNetwork network, int camera) {
     if (levels[camera] < 0 || levels[camera] >= network.levels(camera)) {
       throw new IllegalStateException(
-          "policy %s chose level %d for camera %s, expected 0 to %d"
+          "policy %s chose level %s for camera %s, expected 0 to %s"
               .formatted(
                   given.spec(),
                   levels[camera],

@@ -141,7 +141,7 @@ public final class Simulation {
   private void apply(int camera, int level) {
     if (level < 0 || level >= network.levels(camera)) {
       throw new IllegalStateException(
-          "policy %s chose level %d for camera %s, expected 0 to %d"
+          "policy %s chose level %s for camera %s, expected 0 to %s"
               .formatted(
                   policy.name(), level, network.cameraName(camera), network.levels(camera) - 1));
     }

@@ -130,7 +130,7 @@ final class EventReader {
           one.element()
               .place("name")
               .line(
-                  "camera '%s' is not online at step %d, nothing happens"
+                  "camera '%s' is not online at step %s, nothing happens"
                       .formatted(camera, one.event().step())));
     }
   }

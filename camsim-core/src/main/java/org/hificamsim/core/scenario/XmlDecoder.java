@@ -9,6 +9,7 @@ import java.nio.charset.CoderResult;
 import java.nio.charset.CodingErrorAction;
 import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.StandardCharsets;
+import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
@@ -111,8 +112,11 @@ final class XmlDecoder {
           new XmlText(file, before)
               .at(before.length())
               .line(
-                  "byte 0x%02X is not %s, expected text in that encoding"
-                      .formatted(bytes[in.position()], charset.name())),
+                  String.format(
+                      Locale.ROOT,
+                      "byte 0x%02X is not %s, expected text in that encoding",
+                      bytes[in.position()],
+                      charset.name())),
           new CharacterCodingException());
     }
   }

@@ -172,7 +172,7 @@ class SightTest {
           assertEquals(
               full.detects(camera, level, target),
               once.detects(camera, level, target),
-              "camera %d level %d target %d at (%s, %s)"
+              "camera %s level %s target %s at (%s, %s)"
                   .formatted(
                       camera, level, target, world.targets().x(target), world.targets().y(target)));
         }

@@ -244,7 +244,7 @@ class ScenarioReaderTest {
             () -> read(text.substring(0, at) + beyond + text.substring(at + part.length())));
     String[] sides = beyond.split("=");
     assertEquals(
-        "%s:1:%d: %s %s is %s, expected %s"
+        "%s:1:%s: %s %s is %s, expected %s"
             .formatted(
                 folder.resolve("test.xml"),
                 at + 1,

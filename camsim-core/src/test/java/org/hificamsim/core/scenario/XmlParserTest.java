@@ -165,7 +165,7 @@ class XmlParserTest {
     parse("<a>".repeat(XmlParser.MAX_DEPTH) + "</a>".repeat(XmlParser.MAX_DEPTH));
     int most = XmlParser.MAX_DEPTH;
     assertEquals(
-        "1:%d: <a> is nested too deep, expected at most 32 levels".formatted(3 * most + 1),
+        "1:%s: <a> is nested too deep, expected at most 32 levels".formatted(3 * most + 1),
         fault("<a>".repeat(most + 1).getBytes(StandardCharsets.UTF_8)));
   }
 
@@ -176,7 +176,7 @@ class XmlParserTest {
         Duration.ofSeconds(60),
         () ->
             assertEquals(
-                "1:%d: the file is too big, expected at most 4000000 elements, attributes"
+                "1:%s: the file is too big, expected at most 4000000 elements, attributes"
                     .formatted(4 * XmlParser.MAX_PARTS),
                 fault(text)));
   }

@@ -1,2 +1,5 @@
-/** Temporal-difference learning, one learner per camera with its zoom levels as actions (thesis 7.4.4). */
+/**
+ * Temporal-difference learning, one learner per camera with its zoom levels as actions (thesis
+ * 7.4.4).
+ */
 package org.hificamsim.agents.temporal;

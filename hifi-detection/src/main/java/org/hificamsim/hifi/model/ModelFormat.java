@@ -30,7 +30,8 @@ final class ModelFormat {
     FeatureAbstraction f = FeatureFormats.read(json.object("f"));
     DetectorLine g = json.object("g").whole(ModelFormat::detectorLine);
     Optics optics = json.has("optics") ? optics(json) : PublishedModels.published().optics();
-    double threshold = json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g);
+    double threshold =
+        json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g);
     checkUnits(json);
     return new HiFiDetection(name, f, g, optics, threshold, provenance(json));
   }

@@ -17,7 +17,9 @@ final class PublishedModelsFormat {
         ModelFormat.optics(json),
         json.object("reference").whole(PublishedModelsFormat::reference),
         json.object("literal").whole(PublishedModelsFormat::literal),
-        json.objects("features").stream().map(f -> f.whole(PublishedModelsFormat::feature)).toList(),
+        json.objects("features").stream()
+            .map(f -> f.whole(PublishedModelsFormat::feature))
+            .toList(),
         json.objects("lines").stream().map(g -> g.whole(PublishedModelsFormat::line)).toList());
   }
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import org.apache.commons.math3.stat.regression.OLSMultipleLinearRegression;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
@@ -36,7 +37,8 @@ class PowerLawDerivationTest {
     assertEquals(solved[2], shipped.b(), 1e-9, derived);
     assertEquals(-solved[3], shipped.e(), 1e-9, derived);
     assertEquals(
-        "R2 %.3f with Eq 4.4 at these points".formatted(regression.calculateRSquared()),
+        String.format(
+            Locale.ROOT, "R2 %.3f with Eq 4.4 at these points", regression.calculateRSquared()),
         Features.feature("power").provenance().remarks().get("agreement"));
   }
 

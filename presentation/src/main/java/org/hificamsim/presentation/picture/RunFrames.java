@@ -3,6 +3,7 @@ package org.hificamsim.presentation.picture;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
@@ -68,12 +69,12 @@ public final class RunFrames {
   public int at(String option, long step) {
     if (step < 0 || step > last()) {
       throw new InputException(
-          "%s is %d, expected a step from 0 to %d".formatted(option, step, last()));
+          "%s is %s, expected a step from 0 to %s".formatted(option, step, last()));
     }
     int index = before(step);
     if (step(index) != step) {
       throw new InputException(
-          "%s is %d, but the recording was thinned, expected a multiple of %d or %d; maybe %d"
+          "%s is %s, but the recording was thinned, expected a multiple of %s or %s; maybe %s"
               .formatted(option, step, recording.every(), last(), step(index)));
     }
     return index;

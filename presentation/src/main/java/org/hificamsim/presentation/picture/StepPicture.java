@@ -88,13 +88,13 @@ public final class StepPicture implements Picture {
     graphics.setColor(Palette.BLACK);
     graphics.setFont(Fonts.TITLE);
     graphics.drawString(
-        "%s, step %d of %d".formatted(setup.scenario(), run.step(index), run.last()),
+        "%s, step %s of %s".formatted(setup.scenario(), run.step(index), run.last()),
         MARGIN,
         MARGIN + 12);
     graphics.setColor(FieldPainter.FAINT);
     graphics.setFont(Fonts.TEXT);
     graphics.drawString(
-        "%s, %s with threshold %s, seed %d"
+        "%s, %s with threshold %s, seed %s"
             .formatted(
                 setup.policy(), setup.detection(), setup.threshold(), run.recording().seed()),
         MARGIN,

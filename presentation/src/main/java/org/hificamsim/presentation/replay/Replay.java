@@ -29,7 +29,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
       int line = e.getLocation() == null ? 1 : e.getLocation().getLineNr();
       int column = e.getLocation() == null ? 1 : e.getLocation().getColumnNr();
       throw new InputException(
-          "%s:%d:%d: %s, expected what 'hificamsim run --record' writes"
+          "%s:%s:%s: %s, expected what 'hificamsim run --record' writes"
               .formatted(file, line, column, e.getOriginalMessage()),
           e);
     }

@@ -38,7 +38,7 @@ final class ComparisonCheck {
     boolean same = Math.abs(mean - own.getMean()) <= ROUNDING * Math.max(1, Math.abs(mean));
     if (!same || summary.number(row, "runs") != own.getN()) {
       throw new InputException(
-          "%s:%d:1: mean performance %s of %s runs, but %s has %s of %d, expected the files of one comparison"
+          "%s:%s:1: mean performance %s of %s runs, but %s has %s of %s, expected the files of one comparison"
               .formatted(
                   summary.file(),
                   summary.line(row),

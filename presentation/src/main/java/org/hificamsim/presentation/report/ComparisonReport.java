@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.presentation.figures.PolicyColors;
@@ -90,7 +91,10 @@ final class ComparisonReport {
     PolicyColors colors = new PolicyColors(policies);
     ObjectNode node = data.putObject("colours");
     policies.forEach(
-        policy -> node.put(policy, "#%06x".formatted(colors.of(policy).getRGB() & 0xffffff)));
+        policy ->
+            node.put(
+                policy,
+                String.format(Locale.ROOT, "#%06x", colors.of(policy).getRGB() & 0xffffff)));
   }
 
   private static void write(ObjectNode node, TableFile table, int max) {

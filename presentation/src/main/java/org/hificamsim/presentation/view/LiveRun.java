@@ -87,7 +87,7 @@ public final class LiveRun {
   public void drag(int camera, double x, double y) {
     Cameras cameras = sides.get(0).world().cameras();
     if (camera < 0 || camera >= cameras.count() || !cameras.online(camera)) {
-      throw new InputException("camera is %d, expected one that is online".formatted(camera));
+      throw new InputException("camera is %s, expected one that is online".formatted(camera));
     }
     Field field = scenario.field();
     if (!field.contains(x, y) || Double.isNaN(x) || Double.isNaN(y)) {
@@ -106,7 +106,7 @@ public final class LiveRun {
   public void choose(int side, Choice choice) {
     if (side < 0 || side >= sides.size()) {
       throw new InputException(
-          "side is %d, expected one from 0 to %d".formatted(side, sides.size() - 1));
+          "side is %s, expected one from 0 to %s".formatted(side, sides.size() - 1));
     }
     sides.set(side, side(sides.get(side).world(), choice, seed, next));
     choices.set(side, choice);

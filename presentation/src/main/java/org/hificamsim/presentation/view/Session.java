@@ -141,7 +141,7 @@ public final class Session implements AutoCloseable {
       history.add(step);
       watchers.forEach(watcher -> watcher.step(step));
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
-      fault = Place.printable("step %d: %s".formatted(run.next(), RunFault.describe(e)));
+      fault = Place.printable("step %s: %s".formatted(run.next(), RunFault.describe(e)));
       running = false;
       tellState();
     }
@@ -232,7 +232,7 @@ public final class Session implements AutoCloseable {
   private static void between(String name, int value, int least, int most) {
     if (value < least || value > most) {
       throw new InputException(
-          "%s is %d, expected a whole number from %d to %d".formatted(name, value, least, most));
+          "%s is %s, expected a whole number from %s to %s".formatted(name, value, least, most));
     }
   }
 

@@ -83,7 +83,7 @@ public final class ViewServer implements AutoCloseable {
       return HttpServer.create(new InetSocketAddress(loopback, port), WAITING_CONNECTIONS);
     } catch (BindException e) {
       throw new InputException(
-          "--port is %d, which cannot be used (%s), expected one that is free; maybe 0"
+          "--port is %s, which cannot be used (%s), expected one that is free; maybe 0"
               .formatted(port, e.getMessage()),
           e);
     }

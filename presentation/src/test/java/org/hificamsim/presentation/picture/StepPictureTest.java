@@ -14,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
@@ -108,7 +109,7 @@ class StepPictureTest {
       page = new String(in.readAllBytes(), java.nio.charset.StandardCharsets.UTF_8);
     }
     for (CoverClass cover : CoverClass.values()) {
-      String rgb = "%06x".formatted(cover.color().getRGB() & 0xFFFFFF);
+      String rgb = String.format(Locale.ROOT, "%06x", cover.color().getRGB() & 0xFFFFFF);
       assertTrue(
           page.contains("{label: '%s', colour: '#%s'".formatted(cover.label(), rgb)),
           cover.toString());

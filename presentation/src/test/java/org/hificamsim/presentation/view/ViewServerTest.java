@@ -312,7 +312,7 @@ class ViewServerTest {
       socket = new Socket(InetAddress.getLoopbackAddress(), address.getPort());
       socket.setSoTimeout(10_000);
       String request =
-          "GET %sevents HTTP/1.0\r\nHost: 127.0.0.1:%d\r\n\r\n"
+          "GET %sevents HTTP/1.0\r\nHost: 127.0.0.1:%s\r\n\r\n"
               .formatted(address.getPath(), address.getPort());
       socket.getOutputStream().write(request.getBytes(StandardCharsets.UTF_8));
       InputStream in = socket.getInputStream();

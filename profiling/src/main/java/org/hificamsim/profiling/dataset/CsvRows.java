@@ -82,7 +82,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
     if (line.size() != columns.size()) {
       throw line.get(0)
           .place()
-          .error("the row has %d cells, expected %d".formatted(line.size(), columns.size()));
+          .error("the row has %s cells, expected %s".formatted(line.size(), columns.size()));
     }
     Map<String, Cell> row = new LinkedHashMap<>();
     for (int i = 0; i < columns.size(); i++) {

@@ -85,7 +85,7 @@ final class SampleReader {
     if (header.width() != camera.width() || header.height() != camera.height()) {
       throw cell.error(
           column,
-          "%d x %d pixels as camera.json says, not %d x %d"
+          "%s x %s pixels as camera.json says, not %s x %s"
               .formatted(camera.width(), camera.height(), header.width(), header.height()));
     }
     return file;
@@ -142,7 +142,7 @@ final class SampleReader {
       throw row.get("patch_x")
           .place()
           .error(
-              "the patch is %s, expected one within the image's %d x %d pixels"
+              "the patch is %s, expected one within the image's %s x %s pixels"
                   .formatted(patch, camera.width(), camera.height()));
     }
     return patch;

@@ -25,7 +25,7 @@ public record CrossValidation(double[] folds, double[] predicted) {
       FeatureRegression regression, List<Observation> observations, int k, long seed) {
     if (observations.size() < 2 * k) {
       throw new InputException(
-          "%d rows, expected at least %d for %d folds".formatted(observations.size(), 2 * k, k));
+          "%s rows, expected at least %s for %s folds".formatted(observations.size(), 2 * k, k));
     }
     int[] order = shuffled(observations.size(), seed);
     double[] folds = new double[k];

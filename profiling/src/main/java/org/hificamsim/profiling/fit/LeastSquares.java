@@ -41,7 +41,7 @@ final class LeastSquares {
       return coefficients;
     } catch (MathIllegalArgumentException e) {
       throw new InputException(
-          "%d rows do not determine a fit, expected several values of each of %s"
+          "%s rows do not determine a fit, expected several values of each of %s"
               .formatted(y.length, String.join(", ", names)),
           e);
     }

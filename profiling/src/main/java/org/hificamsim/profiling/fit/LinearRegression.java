@@ -1,6 +1,7 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.List;
+import java.util.Locale;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 
 /** Multiple linear regression of {@code -log10(PIP)} on z, q and d (thesis 4.5.1). */
@@ -23,7 +24,12 @@ public final class LinearRegression implements FeatureRegression {
 
   /** The equation as Eq 4.4 prints it. */
   static String equation(LinearAbstraction f) {
-    return "-log10(PIP) = %s z %+.4g q %+.4g d %+.4g"
-        .formatted(LeastSquares.shown(f.z()), f.q(), f.d(), f.intercept());
+    return String.format(
+        Locale.ROOT,
+        "-log10(PIP) = %s z %+.4g q %+.4g d %+.4g",
+        LeastSquares.shown(f.z()),
+        f.q(),
+        f.d(),
+        f.intercept());
   }
 }

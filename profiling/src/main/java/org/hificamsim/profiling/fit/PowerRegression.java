@@ -1,6 +1,7 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.List;
+import java.util.Locale;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
 
 /** The power law {@code PIP = c z^a q^b d^-e} by least squares of the logarithms. */
@@ -19,7 +20,13 @@ public final class PowerRegression implements FeatureRegression {
     PowerLawAbstraction f =
         new PowerLawAbstraction(c, fit.get(3).value(), fit.get(1).value(), -fit.get(2).value());
     String equation =
-        "PIP = %s z^%.3f q^%.3f d^%.3f".formatted(LeastSquares.shown(c), f.a(), f.b(), -f.e());
+        String.format(
+            Locale.ROOT,
+            "PIP = %s z^%.3f q^%.3f d^%.3f",
+            LeastSquares.shown(c),
+            f.a(),
+            f.b(),
+            -f.e());
     return new FittedFeature(f, equation, fit);
   }
 

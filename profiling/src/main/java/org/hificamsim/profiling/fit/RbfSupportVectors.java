@@ -1,6 +1,7 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
@@ -27,8 +28,12 @@ public record RbfSupportVectors(SupportVectorSettings settings) implements Featu
     SvrRbfAbstraction f = abstraction(observations, machine(observations));
     return new FittedFeature(
         f,
-        "no closed form: %d support vectors of %d rows, gamma %.4g"
-            .formatted(f.support().length, observations.size(), f.gamma()),
+        String.format(
+            Locale.ROOT,
+            "no closed form: %d support vectors of %d rows, gamma %.4g",
+            f.support().length,
+            observations.size(),
+            f.gamma()),
         List.of());
   }
 

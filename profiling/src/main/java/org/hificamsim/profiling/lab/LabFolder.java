@@ -56,7 +56,9 @@ final class LabFolder {
 
   /** Writes the tables last: a folder with a {@code dataset.csv} is complete. */
   void finish(LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.Outcome outcome) {
-    json("camera.json", new PhotoCamera(Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height()));
+    json(
+        "camera.json",
+        new PhotoCamera(Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height()));
     json("lab.json", new Rendered(settings, outcome));
     StringBuilder table = new StringBuilder(HEADER).append('\n');
     rows.forEach(row -> table.append(line(row)).append('\n'));

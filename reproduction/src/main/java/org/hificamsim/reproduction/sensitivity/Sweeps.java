@@ -17,10 +17,16 @@ import org.hificamsim.runs.RunPlan;
 /** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
 public final class Sweeps {
   private static final List<String> ALL =
-      List.of(ReproductionPlans.ZOOM_OUT, ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.SARSA, ReproductionPlans.QB_SARSA);
+      List.of(
+          ReproductionPlans.ZOOM_OUT,
+          ReproductionPlans.EPSILON_GREEDY,
+          ReproductionPlans.SARSA,
+          ReproductionPlans.QB_SARSA);
   private static final List<String> LEARNERS =
-      List.of(ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.SARSA, ReproductionPlans.QB_SARSA);
-  private static final List<String> TEMPORAL = List.of(ReproductionPlans.SARSA, ReproductionPlans.QB_SARSA);
+      List.of(
+          ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.SARSA, ReproductionPlans.QB_SARSA);
+  private static final List<String> TEMPORAL =
+      List.of(ReproductionPlans.SARSA, ReproductionPlans.QB_SARSA);
   private static final int TARGETS = 3;
 
   private final Map<String, Scenario> scenarios;

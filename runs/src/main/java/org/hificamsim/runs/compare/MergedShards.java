@@ -93,7 +93,7 @@ public final class MergedShards implements RunEngine {
         IntStream.rangeClosed(1, of).filter(i -> !shards.containsKey(i)).boxed().toList();
     if (!missing.isEmpty()) {
       throw new InputException(
-          "--merge lacks %d of %d shards (%s%s), expected all"
+          "--merge lacks %s of %s shards (%s%s), expected all"
               .formatted(
                   missing.size(),
                   of,
@@ -117,7 +117,7 @@ public final class MergedShards implements RunEngine {
     }
     if (there < tasks.size()) {
       throw new InputException(
-          "--merge '%s' has %d of the %d runs of shard %s, expected all; --shard %s --resume computes the rest"
+          "--merge '%s' has %s of the %s runs of shard %s, expected all; --shard %s --resume computes the rest"
               .formatted(shard.path(), there, tasks.size(), shard.shard(), shard.shard()));
     }
   }

@@ -42,7 +42,7 @@ public record TableFile(Path file, List<String> columns, List<String[]> rows) {
       }
     } catch (JsonProcessingException e) {
       throw new InputException(
-          "%s:%d:%d: %s, expected a table that 'hificamsim' writes"
+          "%s:%s:%s: %s, expected a table that 'hificamsim' writes"
               .formatted(
                   file,
                   e.getLocation().getLineNr(),
@@ -73,7 +73,7 @@ public record TableFile(Path file, List<String> columns, List<String[]> rows) {
     for (int row = 0; row < rows.size(); row++) {
       if (rows.get(row).length != columns.size()) {
         throw new InputException(
-            "%s:%d:1: %d values, expected %d"
+            "%s:%s:1: %s values, expected %s"
                 .formatted(file, line(row), rows.get(row).length, columns.size()));
       }
     }
@@ -100,7 +100,7 @@ public record TableFile(Path file, List<String> columns, List<String[]> rows) {
       return text.isEmpty() ? Double.NaN : Double.parseDouble(text);
     } catch (NumberFormatException e) {
       throw new InputException(
-          "%s:%d:%d: %s is '%s', expected a number"
+          "%s:%s:%s: %s is '%s', expected a number"
               .formatted(file, line(row), columns.indexOf(column) + 1, column, text),
           e);
     }
