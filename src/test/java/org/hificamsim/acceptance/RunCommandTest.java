@@ -155,8 +155,7 @@ class RunCommandTest {
         "--policy sarsa:alpha | policy sarsa: option 'alpha' has no value, expected alpha=VALUE",
         "--order sideways | --order is 'sideways', expected one of coverage, camsim",
         "--headings grads | --headings is 'grads', expected one of degrees, as-radians",
-        "--listener nobody | unknown listener 'nobody', expected none: no jar on the class path"
-            + " brings one",
+        "--listener nobody | unknown listener 'nobody', expected one of UserListener",
         "--colour blue | '--colour'",
       })
   void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {

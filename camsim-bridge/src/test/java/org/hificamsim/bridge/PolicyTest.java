@@ -28,11 +28,6 @@ class PolicyTest {
   private static final List<Double> RADII = List.of(3.0, 7.5, 14.0, 24.0);
   private static final String ZOOMS = "zooms=3;7.5;14;24";
 
-  private static final String CAMERA =
-      "<camera name='c%d' x='%d' y='%d' heading='0' viewing_angle='360' range='9'"
-          + " ai_algorithm='Active' comm='0'/>\n";
-  private static final String OBJECT =
-      "<object features='%d.5' x='%d' y='%d' heading='0' speed='0'/>\n";
   private static final String DENSE =
       """
 <root>
@@ -103,10 +98,23 @@ class PolicyTest {
     StringBuilder cameras = new StringBuilder();
     StringBuilder objects = new StringBuilder();
     for (int i = 0; i < 60; i++) {
-      cameras.append(String.format(Locale.ROOT, CAMERA, i, i * 5 % 13 - 6, i * 7 % 11 - 5));
+      cameras.append(
+          String.format(
+              Locale.ROOT,
+              "<camera name='c%d' x='%d' y='%d' heading='0' viewing_angle='360' range='9'"
+                  + " ai_algorithm='Active' comm='0'/>\n",
+              i,
+              i * 5 % 13 - 6,
+              i * 7 % 11 - 5));
     }
     for (int i = 0; i < 30; i++) {
-      objects.append(String.format(Locale.ROOT, OBJECT, i + 1, i * 3 % 11 - 5, i * 8 % 13 - 6));
+      objects.append(
+          String.format(
+              Locale.ROOT,
+              "<object features='%d.5' x='%d' y='%d' heading='0' speed='0'/>\n",
+              i + 1,
+              i * 3 % 11 - 5,
+              i * 8 % 13 - 6));
     }
     return DENSE.formatted(cameras, objects);
   }

@@ -147,7 +147,7 @@ final class DistanceSight implements Sight {
   public int look(int camera, int level, PointGrid grid, int begin, int end, int[] counts) {
     double below = disc[row(camera, level)];
     return below > 0 && allRound[camera]
-        ? lookAllRound(camera, below, grid, begin, end, counts)
+        ? lookAllRound(cameras.pose(camera), below, grid, begin, end, counts)
         : Sight.super.look(camera, level, grid, begin, end, counts);
   }
 
@@ -157,15 +157,12 @@ final class DistanceSight implements Sight {
    *
    * @param below the smallest squared distance that is out of sight, square metres
    */
-  private int lookAllRound(
-      int camera, double below, PointGrid grid, int begin, int end, int[] counts) {
-    double x = cameras.x(camera);
-    double y = cameras.y(camera);
+  private static int lookAllRound(
+      Pose camera, double below, PointGrid grid, int begin, int end, int[] counts) {
     int seen = 0;
     for (int i = begin; i < end; i++) {
-      double dx = grid.x(i) - x;
-      double dy = grid.y(i) - y;
-      int hit = (int) (Double.doubleToRawLongBits(dx * dx + dy * dy - below) >>> 63);
+      double difference = camera.squaredDistance(grid.x(i), grid.y(i)) - below;
+      int hit = (int) (Double.doubleToRawLongBits(difference) >>> 63);
       counts[i] += hit;
       seen += hit;
     }

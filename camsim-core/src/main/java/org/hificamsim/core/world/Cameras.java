@@ -12,8 +12,6 @@ import org.hificamsim.core.visibility.Pose;
 public final class Cameras {
   private final String[] names;
   private final Pose[] poses;
-  private final double[] x; // of the poses, which lie side by side here: looking reads little else
-  private final double[] y;
   private final ZoomLevel[][] zooms;
   private final int[] level;
   private final boolean[] online;
@@ -23,8 +21,6 @@ public final class Cameras {
     names = new String[count];
     poses = new Pose[count];
     Arrays.fill(poses, Pose.of(0, 0, 0));
-    x = new double[count];
-    y = new double[count];
     zooms = new ZoomLevel[count][];
     level = new int[count];
     online = new boolean[count];
@@ -38,8 +34,6 @@ public final class Cameras {
 
   void place(int camera, Pose pose) {
     poses[camera] = pose;
-    x[camera] = pose.x();
-    y[camera] = pose.y();
     revision++;
   }
 
@@ -80,12 +74,12 @@ public final class Cameras {
 
   /** Metres. */
   public double x(int camera) {
-    return x[camera];
+    return poses[camera].x();
   }
 
   /** Metres. */
   public double y(int camera) {
-    return y[camera];
+    return poses[camera].y();
   }
 
   /** Radians, 0 is +y and pi/2 is +x; not normalised. */

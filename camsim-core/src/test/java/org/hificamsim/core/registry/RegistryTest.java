@@ -43,6 +43,15 @@ class RegistryTest {
   }
 
   @Test
+  void whereNothingIsRegisteredTheErrorSaysSo() {
+    Registry<String> empty = new Registry<>("thing");
+    InputException error = assertThrows(InputException.class, () -> empty.create("plain"));
+    assertEquals(
+        "unknown thing 'plain', expected none: no jar on the class path brings one",
+        error.getMessage());
+  }
+
+  @Test
   void optionsThatNobodyReadsAreRefused() {
     InputException none = assertThrows(InputException.class, () -> registry.create("plain:n=1"));
     assertEquals("thing plain: unknown option 'n=1', expected no options", none.getMessage());

@@ -21,7 +21,6 @@ import org.hificamsim.core.world.movement.Movements;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.ValueSource;
 
 class WorldTest {
   private static final double EXACT = 0;
@@ -270,14 +269,15 @@ class WorldTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"NoSuchMovement", "straight"})
-  void anUnknownMovementIsRefusedWithTheKnownOnes(String name) {
+  @CsvSource({"NoSuchBrownian, DirectedBrownian", "straight, Straight"})
+  void anUnknownMovementIsRefusedWithTheNearestKnownOnes(String name, String known) {
     TestScenario scenario =
         new TestScenario()
             .target(TestScenario.target(1, 0, 0, 0, 0, new MovementSpec(name, 0, 1, List.of())));
     InputException error = assertThrows(InputException.class, scenario::world);
     assertTrue(error.getMessage().contains(name), error.getMessage());
-    assertTrue(error.getMessage().contains("DirectedBrownian"), error.getMessage());
+    assertTrue(error.getMessage().contains("expected one of"), error.getMessage());
+    assertTrue(error.getMessage().contains(known + ","), error.getMessage());
   }
 
   @Test

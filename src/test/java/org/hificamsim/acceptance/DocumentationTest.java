@@ -1,0 +1,82 @@
+package org.hificamsim.acceptance;
+
+import static java.util.stream.Collectors.toSet;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.MatchResult;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+/** The map in {@code CONTRIBUTING.md} names what is there, and links lead somewhere. */
+class DocumentationTest {
+  private static final Pattern LINK = Pattern.compile("\\]\\((?!https?:)([^)#\\s]+)");
+  private static final Pattern CLASS = Pattern.compile("`([A-Z][A-Za-z0-9]*[a-z][A-Za-z0-9]*)`");
+  private static final Set<String> NO_CLASSES = Set.of("Impl", "Base");
+
+  @Test
+  void everyLinkLeadsToAFile() throws IOException {
+    for (Path document : documents()) {
+      List<Path> missing =
+          found(LINK, document)
+              .map(link -> document.resolveSibling(link.group(1)).normalize())
+              .filter(file -> !Files.exists(file))
+              .toList();
+      assertEquals(List.of(), missing, document.toString());
+    }
+  }
+
+  @Test
+  void everyClassOnTheMapExists() throws IOException {
+    Set<String> classes = classes();
+    assertTrue(classes.size() > 500, "found " + classes.size());
+    assertEquals(
+        List.of(),
+        found(CLASS, Cli.ROOT.resolve("CONTRIBUTING.md"))
+            .map(name -> name.group(1))
+            .filter(name -> !classes.contains(name) && !NO_CLASSES.contains(name))
+            .distinct()
+            .toList());
+  }
+
+  @Test
+  void everyModuleIsOnTheMapAndInItsPicture() throws IOException {
+    String map = Files.readString(Cli.ROOT.resolve("CONTRIBUTING.md"));
+    String picture = Files.readString(Cli.ROOT.resolve("docs/img/modules.svg"));
+    for (Module module : Module.values()) {
+      assertTrue(map.contains("| `" + module.folder + "` |"), module.folder);
+      assertTrue(picture.contains(">" + module.folder + "</text>"), module.folder);
+    }
+  }
+
+  private static Stream<MatchResult> found(Pattern pattern, Path file) throws IOException {
+    return pattern.matcher(Files.readString(file)).results();
+  }
+
+  private static List<Path> documents() throws IOException {
+    try (Stream<Path> docs = Files.walk(Cli.ROOT.resolve("docs"))) {
+      return Stream.concat(
+              Stream.of("README.md", "CONTRIBUTING.md", "CHANGELOG.md").map(Cli.ROOT::resolve),
+              docs)
+          .filter(file -> file.toString().endsWith(".md"))
+          .toList();
+    }
+  }
+
+  /** Every class with a file of its own, tests too. */
+  private static Set<String> classes() throws IOException {
+    try (Stream<Path> files = Files.walk(Cli.ROOT, 12)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.endsWith(".java"))
+          .map(name -> name.substring(0, name.length() - ".java".length()))
+          .collect(toSet());
+    }
+  }
+}
