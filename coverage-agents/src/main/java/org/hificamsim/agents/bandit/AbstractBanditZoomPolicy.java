@@ -14,7 +14,10 @@ import org.hificamsim.core.policy.NetworkView;
  * factor lambda of that equation scales all averages by the same and so changes no comparison.
  */
 abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
-  private final CameraTask<long[]> learning = this::learn;
+  /** Of no instance, and small: a step of epsilon-greedy takes 1.1 times as long otherwise. */
+  private static final CameraTask<AbstractBanditZoomPolicy> LEARNING =
+      (network, policy, from, to) -> policy.learn(network, from, to);
+
   private LevelTable table;
   private double[] means;
   private long[] pulls;
@@ -29,17 +32,20 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   /** Credits each online camera's current level with what it just detected. */
   @Override
   public final void learn(NetworkView network) {
-    network.divide(pulls, learning);
+    network.divide(this, LEARNING);
   }
 
-  private void learn(NetworkView network, long[] pulls, int from, int to) {
+  private void learn(NetworkView network, int from, int to) {
     for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
-        int arm = table.offset(camera) + network.level(camera);
-        pulls[arm]++;
-        means[arm] += (network.detected(camera) - means[arm]) / pulls[arm];
+        credit(table.offset(camera) + network.level(camera), network.detected(camera));
       }
     }
+  }
+
+  private void credit(int arm, int detected) {
+    pulls[arm]++;
+    means[arm] += (detected - means[arm]) / pulls[arm];
   }
 
   /** What a camera has learned of each level, NaN for one never used. */
