@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.stream.Stream;
+import org.hificamsim.runs.output.ManifestFile;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -76,8 +77,8 @@ class MixedRunsTest {
     Path out = interrupted();
     Path journal = out.resolve(".compare.journal");
     String runs = Files.readString(journal);
-    assertTrue(runs.contains("development"), runs);
-    Files.writeString(journal, runs.replace("development", "0.0.1"));
+    assertTrue(runs.contains(ManifestFile.version()), runs);
+    Files.writeString(journal, runs.replace(ManifestFile.version(), "0.0.1"));
     refused("has runs of another version of 'hificamsim'", words(model, out, "--resume"));
   }
 
