@@ -4,11 +4,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.hificamsim.bridge.run.BridgeSettings;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -40,6 +40,7 @@ final class BridgeOptions {
   private BridgeSettings settings() {
     Optional<String> model = text("detection", "name or file of the detection model");
     Optional<String> threshold = text("threshold", "what counts as detected, 0 to 1");
+    Optional<String> detect = text("detect", "how a confidence becomes a detection");
     Optional<String> size = text("size", "target size, m");
     Optional<String> policy = text("policy", "name and options of the zoom policy");
     Optional<String> zooms = text("zooms", "radii, m");
@@ -48,11 +49,12 @@ final class BridgeOptions {
     given.choice("strict", Strict.FALSE, "whether to stop when something is wrong");
     rejectUnknown();
     requireFor("threshold", threshold, model.isPresent(), "detection");
+    requireFor("detect", detect, model.isPresent(), "detection");
     requireFor("size", size, model.isPresent(), "detection");
     requireFor("seed", seed, policy.isPresent(), "policy");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
     return new BridgeSettings(
-        model.map(name -> detection(name, threshold)),
+        model.map(name -> detection(name, threshold, detect)),
         size.map(value -> number("size", value, Double.MIN_VALUE, MAX_METRES))
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),
@@ -74,9 +76,11 @@ final class BridgeOptions {
     }
   }
 
-  private Detection detection(String name, Optional<String> threshold) {
-    return Overrides.ofThreshold(threshold.map(value -> number("threshold", value, 0, 1)))
-        .detection(DetectionSpec.parse(name, catalogue::detection), OptionalDouble.empty());
+  private Detection detection(String name, Optional<String> threshold, Optional<String> detect) {
+    return Overrides.ofDetection(
+            threshold.map(value -> number("threshold", value, 0, 1)),
+            detect.map(rule -> DetectionRule.parse(rule.replace(';', ','))))
+        .detection(DetectionSpec.parse(name, catalogue::detection));
   }
 
   /** Commas separate the agent's own options: a policy's are separated by semicolons. */

@@ -35,7 +35,7 @@ final class OwnSimulation {
       throws IOException {
     World world = new World(scenario(file, zooms), CATALOGUE.movements(), 0);
     RunCoverage coverage = new RunCoverage();
-    try (SingleRun run = new SingleRun(folder, 0, true)) {
+    try (SingleRun run = new SingleRun(folder, 0, detection, true)) {
       new Simulation(world, detection, policy, 0, List.of(coverage, run)).run(steps);
       RunPlan plan = new RunPlan(world.scenario(), detection, "own", steps, 0, 1);
       run.commit(plan, 0, Optional.empty());
@@ -56,6 +56,7 @@ final class OwnSimulation {
         StepOrder.CAMSIM,
         read.headings(),
         read.threshold(),
+        read.detect(),
         read.mountHeight(),
         zooms,
         read.cameras(),

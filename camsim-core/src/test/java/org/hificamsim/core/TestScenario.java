@@ -80,6 +80,7 @@ public final class TestScenario {
         order,
         Headings.DEGREES,
         OptionalDouble.empty(),
+        Optional.empty(),
         OptionalDouble.empty(),
         zooms,
         cameras,

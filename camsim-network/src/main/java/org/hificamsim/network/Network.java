@@ -62,7 +62,7 @@ public final class Network implements Cooperation, WorldObserver {
    */
   public Network(World world, Detection detection, NetworkSettings settings, long seed) {
     cameras = world.cameras();
-    sightings = new Sightings(world, visibility(detection));
+    sightings = new Sightings(world, visibility(detection, seed));
     errors = new CameraErrors(world, settings, new Random(seed));
     figures = new CameraFigures(world);
     tally = new StepTally(world, figures, sightings, queue);
@@ -93,13 +93,13 @@ public final class Network implements Cooperation, WorldObserver {
   }
 
   @Override
-  public Visibility visibility(Detection detection) {
-    return Visibility.asInCamSim(detection);
+  public Visibility visibility(Detection detection, long seed) {
+    return Visibility.asInCamSim(detection, seed);
   }
 
   @Override
   public boolean observe(int[] detected, int[] coverage) {
-    sightings.look(detected, coverage);
+    sightings.look(step, detected, coverage);
     return true;
   }
 

@@ -77,7 +77,7 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin private ModelOptions models;
 
-  @Mixin private ThresholdOption threshold;
+  @Mixin private DetectOptions detect;
 
   @Option(
       names = "--extra-out",
@@ -118,19 +118,20 @@ final class CamSimCommand implements Callable<Integer> {
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue, NetworkSettings settings) {
     Numbers.inRange("-t", steps, 0, RepeatOptions.MAX_STEPS);
-    Overrides asked = Overrides.ofThreshold(threshold.value());
+    Overrides asked = Overrides.ofDetection(detect.threshold(), detect.rule());
     DetectionSpec spec = models.detection(catalogue);
     Scenario scenario =
-        CamSimScenario.read(
-            file,
-            movement.orElse(null),
-            models.policy().isPresent(),
-            settings,
-            catalogue,
-            screen.err());
+        asked.scenario(
+            CamSimScenario.read(
+                file,
+                movement.orElse(null),
+                models.policy().isPresent(),
+                settings,
+                catalogue,
+                screen.err()));
     return new RunPlan(
         scenario,
-        asked.detection(spec, scenario.threshold()),
+        asked.detection(spec, scenario),
         models.policy().orElse("zoom-out"),
         steps,
         seed,

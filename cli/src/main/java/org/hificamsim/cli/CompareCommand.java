@@ -31,7 +31,8 @@ final class CompareCommand implements Callable<Integer> {
       names = "--detections",
       paramLabel = "A,B[@T]",
       description =
-          "Detection models or model files, perhaps with thresholds; differences are to the first.")
+          "Detection models or model files, perhaps with thresholds or rules; differences are to"
+              + " the first.")
   private String detections;
 
   @Option(
@@ -62,7 +63,6 @@ final class CompareCommand implements Callable<Integer> {
         Arrays.stream(detections.split(",", -1))
             .map(name -> DetectionSpec.parse(name.strip(), catalogue::detection))
             .toList();
-    requireDistinct("--detections", asked.stream().map(DetectionSpec::name).toList());
     List<String> specs = PolicyList.split(policies, catalogue.policies());
     requireDistinct("--policies", specs);
     List<Scenario> scenarios =
@@ -70,8 +70,10 @@ final class CompareCommand implements Callable<Integer> {
     requireDistinct("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     List<RunPlan> plans = new ArrayList<>();
     for (Scenario scenario : scenarios) {
-      for (DetectionSpec one : asked) {
-        Detection detection = scenarioOptions.detection(one, scenario);
+      List<Detection> used =
+          asked.stream().map(one -> scenarioOptions.detection(one, scenario)).toList();
+      requireDistinct("--detections", used.stream().map(Detection::name).toList());
+      for (Detection detection : used) {
         specs.forEach(policy -> plans.add(batch.repeats().plan(scenario, detection, policy)));
       }
     }

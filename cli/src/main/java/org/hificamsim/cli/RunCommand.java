@@ -75,7 +75,7 @@ final class RunCommand implements Callable<Integer> {
     new RunExecutor(catalogue).check(plan);
     listeners.forEach(catalogue.listeners()::create);
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
-    try (RunFolder output = new RunFolder(folder, record);
+    try (RunFolder output = new RunFolder(folder, plan.detection(), record);
         Workers workers = Workers.of(threads.count())) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
       Optional<ReplayRecorder> replay =

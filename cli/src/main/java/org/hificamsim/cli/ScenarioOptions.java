@@ -9,6 +9,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
@@ -21,7 +22,7 @@ import picocli.CommandLine.Option;
 
 /** The options that override what a scenario file says. */
 final class ScenarioOptions {
-  @Mixin private ThresholdOption threshold;
+  @Mixin private DetectOptions detect;
 
   @Option(
       names = "--order",
@@ -49,7 +50,12 @@ final class ScenarioOptions {
 
   /** What a scenario is detected by. */
   Detection detection(DetectionSpec spec, Scenario scenario) {
-    return overrides().detection(spec, scenario.threshold());
+    return overrides().detection(spec, scenario);
+  }
+
+  /** The rule of detection that was asked for. */
+  Optional<DetectionRule> rule() {
+    return overrides().rule();
   }
 
   /** The threshold that was asked for; null for none. */
@@ -59,7 +65,8 @@ final class ScenarioOptions {
 
   private Overrides overrides() {
     return new Overrides(
-        threshold.value(),
+        detect.threshold(),
+        detect.rule(),
         order.map(text -> choice(StepOrder.class, "--order", text)),
         headings.map(text -> choice(Headings.class, "--headings", text)));
   }

@@ -25,7 +25,10 @@ final class SummaryTable {
     SummaryTable table = new SummaryTable(out, results);
     table.line("scenario", plan.scenario().name());
     table.line(
-        "detection", plan.detection().name() + ", threshold " + plan.detection().threshold());
+        "detection",
+        plan.detection().name()
+            + (plan.detection().certain() ? ", threshold " : ", half of the time at ")
+            + plan.detection().threshold());
     table.line("policy", plan.policy());
     table.line(
         "steps",

@@ -1,6 +1,9 @@
 package org.hificamsim.hifi;
 
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
@@ -16,6 +19,7 @@ import org.hificamsim.hifi.optics.Optics;
  * @param g turns that share into a confidence
  * @param optics gives the zoom level's focal length
  * @param defaultThreshold the confidence from which a target counts as detected
+ * @param rmse root mean squared error of the confidences about g, above 0, where it is known
  * @param provenance where the numbers come from
  */
 public record HiFiDetection(
@@ -24,10 +28,30 @@ public record HiFiDetection(
     DetectorLine g,
     Optics optics,
     double defaultThreshold,
+    OptionalDouble rmse,
     Provenance provenance)
     implements DetectionModel {
+  /** A model of whose fit no scatter is known. */
+  public HiFiDetection(
+      String name,
+      FeatureAbstraction f,
+      DetectorLine g,
+      Optics optics,
+      double defaultThreshold,
+      Provenance provenance) {
+    this(name, f, g, optics, defaultThreshold, OptionalDouble.empty(), provenance);
+  }
+
   @Override
   public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
     return g.confidence(f.pip(size, distance, optics.focalLength(zoom)));
+  }
+
+  /** The fit's own scatter (Table 6.1), about the confidence where no target is in the image. */
+  @Override
+  public Optional<Scatter> scatter() {
+    return rmse.isPresent()
+        ? Optional.of(new Scatter(g.confidence(0), rmse.getAsDouble()))
+        : Optional.empty();
   }
 }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -73,7 +72,7 @@ public record ReproductionPlans(
 
   /** The detection of a name, at its own threshold or the model's default. */
   public static Detection detection(String name, Function<String, DetectionModel> models) {
-    return Overrides.NONE.detection(DetectionSpec.parse(name, models), OptionalDouble.empty());
+    return Overrides.NONE.detection(DetectionSpec.parse(name, models));
   }
 
   private static Set<Case> cases() {

@@ -6,15 +6,20 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
 
 /**
- * A detection as users name it: {@code NAME} or {@code FILE.json}, or either with a threshold of
- * its own, {@code NAME@T}.
+ * A detection as users name it: {@code NAME} or {@code FILE.json}, or either with a threshold or a
+ * rule of its own, {@code NAME@T}, {@code NAME@chance:alpha=0.01}.
  *
  * @param threshold the detection's own, in [0, 1]
+ * @param rule the detection's own
  */
-public record DetectionSpec(DetectionModel model, Optional<Double> threshold) {
+public record DetectionSpec(
+    DetectionModel model, Optional<Double> threshold, Optional<DetectionRule> rule) {
   private static final Pattern WITH_THRESHOLD = Pattern.compile("(.+)@([-+.\\deE]+)");
+  private static final Pattern WITH_RULE =
+      Pattern.compile("(.+)@(" + String.join("|", DetectionRule.rules().names()) + ")(:[^@]*)?");
 
   /** Checks the threshold. */
   public DetectionSpec {
@@ -25,13 +30,21 @@ public record DetectionSpec(DetectionModel model, Optional<Double> threshold) {
    * Reads one.
    *
    * @param models finds a model by its name or file
-   * @throws InputException when there is no such model, or its threshold is not in [0, 1]
+   * @throws InputException when there is no such model, or its threshold or rule is wrong
    */
   public static DetectionSpec parse(String text, Function<String, DetectionModel> models) {
     Matcher parts = WITH_THRESHOLD.matcher(text);
-    return parts.matches()
-        ? new DetectionSpec(models.apply(parts.group(1)), Optional.of(number(parts.group(2))))
-        : new DetectionSpec(models.apply(text), Optional.empty());
+    Matcher ruled = WITH_RULE.matcher(text);
+    if (parts.matches()) {
+      Optional<Double> own = Optional.of(number(parts.group(2)));
+      return new DetectionSpec(models.apply(parts.group(1)), own, Optional.empty());
+    }
+    if (ruled.matches()) {
+      String rule = text.substring(ruled.end(1) + 1).replace(';', ',');
+      return new DetectionSpec(
+          models.apply(ruled.group(1)), Optional.empty(), Optional.of(DetectionRule.parse(rule)));
+    }
+    return new DetectionSpec(models.apply(text), Optional.empty(), Optional.empty());
   }
 
   private static double number(String threshold) {
@@ -43,8 +56,13 @@ public record DetectionSpec(DetectionModel model, Optional<Double> threshold) {
     }
   }
 
-  /** The name in result files: the model's, and its own threshold where it has one. */
-  public String name() {
-    return model.name() + threshold.map(value -> "@" + value).orElse("");
+  /**
+   * The name in result files: the model's with its own threshold or, unless that is by a threshold,
+   * with the rule; {@link #parse} understands it.
+   */
+  String name(DetectionRule decides) {
+    return decides.certain()
+        ? model.name() + threshold.map(value -> "@" + value).orElse("")
+        : model.name() + "@" + decides.text().replace(',', ';');
   }
 }

@@ -1,6 +1,9 @@
 package org.hificamsim.runs;
 
+import java.util.Arrays;
+import java.util.List;
 import java.util.function.ToDoubleFunction;
+import org.hificamsim.core.detection.Detection;
 
 /** The figures of a run, each with its name in files ({@code docs/data.md}). */
 @SuppressWarnings("ImmutableEnumChecker") // the figures are method references
@@ -13,7 +16,14 @@ public enum Metric {
   MEAN_K("mean_k", RunResult::meanK),
   DETECTIONS("detections", RunResult::detections),
   ZOOM_CHANGES("zoom_changes", RunResult::zoomChanges),
-  MESSAGES("messages", RunResult::messages);
+  MESSAGES("messages", RunResult::messages),
+  EXPECTED_PERFORMANCE("expected_performance", result -> result.expected().performance()),
+  EXPECTED_COVERED_0("expected_covered_0", result -> result.expected().covered0()),
+  EXPECTED_COVERED_1("expected_covered_1", result -> result.expected().covered1()),
+  EXPECTED_COVERED_K("expected_covered_k", result -> result.expected().coveredK()),
+  EXPECTED_MEAN_K("expected_mean_k", result -> result.expected().meanK()),
+  LEAST_EXPECTED_K("least_expected_k", result -> result.expected().leastK()),
+  LEAST_CHANCE("least_chance", result -> result.expected().leastChance());
 
   private final String label;
   private final ToDoubleFunction<RunResult> figure;
@@ -21,6 +31,18 @@ public enum Metric {
   Metric(String label, ToDoubleFunction<RunResult> figure) {
     this.label = label;
     this.figure = figure;
+  }
+
+  /** The figures that runs under a detection have, in the order of files. */
+  public static List<Metric> of(Detection detection) {
+    return Arrays.stream(values())
+        .filter(metric -> !detection.certain() || !metric.ofChance())
+        .toList();
+  }
+
+  /** Whether it is a figure of runs whose detections are by chance alone. */
+  public boolean ofChance() {
+    return compareTo(EXPECTED_PERFORMANCE) >= 0;
   }
 
   /** The name in files. */

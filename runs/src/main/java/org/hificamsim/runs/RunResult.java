@@ -21,6 +21,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param unprovenSteps steps whose configuration is not proven to be the best that the policy could
  *     take; -1 under a policy that does not claim it to be
  * @param gap what the performance might gain in those steps at most
+ * @param expected before luck was drawn, where detections are by chance
  */
 public record RunResult(
     int run,
@@ -35,7 +36,8 @@ public record RunResult(
     long zoomChanges,
     long messages,
     long unprovenSteps,
-    long gap)
+    long gap,
+    ExpectedResult expected)
     implements Serializable {
   private static final Proof NO_CLAIM = new Proof(-1, 0);
 
@@ -65,7 +67,8 @@ public record RunResult(
         zoomChanges,
         messages,
         NO_CLAIM.unprovenSteps(),
-        NO_CLAIM.gap());
+        NO_CLAIM.gap(),
+        ExpectedResult.NONE);
   }
 
   /** What the policy proved; empty under one that does not claim to be the best. */
@@ -106,7 +109,8 @@ public record RunResult(
         coverage.zoomChanges(),
         messages,
         proof.unprovenSteps(),
-        proof.gap());
+        proof.gap(),
+        ExpectedResult.of(coverage));
   }
 
   /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
@@ -124,6 +128,7 @@ public record RunResult(
         zoomChanges,
         messages,
         unprovenSteps,
-        gap);
+        gap,
+        expected);
   }
 }

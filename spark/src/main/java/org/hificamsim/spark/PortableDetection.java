@@ -5,6 +5,7 @@ import java.nio.charset.StandardCharsets;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
 
@@ -14,8 +15,9 @@ import org.hificamsim.hifi.model.ModelFiles;
  * @param name in result files
  * @param model the content of a model file, or the name in the catalogue of a model that is code
  * @param isFile which of the two it is
+ * @param rule how a value becomes a detection
  */
-record PortableDetection(String name, String model, boolean isFile, double threshold)
+record PortableDetection(String name, String model, boolean isFile, double threshold, String rule)
     implements Serializable {
   static PortableDetection of(Detection detection) {
     boolean isFile = detection.model() instanceof HiFiDetection;
@@ -23,7 +25,8 @@ record PortableDetection(String name, String model, boolean isFile, double thres
         detection.model() instanceof HiFiDetection fitted
             ? new String(ModelFiles.bytes(fitted), StandardCharsets.UTF_8)
             : detection.model().name();
-    return new PortableDetection(detection.name(), model, isFile, detection.threshold());
+    return new PortableDetection(
+        detection.name(), model, isFile, detection.threshold(), detection.rule().text());
   }
 
   /** The detection with the same values. */
@@ -32,6 +35,9 @@ record PortableDetection(String name, String model, boolean isFile, double thres
         isFile
             ? ModelFiles.parse(name, model.getBytes(StandardCharsets.UTF_8))
             : catalogue.detections().create(model);
-    return new Detection(name, made, threshold);
+    DetectionRule decides = DetectionRule.parse(rule);
+    return decides.certain()
+        ? new Detection(name, made, threshold)
+        : Detection.by(decides, name, made);
   }
 }

@@ -26,6 +26,7 @@ final class LiveNetwork implements OracleView {
   private final Roster<LiveTarget> targets = new Roster<>(LiveTarget.TO_COME);
   private int revision;
   private long step;
+  private long lastLook = -1;
 
   /**
    * @param core CamSim's {@code SimCore}
@@ -55,8 +56,9 @@ final class LiveNetwork implements OracleView {
     }
   }
 
-  /** Forgets what was seen. */
+  /** Forgets what was seen: cameras are about to look. */
   void forget() {
+    lastLook = step;
     for (LiveCamera camera : cameras.all()) {
       camera.seen().clear();
     }
@@ -115,13 +117,15 @@ final class LiveNetwork implements OracleView {
     }
     targets.get(target).refresh(camsim, true);
     LiveCamera looking = cameras.get(eye);
-    double confidence = confidence(looking, looking.zoom(), target);
+    double confidence = confidence(eye, looking.zoom(), target);
     saw(camera, object, confidence > 0);
     return confidence;
   }
 
-  private double confidence(LiveCamera camera, ZoomLevel zoom, int target) {
-    return visibility.confidence(camera.pose(), zoom, targetX(target), targetY(target), size);
+  private double confidence(int camera, ZoomLevel zoom, int target) {
+    double luck = visibility.luck(step, camera, target);
+    return visibility.confidence(
+        cameras.get(camera).pose(), zoom, targetX(target), targetY(target), size, luck);
   }
 
   /** Records what came of a camera's look at an object in this step. */
@@ -192,7 +196,11 @@ final class LiveNetwork implements OracleView {
   @Override
   public int detected(int camera) {
     LiveCamera eye = cameras.get(camera);
-    return eye.online() ? eye.seen().cardinality() : 0;
+    return eye.online() ? eye.seen().cardinality() + phantoms(camera) : 0;
+  }
+
+  private int phantoms(int camera) {
+    return lastLook < 0 ? 0 : visibility.phantoms(lastLook, camera);
   }
 
   @Override
@@ -237,8 +245,15 @@ final class LiveNetwork implements OracleView {
 
   @Override
   public boolean detects(int camera, int level, int target) {
+    return present(target) && confidence(camera, zoom(camera, level), target) > 0;
+  }
+
+  @Override
+  public double chance(int camera, int level, int target) {
     LiveCamera eye = cameras.get(camera);
-    return present(target) && confidence(eye, eye.zoom(level), target) > 0;
+    return present(target)
+        ? visibility.chance(eye.pose(), eye.zoom(level), targetX(target), targetY(target), size)
+        : 0;
   }
 
   @Override

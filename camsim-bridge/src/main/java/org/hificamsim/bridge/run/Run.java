@@ -52,13 +52,14 @@ final class Run {
         new LiveNetwork(
             camsim,
             core,
-            Visibility.asInCamSim(settings.seen()),
+            Visibility.asInCamSim(settings.seen(), seed()),
             settings.size(),
             new Zooms(settings.policy().isPresent(), settings.zooms()));
     this.steering = settings.policy().map(policy -> new Steering(policy, seed()));
     this.files =
         settings.out().isPresent()
-            ? Optional.of(new SingleRun(folder(settings.out().get(), number), number, true))
+            ? Optional.of(
+                new SingleRun(folder(settings.out().get(), number), number, settings.seen(), true))
             : Optional.empty();
   }
 
@@ -109,6 +110,9 @@ final class Run {
     prepare();
     steering.ifPresent(policy -> policy.learn(network));
     coverage.measure(network);
+    if (!settings.seen().certain()) {
+      coverage.expect(network);
+    }
     if (!ended) {
       files.ifPresent(open -> open.stepped(network, coverage));
     }
@@ -172,6 +176,7 @@ final class Run {
         StepOrder.CAMSIM,
         Headings.DEGREES,
         OptionalDouble.empty(),
+        Optional.empty(),
         OptionalDouble.empty(),
         settings.zooms(),
         network.cameraSpecs(),

@@ -2,16 +2,38 @@ package org.hificamsim.core.detection;
 
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.DoubleUnaryOperator;
+import org.hificamsim.core.InputException;
 
 /**
- * A detection model with the threshold it is used with. Any number of runs and threads may share
- * one: what it has found out about a zoom level is remembered for all of them.
+ * A detection model with the rule and the threshold it is used with. Any number of runs and threads
+ * may share one: what it has found out about a zoom level is remembered for all of them.
  */
 public final class Detection {
+  private static final double HALF = 0.5;
+
   private final String name;
   private final DetectionModel model;
+  private final DetectionRule rule;
+  private final boolean certain;
   private final double threshold;
+  private final DoubleUnaryOperator chance;
   private final Map<Pair, DetectedDistances> found = new ConcurrentHashMap<>();
+  private final Map<Pair, ChanceTable> tables = new ConcurrentHashMap<>();
+
+  private Detection(
+      String name,
+      DetectionModel model,
+      DetectionRule rule,
+      double threshold,
+      DoubleUnaryOperator chance) {
+    this.name = name;
+    this.model = model;
+    this.rule = rule;
+    this.certain = rule.certain();
+    this.threshold = threshold;
+    this.chance = chance;
+  }
 
   /** Of a model and a threshold, under the model's name. */
   public Detection(DetectionModel model, double threshold) {
@@ -26,14 +48,38 @@ public final class Detection {
    *     least this
    */
   public Detection(String name, DetectionModel model, double threshold) {
-    this.name = name;
-    this.model = model;
-    this.threshold = threshold;
+    this(
+        name, model, new DetectionRule.Threshold(), threshold, value -> value >= threshold ? 1 : 0);
   }
 
   /** The model with its own default threshold. */
   public static Detection of(DetectionModel model) {
     return new Detection(model, model.defaultThreshold());
+  }
+
+  /**
+   * Of a model and a rule; by a threshold it is the model's default.
+   *
+   * @param name in result files
+   * @throws InputException when the rule needs a scatter, and the model has none
+   */
+  public static Detection by(DetectionRule rule, String name, DetectionModel model) {
+    if (rule instanceof DetectionRule.Chance chance) {
+      Scatter scatter = model.scatter().orElseThrow(() -> noScatter(model));
+      double threshold = scatter.threshold(chance.alpha());
+      return new Detection(name, model, rule, threshold, value -> scatter.chance(value, threshold));
+    }
+    return rule instanceof DetectionRule.Probability
+        ? new Detection(name, model, rule, HALF, DetectionModel::clamp)
+        : new Detection(name, model, model.defaultThreshold());
+  }
+
+  private static InputException noScatter(DetectionModel model) {
+    return new InputException(
+        "detection '"
+            + model.name()
+            + "' has no rmse, from which detect=chance draws: expected a model that has one,"
+            + " detect=probability or detect=threshold");
   }
 
   /** The name in result files. */
@@ -46,15 +92,44 @@ public final class Detection {
     return model;
   }
 
-  /** The least value of the model at which a target counts as detected. */
+  /** How a value becomes a detection. */
+  public DetectionRule rule() {
+    return rule;
+  }
+
+  /** Whether equal values are equally detected: no luck is drawn. */
+  public boolean certain() {
+    return certain;
+  }
+
+  /** The least value at which a target is detected; by chance, is so half of the time. */
   public double threshold() {
     return threshold;
+  }
+
+  /** The chance that a target with this value is detected, in [0, 1]; 1 or 0 by a threshold. */
+  public double chance(double value) {
+    return chance.applyAsDouble(value);
+  }
+
+  /**
+   * Whether a target with this value is detected; one whose value is NaN never is.
+   *
+   * @param luck in [0, 1), drawn for the pair of camera and target; without effect by a threshold
+   */
+  public boolean detects(double value, double luck) {
+    return certain ? value >= threshold : luck < chance(value);
   }
 
   /** The distances detected at a zoom level; the model must not depend on the bearing. */
   public DetectedDistances distances(double size, ZoomLevel zoom) {
     return found.computeIfAbsent(
         new Pair(size, zoom), pair -> DetectedDistances.of(model, size, zoom, threshold));
+  }
+
+  /** The chances at a zoom level by distance; the model must not depend on the bearing. */
+  public ChanceTable chances(double size, ZoomLevel zoom) {
+    return tables.computeIfAbsent(new Pair(size, zoom), pair -> new ChanceTable(this, size, zoom));
   }
 
   private record Pair(double size, ZoomLevel zoom) {}

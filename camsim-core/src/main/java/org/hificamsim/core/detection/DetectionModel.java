@@ -1,5 +1,7 @@
 package org.hificamsim.core.detection;
 
+import java.util.Optional;
+
 /**
  * How confident a camera is that it detects a target: an extension point, found by {@link #name}.
  *
@@ -45,6 +47,14 @@ public interface DetectionModel {
    */
   default double reported(double value) {
     return clamp(value);
+  }
+
+  /**
+   * How confidences that were measured scatter about the model's values, where that is known: what
+   * {@link DetectionRule.Chance} draws from.
+   */
+  default Optional<Scatter> scatter() {
+    return Optional.empty();
   }
 
   /** A value as a proportion in [0, 1]; NaN counts as 0. */

@@ -21,6 +21,7 @@ final class BearingSight implements Sight {
   private final Targets targets;
   private final Visibility visibility;
   private final Detection detection;
+  private long step;
 
   BearingSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
@@ -30,7 +31,9 @@ final class BearingSight implements Sight {
   }
 
   @Override
-  public void refresh() {}
+  public void refresh(long newStep) {
+    step = newStep;
+  }
 
   @Override
   public boolean detects(int camera, int level, int target) {
@@ -43,7 +46,18 @@ final class BearingSight implements Sight {
       return false;
     }
     double cosine = pose.cosine(x, y);
-    return detects(targets.size(target), distance, cosine, AngleBracket.about(cosine), zoom);
+    double luck = visibility.luck(step, camera, target);
+    return detects(targets.size(target), distance, cosine, AngleBracket.about(cosine), zoom, luck);
+  }
+
+  @Override
+  public double chance(int camera, int level, int target) {
+    return visibility.chance(
+        cameras.pose(camera),
+        cameras.zoom(camera, level),
+        targets.x(target),
+        targets.y(target),
+        targets.size(target));
   }
 
   @Override
@@ -73,11 +87,12 @@ final class BearingSight implements Sight {
       double size = targets.size(target);
       double cosine = pose.cosine(x, y);
       double about = AngleBracket.about(cosine);
+      double luck = visibility.luck(step, camera, target);
       for (int level = 0; level < levels; level++) {
         ZoomLevel zoom = cameras.zoom(camera, level);
         if (distance <= zoom.radius()
             && visibility.isInAngle(pose, zoom, x, y)
-            && detects(size, distance, cosine, about, zoom)) {
+            && detects(size, distance, cosine, about, zoom, luck)) {
           masks[level * words + (target >> 6)] |= 1L << target;
         }
       }
@@ -85,14 +100,15 @@ final class BearingSight implements Sight {
   }
 
   private boolean detects(
-      double size, double distance, double cosine, double about, ZoomLevel zoom) {
-    boolean detects = decides(size, distance, AngleBracket.lower(about), zoom);
-    return detects == decides(size, distance, AngleBracket.upper(about), zoom)
+      double size, double distance, double cosine, double about, ZoomLevel zoom, double luck) {
+    boolean detects = decides(size, distance, AngleBracket.lower(about), zoom, luck);
+    return detects == decides(size, distance, AngleBracket.upper(about), zoom, luck)
         ? detects
-        : decides(size, distance, Math.acos(cosine), zoom);
+        : decides(size, distance, Math.acos(cosine), zoom, luck);
   }
 
-  private boolean decides(double size, double distance, double offAxis, ZoomLevel zoom) {
-    return detection.model().confidence(size, distance, offAxis, zoom) >= detection.threshold();
+  private boolean decides(
+      double size, double distance, double offAxis, ZoomLevel zoom, double luck) {
+    return detection.detects(detection.model().confidence(size, distance, offAxis, zoom), luck);
   }
 }

@@ -11,9 +11,13 @@ public interface Cooperation {
   /** Every camera works for itself. */
   Cooperation NONE = new Cooperation() {};
 
-  /** How cameras see by a detection model. */
-  default Visibility visibility(Detection detection) {
-    return Visibility.of(detection);
+  /**
+   * How cameras see by a detection model.
+   *
+   * @param seed of the run
+   */
+  default Visibility visibility(Detection detection, long seed) {
+    return Visibility.of(detection, seed);
   }
 
   /** Called before the cameras decide and observe, after targets moved in CamSim's order. */

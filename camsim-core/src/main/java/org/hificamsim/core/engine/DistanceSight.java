@@ -1,8 +1,6 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
-import java.util.HashMap;
-import java.util.Map;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.space.PointGrid;
@@ -16,77 +14,39 @@ import org.hificamsim.core.world.World;
  * The sight of models that depend on distance alone: the model is asked once per zoom level and
  * target size, and observing is a test of the squared distance.
  *
- * <p>Reaches are kept in rows, one for each zoom level, with one entry for each size class; cameras
- * with equal zoom levels share them. Nearly all are a single interval, held in two flat arrays; the
- * others are looked up in full. Where there is one size and the interval begins at 0, what is seen
- * is a disc, which has an array and a loop of its own.
+ * <p>Reaches are kept in {@linkplain LevelRows rows}. Nearly all are a single interval, held in two
+ * flat arrays; the others are looked up in full. Where there is one size and the interval begins at
+ * 0, what is seen is a disc, which has an array and a loop of its own.
  */
 final class DistanceSight implements Sight {
   private final Cameras cameras;
   private final Targets targets;
   private final Visibility visibility;
-  private final double[] sizes;
-  private final int[] sizeClass;
-  private final Map<ZoomLevel, Integer> known = new HashMap<>();
-  private final int[] firstLevel;
-  private final ZoomLevel[] zooms;
-  private final int[] rows;
-  private final boolean[] allRound;
+  private final LevelRows rows;
   private DetectedDistances[] reach = new DetectedDistances[1];
   private double[] from = new double[1];
   private double[] to = new double[1];
   private boolean[] single = new boolean[1];
   private double[] disc = new double[1];
-  private int revision = -1;
 
   DistanceSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
     this.targets = world.targets();
     this.visibility = visibility;
-    this.sizes = distinctSizes(targets);
-    this.sizeClass = new int[targets.count()];
-    Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, targets.size(target)));
-    this.firstLevel = new int[cameras.count()];
-    int levels = 0;
-    for (int camera = 0; camera < firstLevel.length; camera++) {
-      firstLevel[camera] = levels;
-      levels += cameras.levels(camera);
-    }
-    zooms = new ZoomLevel[levels];
-    rows = new int[levels];
-    allRound = new boolean[cameras.count()];
-    refresh();
+    this.rows = new LevelRows(cameras, targets, this::newRow);
+    rows.refresh();
   }
 
   @Override
-  public void refresh() {
-    if (revision == cameras.revision()) {
-      return;
-    }
-    revision = cameras.revision();
-    for (int camera = 0; camera < cameras.count(); camera++) {
-      allRound[camera] = cameras.zoom(camera, 0).allRound();
-      for (int level = 0; level < cameras.levels(camera); level++) {
-        refresh(firstLevel[camera] + level, cameras.zoom(camera, level));
-      }
-    }
+  public void refresh(long step) {
+    rows.refresh();
   }
 
-  @SuppressWarnings("ReferenceEquality") // the map below tells equal levels
-  private void refresh(int entry, ZoomLevel zoom) {
-    if (zooms[entry] != zoom) {
-      zooms[entry] = zoom;
-      rows[entry] = known.computeIfAbsent(zoom, this::newRow);
+  private void newRow(ZoomLevel zoom, int row) {
+    makeRoom(row + rows.sizes());
+    for (int size = 0; size < rows.sizes(); size++) {
+      fill(row + size, visibility.detection().distances(rows.size(size), zoom));
     }
-  }
-
-  private int newRow(ZoomLevel zoom) {
-    int row = known.size() * sizes.length;
-    makeRoom(row + sizes.length);
-    for (int size = 0; size < sizes.length; size++) {
-      fill(row + size, visibility.detection().distances(sizes[size], zoom));
-    }
-    return row;
   }
 
   private void makeRoom(int entries) {
@@ -105,12 +65,8 @@ final class DistanceSight implements Sight {
     single[at] = set.intervals() == 1;
     from[at] = set.intervals() == 0 ? Double.POSITIVE_INFINITY : set.from(0);
     to[at] = set.intervals() == 0 ? -1 : set.to(set.intervals() - 1);
-    boolean whole = sizes.length == 1 && single[at] && from[at] == 0;
+    boolean whole = rows.sizes() == 1 && single[at] && from[at] == 0;
     disc[at] = whole ? Math.nextUp(to[at]) : Double.NaN;
-  }
-
-  private int row(int camera, int level) {
-    return rows[firstLevel[camera] + level];
   }
 
   @Override
@@ -120,12 +76,12 @@ final class DistanceSight implements Sight {
   }
 
   private boolean detects(int camera, int level, int target, double squared) {
-    int at = row(camera, level) + sizeClass[target];
+    int at = rows.entry(camera, level, target);
     if (!(squared >= from[at] && squared <= to[at])) {
       return false;
     }
     return (single[at] || reach[at].contains(squared))
-        && (allRound[camera] || isInAngle(camera, level, target));
+        && (rows.allRound(camera) || isInAngle(camera, level, target));
   }
 
   private boolean isInAngle(int camera, int level, int target) {
@@ -135,9 +91,9 @@ final class DistanceSight implements Sight {
 
   @Override
   public double reach(int camera, int level) {
-    int row = row(camera, level);
+    int row = rows.row(camera, level);
     double squared = to[row];
-    for (int size = 1; size < sizes.length; size++) {
+    for (int size = 1; size < rows.sizes(); size++) {
       squared = Math.max(squared, to[row + size]);
     }
     return squared < 0 ? 0 : Sight.roundedUp(Math.sqrt(squared));
@@ -145,8 +101,8 @@ final class DistanceSight implements Sight {
 
   @Override
   public int look(int camera, int level, PointGrid grid, int begin, int end, int[] counts) {
-    double below = disc[row(camera, level)];
-    return below > 0 && allRound[camera]
+    double below = disc[rows.row(camera, level)];
+    return below > 0 && rows.allRound(camera)
         ? lookAllRound(cameras.pose(camera), below, grid, begin, end, counts)
         : Sight.super.look(camera, level, grid, begin, end, counts);
   }
@@ -189,18 +145,12 @@ final class DistanceSight implements Sight {
     if (cameras.zoom(camera, level).viewingAngle() < cameras.zoom(camera, other).viewingAngle()) {
       return false;
     }
-    for (int size = 0; size < sizes.length; size++) {
-      DetectedDistances mine = reach[row(camera, level) + size];
-      if (!mine.includes(reach[row(camera, other) + size])) {
+    for (int size = 0; size < rows.sizes(); size++) {
+      DetectedDistances mine = reach[rows.row(camera, level) + size];
+      if (!mine.includes(reach[rows.row(camera, other) + size])) {
         return false;
       }
     }
     return true;
-  }
-
-  private static double[] distinctSizes(Targets targets) {
-    double[] all = new double[targets.count()];
-    Arrays.setAll(all, targets::size);
-    return Arrays.stream(all).sorted().distinct().toArray();
   }
 }

@@ -19,6 +19,7 @@ final class ObservedNetwork implements OracleView {
   private final Sight sight;
   private final int[] detected;
   private final int[] coverage;
+  private final boolean phantoms;
   private final PointGrid grid;
   private final Workers workers;
   private final int[][] counts; // of each worker, in the order of the grid
@@ -41,6 +42,7 @@ final class ObservedNetwork implements OracleView {
     this.sight = Sight.of(world, visibility);
     this.detected = new int[cameras.count()];
     this.coverage = new int[targets.count()];
+    this.phantoms = visibility.detection().rule().phantoms() > 0;
     this.grid = grid;
     this.workers = workers;
     this.counts = new int[workers.count()][];
@@ -50,7 +52,7 @@ final class ObservedNetwork implements OracleView {
   /** Says which step is under way, and takes note of what its events changed. */
   void beginStep(long newStep) {
     step = newStep;
-    sight.refresh();
+    sight.refresh(newStep);
   }
 
   /**
@@ -73,6 +75,16 @@ final class ObservedNetwork implements OracleView {
   void observe(Cooperation cooperation) {
     if (!cooperation.observe(detected, coverage)) {
       observe();
+    }
+    if (phantoms) {
+      addPhantoms();
+    }
+  }
+
+  /** What cameras report of targets that are not there covers none that is. */
+  private void addPhantoms() {
+    for (int camera = 0; camera < detected.length; camera++) {
+      detected[camera] += cameras.online(camera) ? visibility.phantoms(step, camera) : 0;
     }
   }
 
@@ -225,6 +237,29 @@ final class ObservedNetwork implements OracleView {
   @Override
   public boolean detects(int camera, int level, int target) {
     return targets.present(target) && sight.detects(camera, level, target);
+  }
+
+  @Override
+  public double chance(int camera, int level, int target) {
+    return targets.present(target) ? sight.chance(camera, level, target) : 0;
+  }
+
+  @Override
+  public int chances(int camera, int level, int[] who, double[] chances) {
+    double reach = sight.reach(camera, level);
+    int left = grid.column(cameras.x(camera) - reach);
+    int right = grid.column(cameras.x(camera) + reach);
+    int top = grid.row(cameras.y(camera) + reach);
+    int count = 0;
+    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
+      int end = grid.end(row, right);
+      for (int i = grid.start(row, left); i < end; i++) {
+        chances[count] = sight.chance(camera, level, grid.point(i));
+        who[count] = grid.point(i);
+        count += chances[count] > 0 ? 1 : 0;
+      }
+    }
+    return count;
   }
 
   @Override

@@ -1,6 +1,7 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
+import org.hificamsim.core.metrics.ExpectedCoverage;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -19,6 +20,14 @@ public final class RunCoverage implements StepListener {
   private long detections;
   private long zoomChanges;
   private int[] levels = {};
+  private boolean byChance;
+  private double expectedPerformance;
+  private double expectedUncovered;
+  private double expectedOnce;
+  private double expectedMore;
+  private double sumOfExpectedMeans;
+  private double sumOfLeastK;
+  private double sumOfLeastChances;
 
   @Override
   public void stepped(NetworkView network, StepCoverage coverage) {
@@ -31,6 +40,20 @@ public final class RunCoverage implements StepListener {
     sumOfMeans += coverage.meanK();
     detections += coverage.detections();
     countZoomChanges(network);
+    if (coverage.byChance()) {
+      byChance = true;
+      add(coverage.expected());
+    }
+  }
+
+  private void add(ExpectedCoverage expected) {
+    expectedPerformance += expected.kMin();
+    expectedUncovered += expected.covered0();
+    expectedOnce += expected.covered1();
+    expectedMore += expected.coveredK();
+    sumOfExpectedMeans += expected.meanK();
+    sumOfLeastK += expected.leastK();
+    sumOfLeastChances += expected.leastChance();
   }
 
   /** A camera's first level is no change; a network may grow. */
@@ -91,6 +114,50 @@ public final class RunCoverage implements StepListener {
   /** How often a camera's level differed from the one of the step before. */
   public long zoomChanges() {
     return zoomChanges;
+  }
+
+  /** Whether detections were by chance; what is expected is NaN otherwise. */
+  public boolean byChance() {
+    return byChance;
+  }
+
+  /** The performance that was to be expected before luck was drawn. */
+  public double expectedPerformance() {
+    return byChance ? expectedPerformance : Double.NaN;
+  }
+
+  /** The expected share of targets, over all steps, that no camera covers. */
+  public double expectedProportion0() {
+    return expected(expectedUncovered, targets);
+  }
+
+  /** The expected share of targets that exactly one camera covers. */
+  public double expectedProportion1() {
+    return expected(expectedOnce, targets);
+  }
+
+  /** The expected share of targets that two or more cameras cover. */
+  public double expectedProportionK() {
+    return expected(expectedMore, targets);
+  }
+
+  /** The mean over the steps of the expected mean of k_j over the targets. */
+  public double expectedMeanK() {
+    return expected(sumOfExpectedMeans, steps);
+  }
+
+  /** The mean over the steps of the least expected k_j. */
+  public double leastExpectedK() {
+    return expected(sumOfLeastK, steps);
+  }
+
+  /** The mean over the steps of the least chance of a target to be covered. */
+  public double leastChance() {
+    return expected(sumOfLeastChances, steps);
+  }
+
+  private double expected(double sum, long count) {
+    return !byChance ? Double.NaN : count == 0 ? 0 : sum / count;
   }
 
   private double share(long count) {

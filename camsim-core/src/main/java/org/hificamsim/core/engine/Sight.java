@@ -11,9 +11,12 @@ import org.hificamsim.core.world.World;
 interface Sight {
   /** Chooses the fastest sight that is exact for the detection model. */
   static Sight of(World world, Visibility visibility) {
-    return visibility.detection().model().dependsOnBearing()
-        ? new BearingSight(world, visibility)
-        : new DistanceSight(world, visibility);
+    if (visibility.detection().model().dependsOnBearing()) {
+      return new BearingSight(world, visibility);
+    }
+    return visibility.detection().certain()
+        ? new DistanceSight(world, visibility)
+        : new ChanceSight(world, visibility);
   }
 
   /**
@@ -26,11 +29,20 @@ interface Sight {
     return distance * (1 + 1e-9) + 1e-150; // squares of less may be 0
   }
 
-  /** Takes note of cameras that changed since the last call. */
-  void refresh();
+  /**
+   * Takes note of cameras that changed since the last call.
+   *
+   * @param step that begins
+   */
+  void refresh(long step);
 
   /** Whether the camera would detect the target, were it at this level. */
   boolean detects(int camera, int level, int target);
+
+  /** The chance that the camera detects the target, were it at this level, in [0, 1]. */
+  default double chance(int camera, int level, int target) {
+    return detects(camera, level, target) ? 1 : 0;
+  }
 
   /** Whether {@code level} is proven to detect whatever {@code other} does. */
   boolean dominates(int camera, int level, int other);
@@ -60,5 +72,15 @@ interface Sight {
    *
    * @param masks as {@link org.hificamsim.core.policy.OracleView#detections} has them
    */
-  void mark(int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words);
+  default void mark(
+      int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words) {
+    for (int i = from; i < to; i++) {
+      int target = grid.point(i);
+      for (int level = 0; level < levels; level++) {
+        if (detects(camera, level, target)) {
+          masks[level * words + (target >> 6)] |= 1L << target;
+        }
+      }
+    }
+  }
 }

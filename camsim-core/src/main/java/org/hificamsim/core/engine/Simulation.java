@@ -25,6 +25,7 @@ public final class Simulation {
   private final ObservedNetwork network;
   private final StepCoverage coverage = new StepCoverage();
   private final int[] levels;
+  private final boolean byChance;
   private boolean started;
   private long step;
 
@@ -40,7 +41,8 @@ public final class Simulation {
 
   /**
    * @param cooperation what the cameras do together
-   * @param seed seeds the policy's generator; world and cooperation have been seeded on their own
+   * @param seed seeds the policy's generator and the luck of detections; world and cooperation have
+   *     been seeded on their own
    * @param listeners called in this order
    * @param workers who share the work of a step; results do not depend on their number
    */
@@ -57,7 +59,8 @@ public final class Simulation {
     this.order = world.scenario().order();
     this.policy = policy;
     this.listeners = listeners.toArray(StepListener[]::new);
-    this.network = new ObservedNetwork(world, cooperation.visibility(detection), workers);
+    this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
+    this.byChance = !detection.certain();
     this.levels = new int[world.cameras().count()];
     policy.begin(network, new SplittableRandom(seed));
   }
@@ -99,6 +102,9 @@ public final class Simulation {
     cooperation.cooperate();
     policy.learn(network);
     coverage.measure(network);
+    if (byChance) {
+      coverage.expect(network);
+    }
     for (StepListener listener : listeners) {
       listener.stepped(network, coverage);
     }

@@ -11,6 +11,9 @@ public final class StepCoverage {
   private int uncovered;
   private int coveredOnceAtMost;
   private long sum;
+  private DetectionChances chances;
+  private ExpectedCoverage expected;
+  private boolean measured;
 
   /** Measures the last observation. */
   public void measure(CoveredTargets observed) {
@@ -34,6 +37,31 @@ public final class StepCoverage {
     uncovered = none;
     coveredOnceAtMost = onceAtMost;
     sum = all;
+  }
+
+  /**
+   * Takes note of what {@link #expected} measures when it is asked for, after {@link #measure}.
+   *
+   * @param observed as {@code measure} saw it, where detections are by chance
+   */
+  public void expect(DetectionChances observed) {
+    chances = observed;
+    measured = false;
+  }
+
+  /** Whether detections are by chance: {@link #expected} has an answer. */
+  public boolean byChance() {
+    return chances != null;
+  }
+
+  /** The coverage that was to be expected, to be asked for while the step lasts. */
+  public ExpectedCoverage expected() {
+    if (!measured) {
+      measured = true;
+      expected = expected == null ? new ExpectedCoverage() : expected;
+      expected.measure(chances);
+    }
+    return expected;
   }
 
   /** 1 or 0, by the sign of a difference: a branch would be guessed wrong too often. */

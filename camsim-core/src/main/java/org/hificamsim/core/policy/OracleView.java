@@ -1,13 +1,14 @@
 package org.hificamsim.core.policy;
 
 import java.util.Arrays;
+import org.hificamsim.core.metrics.DetectionChances;
 
 /**
  * A network with knowledge that no camera has: where the targets are, and what cameras would detect
  * at other levels. Upper bounds such as the exact optimum use it, and listeners that record a run;
  * learning policies must not.
  */
-public interface OracleView extends NetworkView {
+public interface OracleView extends NetworkView, DetectionChances {
   @Override
   default OracleView oracle() {
     return this;
@@ -21,6 +22,37 @@ public interface OracleView extends NetworkView {
 
   /** Whether the camera would detect the target where both are now, were it at this level. */
   boolean detects(int camera, int level, int target);
+
+  /**
+   * The chance that the camera detects the target where both are now, were it at this level, before
+   * luck is drawn: in [0, 1], 1 or 0 by a threshold.
+   */
+  default double chance(int camera, int level, int target) {
+    return detects(camera, level, target) ? 1 : 0;
+  }
+
+  /**
+   * The targets that the camera has a {@link #chance} above 0 to detect, were it at this level.
+   *
+   * @param targets as long as there are targets; filled from the start
+   * @param chances one entry for each of them
+   * @return how many there are
+   */
+  default int chances(int camera, int level, int[] targets, double[] chances) {
+    int count = 0;
+    for (int target = 0; target < targets(); target++) {
+      double chance = present(target) ? chance(camera, level, target) : 0;
+      chances[count] = chance;
+      targets[count] = target;
+      count += chance > 0 ? 1 : 0;
+    }
+    return count;
+  }
+
+  @Override
+  default int chances(int camera, int[] targets, double[] chances) {
+    return online(camera) ? chances(camera, level(camera), targets, chances) : 0;
+  }
 
   /**
    * Whether {@code level} is proven to detect everything that {@code other} does, wherever the

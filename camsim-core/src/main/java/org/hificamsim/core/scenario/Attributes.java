@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
@@ -64,6 +65,19 @@ final class Attributes {
 
   Optional<String> optionalText(String name) {
     return Optional.ofNullable(rest.remove(name));
+  }
+
+  /**
+   * A value that another class reads; empty where the attribute is missing.
+   *
+   * @param parser says in an InputException what it expected
+   */
+  <T> Optional<T> optional(String name, Function<String, T> parser) {
+    try {
+      return optionalText(name).map(parser);
+    } catch (InputException e) {
+      throw element.place(name).error("<" + element.name() + "> " + e.getMessage());
+    }
   }
 
   /** A constant, written in lower case with {@code -} for {@code _}. */

@@ -5,6 +5,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
+import org.hificamsim.core.detection.DetectionRule;
 
 /**
  * A scenario: the field, the cameras, the targets, and what happens when.
@@ -13,6 +14,7 @@ import java.util.function.UnaryOperator;
  * @param order when targets move within a step
  * @param headings the unit of the targets' headings
  * @param threshold detection threshold, if the file sets one
+ * @param detect how a confidence becomes a detection, if the file says so
  * @param mountHeight height of all cameras over the target plane, metres (Eq 3.2), if given
  * @param zooms candidate radii common to all cameras, metres, rising; empty for a plain CamSim
  *     scenario, where each camera has its range alone
@@ -28,6 +30,7 @@ public record Scenario(
     StepOrder order,
     Headings headings,
     OptionalDouble threshold,
+    Optional<DetectionRule> detect,
     OptionalDouble mountHeight,
     List<Double> zooms,
     List<CameraSpec> cameras,
@@ -52,6 +55,25 @@ public record Scenario(
   /** The same scenario with targets moving at another time within the step. */
   public Scenario withOrder(StepOrder newOrder) {
     return copy(name, newOrder, headings, zooms, targets, events);
+  }
+
+  /** The same scenario with another rule of detection; its threshold goes with the old one. */
+  public Scenario withDetect(DetectionRule rule) {
+    OptionalDouble kept = rule.certain() ? threshold : OptionalDouble.empty();
+    return new Scenario(
+        name,
+        field,
+        order,
+        headings,
+        kept,
+        Optional.of(rule),
+        mountHeight,
+        zooms,
+        cameras,
+        targets,
+        events,
+        visionGraph,
+        extras);
   }
 
   /** The same scenario with another reading of the targets' headings. */
@@ -95,6 +117,7 @@ public record Scenario(
         newOrder,
         newHeadings,
         threshold,
+        detect,
         mountHeight,
         newZooms,
         cameras,

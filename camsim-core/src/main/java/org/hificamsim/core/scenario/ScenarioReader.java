@@ -6,10 +6,12 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Stream;
+import org.hificamsim.core.detection.DetectionRule;
 
 /**
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
@@ -93,12 +95,18 @@ public final class ScenarioReader {
     List<ScenarioEvent> events =
         new EventReader(cameraReader, targetReader, warnings).events(root.all("event"));
     requireSome(simulation, cameras, targets, events);
+    OptionalDouble threshold = attributes.optionalNumber("threshold", Range.PROPORTION);
+    Optional<DetectionRule> detect = attributes.optional("detect", DetectionRule::parse);
+    if (threshold.isPresent() && detect.filter(rule -> !rule.certain()).isPresent()) {
+      throw attributes.invalid("threshold", "none beside detect=\"" + detect.get().text() + "\"");
+    }
     return new Scenario(
         name(),
         field,
         attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE),
         attributes.choice("headings", Headings.DEGREES),
-        attributes.optionalNumber("threshold", Range.PROPORTION),
+        threshold,
+        detect,
         attributes.optionalNumber("mount_height", Range.POSITIVE_LENGTH),
         zooms,
         cameras,

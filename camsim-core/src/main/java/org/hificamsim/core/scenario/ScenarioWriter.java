@@ -36,6 +36,7 @@ public final class ScenarioWriter {
     attributes.put("order", Spelling.of(scenario.order()));
     attributes.put("headings", Spelling.of(scenario.headings()));
     scenario.threshold().ifPresent(value -> attributes.put("threshold", value));
+    scenario.detect().ifPresent(rule -> attributes.put("detect", rule.text()));
     scenario.mountHeight().ifPresent(value -> attributes.put("mount_height", value));
     attributes.putAll(new TreeMap<>(scenario.extras()));
     open("root", Map.of());

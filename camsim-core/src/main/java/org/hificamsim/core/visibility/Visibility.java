@@ -12,7 +12,8 @@ import org.hificamsim.core.detection.ZoomLevel;
  *   <li>Reach: the target is not farther away than the zoom level's radius.
  *   <li>Angle: it is {@linkplain #isInAngle within the opening angle}.
  *   <li>Confidence: the detection model's {@linkplain #value value}.
- *   <li>Threshold: the value is the threshold or more.
+ *   <li>Rule: the value is the threshold or more; or the {@linkplain #luck luck} of camera and
+ *       target is below the chance of the value.
  *   <li>Clamping: the {@linkplain #confidence confidence} is what the model {@linkplain
  *       DetectionModel#reported reports} for the value.
  * </ol>
@@ -21,25 +22,46 @@ public final class Visibility {
   private final Detection detection;
   private final DetectionModel model;
   private final boolean asInCamSim;
+  private final boolean certain;
+  private final Luck luck;
 
-  private Visibility(Detection detection, boolean asInCamSim) {
+  private Visibility(Detection detection, boolean asInCamSim, long seed) {
     this.detection = detection;
     this.model = detection.model();
     this.asInCamSim = asInCamSim;
+    this.certain = detection.certain();
+    this.luck = new Luck(seed, detection.rule().memory());
   }
 
-  /** The border of a sector belongs to it, and so does the camera's own position. */
+  /** Where nothing is left to chance, or where one seed is as good as another. */
   public static Visibility of(Detection detection) {
-    return new Visibility(detection, false);
+    return of(detection, 0);
+  }
+
+  /**
+   * The border of a sector belongs to it, and so does the camera's own position.
+   *
+   * @param seed of the run, which decides about its luck
+   */
+  public static Visibility of(Detection detection, long seed) {
+    return new Visibility(detection, false, seed);
+  }
+
+  /** The same as {@link #asInCamSim(Detection, long)} where one seed is as good as another. */
+  public static Visibility asInCamSim(Detection detection) {
+    return asInCamSim(detection, 0);
   }
 
   /**
    * As in CamSim (behaviour 6.1 and 6.2): neither the border of a sector nor the camera's own
    * position belongs to it, and a target of confidence 0 is not seen.
+   *
+   * @param seed of the run, which decides about its luck
    */
-  public static Visibility asInCamSim(Detection detection) {
+  public static Visibility asInCamSim(Detection detection, long seed) {
     double threshold = Math.max(detection.threshold(), Double.MIN_VALUE);
-    return new Visibility(new Detection(detection.model(), threshold), true);
+    return new Visibility(
+        detection.certain() ? new Detection(detection.model(), threshold) : detection, true, seed);
   }
 
   /** The detection model and the threshold, as this pipeline uses it. */
@@ -47,10 +69,39 @@ public final class Visibility {
     return detection;
   }
 
-  /** How sure a camera is of a target, see {@link #value}; 0 where it does not detect it. */
-  public double confidence(Pose camera, ZoomLevel zoom, double x, double y, double size) {
-    double value = value(camera, zoom, x, y, size);
-    return value >= detection.threshold() ? model.reported(value) : 0;
+  /**
+   * The luck of a camera with a target in one step, for {@link #confidence}: in [0, 1), the same
+   * whenever it is asked for; 0 by a threshold.
+   */
+  public double luck(long step, int camera, int target) {
+    return certain ? 0 : luck.draw(step, camera, target);
+  }
+
+  /** How many targets a camera reports in a step that are not there: 0 or 1. */
+  public int phantoms(long step, int camera) {
+    double chance = detection.rule().phantoms();
+    return chance > 0 && luck.draw(step, camera, -1) < chance ? 1 : 0;
+  }
+
+  /**
+   * How sure a camera is of a target, see {@link #value}; 0 where it does not detect it.
+   *
+   * @param luck of the two in this step
+   */
+  public double confidence(
+      Pose camera, ZoomLevel zoom, double x, double y, double size, double luck) {
+    double value = valueInSight(camera, zoom, x, y, size);
+    if (!detection.detects(value, luck)) {
+      return 0;
+    }
+    double reported = model.reported(value);
+    return certain ? reported : Math.max(reported, Double.MIN_VALUE);
+  }
+
+  /** The chance that a camera detects a target, in [0, 1]; 1 or 0 by a threshold. */
+  public double chance(Pose camera, ZoomLevel zoom, double x, double y, double size) {
+    double value = valueInSight(camera, zoom, x, y, size);
+    return Double.isNaN(value) ? 0 : detection.chance(value);
   }
 
   /**
@@ -61,15 +112,21 @@ public final class Visibility {
    * @param size the target's size, metres
    */
   public double value(Pose camera, ZoomLevel zoom, double x, double y, double size) {
+    double value = valueInSight(camera, zoom, x, y, size);
+    return Double.isNaN(value) ? 0 : value;
+  }
+
+  /** The same; NaN out of reach or angle. */
+  private double valueInSight(Pose camera, ZoomLevel zoom, double x, double y, double size) {
     double distance = camera.distance(x, y);
     if (!(distance <= zoom.radius())) {
-      return 0;
+      return Double.NaN;
     }
     boolean byAngle = model.dependsOnBearing() || (asInCamSim && !zoom.allRound());
     double offAxis = byAngle ? camera.offAxis(x, y) : 0;
     return isInAngle(camera, zoom, x, y, offAxis)
         ? model.confidence(size, distance, offAxis, zoom)
-        : 0;
+        : Double.NaN;
   }
 
   /** Whether a point is within the opening angle at a zoom level. */
@@ -92,7 +149,7 @@ public final class Visibility {
    * detect at the other level, wherever it stands.
    */
   public boolean dominates(ZoomLevel zoom, ZoomLevel other, double size) {
-    if (model.dependsOnBearing()) {
+    if (model.dependsOnBearing() || !certain) {
       return zoom.equals(other);
     }
     return zoom.viewingAngle() >= other.viewingAngle()

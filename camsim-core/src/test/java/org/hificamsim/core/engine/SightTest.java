@@ -150,8 +150,8 @@ class SightTest {
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
-      once.refresh();
-      full.refresh();
+      once.refresh(0);
+      full.refresh(0);
       assertSame(world, once, full);
       int seen = 0;
       for (int target = 0; target < 3; target++) {

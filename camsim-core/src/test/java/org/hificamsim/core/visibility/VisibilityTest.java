@@ -136,10 +136,10 @@ class VisibilityTest {
   @ValueSource(booleans = {false, true})
   void aValueBelowTheThresholdCountsAsNothingAndOneAboveAHundredPercentAsThat(boolean byBearing) {
     Visibility visibility = Visibility.of(new Detection(new Far(byBearing), 0.5));
-    assertEquals(0, visibility.confidence(ORIGIN, zoom(360, 5), 0, 1.25, 1));
+    assertEquals(0, visibility.confidence(ORIGIN, zoom(360, 5), 0, 1.25, 1, 0));
     assertEquals(0.25, visibility.value(ORIGIN, zoom(360, 5), 0, 1.25, 1));
-    assertEquals(0.5, visibility.confidence(ORIGIN, zoom(360, 5), 0, 1.5, 1));
-    assertEquals(1, visibility.confidence(ORIGIN, zoom(360, 5), 0, 3, 1));
+    assertEquals(0.5, visibility.confidence(ORIGIN, zoom(360, 5), 0, 1.5, 1, 0));
+    assertEquals(1, visibility.confidence(ORIGIN, zoom(360, 5), 0, 3, 1, 0));
     assertEquals(2, visibility.value(ORIGIN, zoom(360, 5), 0, 3, 1));
   }
 
@@ -154,7 +154,7 @@ class VisibilityTest {
   void camSimsOwnVisibilityMayExceedOne() {
     Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()));
     double close = 1 / (0.25 + (0.5 - 0.25) / 0.5);
-    assertEquals(close, visibility.confidence(ORIGIN, zoom(360, 0.5), 0, 0.25, 1));
+    assertEquals(close, visibility.confidence(ORIGIN, zoom(360, 0.5), 0, 0.25, 1, 0));
     assertTrue(close > 1);
   }
 
@@ -170,7 +170,7 @@ class VisibilityTest {
 
   private static boolean sees(
       Visibility visibility, Pose camera, ZoomLevel zoom, double x, double y) {
-    return visibility.confidence(camera, zoom, x, y, 0.66) > 0;
+    return visibility.confidence(camera, zoom, x, y, 0.66, 0) > 0;
   }
 
   /**

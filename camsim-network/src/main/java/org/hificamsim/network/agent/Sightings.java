@@ -34,17 +34,18 @@ public final class Sightings {
   /**
    * Every online camera looks at every target present.
    *
+   * @param step that is under way
    * @param detected one entry per camera, receives how many targets it sees, 0 while offline
    * @param coverage one entry per target, receives how many cameras see it
    */
-  public void look(int[] detected, int[] coverage) {
+  public void look(long step, int[] detected, int[] coverage) {
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < detected.length; camera++) {
-      detected[camera] = cameras.online(camera) ? look(camera, coverage) : 0;
+      detected[camera] = cameras.online(camera) ? look(step, camera, coverage) : 0;
     }
   }
 
-  private int look(int camera, int[] coverage) {
+  private int look(long step, int camera, int[] coverage) {
     Pose pose = cameras.pose(camera);
     ZoomLevel zoom = cameras.zoom(camera, cameras.level(camera));
     int seen = 0;
@@ -52,7 +53,8 @@ public final class Sightings {
       if (targets.present(target)) {
         double x = targets.x(target);
         double y = targets.y(target);
-        double sure = visibility.confidence(pose, zoom, x, y, targets.size(target));
+        double luck = visibility.luck(step, camera, target);
+        double sure = visibility.confidence(pose, zoom, x, y, targets.size(target), luck);
         note(camera, target, sure);
         seen += sure > 0 ? 1 : 0;
         coverage[target] += sure > 0 ? 1 : 0;

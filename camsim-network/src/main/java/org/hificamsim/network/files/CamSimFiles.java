@@ -56,7 +56,7 @@ public final class CamSimFiles implements Closeable {
       }
       coverage =
           places.coverage().isPresent()
-              ? Optional.of(new SingleRun(places.coverage().get(), 0, false))
+              ? Optional.of(new SingleRun(places.coverage().get(), 0, plan.detection(), false))
               : Optional.empty();
       coverage.ifPresent(opened::add);
       coverage.ifPresent(listeners::add);

@@ -58,7 +58,13 @@ public final class HiFiDetections {
     PublishedModels catalogue = PublishedModels.published();
     Provenance provenance = feature.provenance().with("detector line", line.source());
     return new HiFiDetection(
-        name, feature.f(), line.g(), catalogue.optics(), catalogue.threshold(line.g()), provenance);
+        name,
+        feature.f(),
+        line.g(),
+        catalogue.optics(),
+        catalogue.threshold(line.g()),
+        line.rmse(),
+        provenance);
   }
 
   private static LiteralDetection literal(PublishedModels catalogue) {

@@ -1,6 +1,7 @@
 package org.hificamsim.hifi.model;
 
 import java.util.List;
+import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
@@ -16,6 +17,7 @@ final class ModelFormat {
   static final int VERSION = 1;
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9:._-]{0,99}");
   private static final double STEEPEST = 1000;
+  private static final double MIN_RMSE = 1e-9;
   static final List<String> LENGTHS = List.of("q", "d", "z");
 
   private ModelFormat() {}
@@ -28,17 +30,30 @@ final class ModelFormat {
     checkSchema(json, SCHEMA);
     String name = name(json);
     FeatureAbstraction f = FeatureFormats.read(json.object("f"));
-    DetectorLine g = json.object("g").whole(ModelFormat::detectorLine);
+    FittedLine g = json.object("g").whole(ModelFormat::fittedLine);
     Optics optics = json.has("optics") ? optics(json) : PublishedModels.published().optics();
     double threshold =
-        json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g);
+        json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g.line());
     checkUnits(json);
-    return new HiFiDetection(name, f, g, optics, threshold, provenance(json));
+    return new HiFiDetection(name, f, g.line(), optics, threshold, g.rmse(), provenance(json));
   }
 
   static void checkSchema(JsonObject json, String schema) {
     json.text("schema", List.of(schema));
     json.exactly("version", VERSION);
+  }
+
+  /** A line, and how the confidences scatter about it where that is known. */
+  record FittedLine(DetectorLine line, OptionalDouble rmse) {}
+
+  static FittedLine fittedLine(JsonObject json) {
+    return new FittedLine(detectorLine(json), rmse(json));
+  }
+
+  static OptionalDouble rmse(JsonObject json) {
+    return json.has("rmse")
+        ? OptionalDouble.of(json.number("rmse", MIN_RMSE, STEEPEST))
+        : OptionalDouble.empty();
   }
 
   static DetectorLine detectorLine(JsonObject json) {

@@ -30,7 +30,9 @@ final class ModelWriter {
     json.put("schema", ModelFormat.SCHEMA).put("version", ModelFormat.VERSION);
     json.put("name", model.name());
     json.set("f", FeatureFormats.json(model.f()));
-    json.putPOJO("g", model.g()).putPOJO("optics", model.optics());
+    ObjectNode g = json.putObject("g").setAll(MAPPER.<ObjectNode>valueToTree(model.g()));
+    model.rmse().ifPresent(rmse -> g.put("rmse", rmse));
+    json.putPOJO("optics", model.optics());
     json.put("threshold", model.defaultThreshold());
     ObjectNode units = json.putObject("units");
     ModelFormat.LENGTHS.forEach(length -> units.put(length, "m"));

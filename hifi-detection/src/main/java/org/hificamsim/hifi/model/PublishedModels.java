@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
@@ -35,8 +36,12 @@ public record PublishedModels(
   /** A feature abstraction, its short name and what it is in words. */
   public record Feature(String name, String title, FeatureAbstraction f, Provenance provenance) {}
 
-  /** A detector line and the f, or {@link #GROUND_TRUTH}, whose PIP it was fitted on. */
-  public record Line(String detector, String f, DetectorLine g, String source) {}
+  /**
+   * A detector line and the f, or {@link #GROUND_TRUTH}, whose PIP it was fitted on; and its
+   * scatter.
+   */
+  public record Line(
+      String detector, String f, DetectorLine g, OptionalDouble rmse, String source) {}
 
   /** The line to which the default threshold was fitted, and that threshold. */
   public record Reference(String detector, String f, double threshold) {}

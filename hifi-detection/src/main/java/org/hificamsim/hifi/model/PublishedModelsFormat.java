@@ -44,6 +44,10 @@ final class PublishedModelsFormat {
 
   private static PublishedModels.Line line(JsonObject json) {
     return new PublishedModels.Line(
-        json.text("detector"), json.text("f"), ModelFormat.detectorLine(json), json.text("source"));
+        json.text("detector"),
+        json.text("f"),
+        ModelFormat.detectorLine(json),
+        ModelFormat.rmse(json),
+        json.text("source"));
   }
 }

@@ -111,6 +111,9 @@ final class RunReport {
     ObjectNode metrics = figures.putObject("metrics");
     for (Metric metric : Metric.values()) {
       JsonNode mean = settings.remove(metric.label());
+      if (mean == null) {
+        continue; // of chance alone
+      }
       JsonNode interval = summary.path("interval_95").path(metric.label());
       ObjectNode figure = metrics.putObject(metric.label());
       figure.set("mean", mean);

@@ -152,8 +152,8 @@ public final class LiveRun {
 
   private LiveSide side(World world, Choice choice, long ofSeed, long at) {
     Detection detection =
-        Overrides.ofThreshold(Optional.ofNullable(choice.threshold()))
-            .detection(spec(choice.detection()), scenario.threshold());
+        Overrides.ofDetection(Optional.ofNullable(choice.threshold()), Optional.empty())
+            .detection(spec(choice.detection()), scenario);
     return new LiveSide(world, catalogue, detection, choice.policy(), ofSeed, at);
   }
 

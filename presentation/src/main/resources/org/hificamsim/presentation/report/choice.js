@@ -28,8 +28,10 @@ export class ChoiceForm {
   show(setup) {
     const [name, options] = parts(this.policies, setup.policy);
     const show = (input, value) => input === document.activeElement && input.tagName === 'INPUT' || (input.value = value);
-    show(this.detection, setup.detection);
-    show(this.threshold, decimals(setup.threshold, 6));
+    const [model, rule] = setup.detection.split(/@(?=threshold|chance|probability)/);
+    show(this.detection, model);
+    this.threshold.disabled = rule !== undefined; // a rule of chance has its own
+    show(this.threshold, rule === undefined ? decimals(setup.threshold, 6) : '');
     show(this.policy, name);
     show(this.options, options);
   }

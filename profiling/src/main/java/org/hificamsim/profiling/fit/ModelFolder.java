@@ -5,6 +5,7 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.OptionalDouble;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.detector.DetectorLine;
@@ -53,6 +54,7 @@ public record ModelFolder(Path folder, String prefix) {
             line,
             new Optics(result.camera().sensorWidth(), longest),
             PublishedModels.published().threshold(line),
+            fit.rmse() > 0 ? OptionalDouble.of(fit.rmse()) : OptionalDouble.empty(),
             provenance(result, f, fit, on));
     ModelFiles.write(model, folder.resolve(name + ".json"));
   }

@@ -21,6 +21,9 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
     if (runs.get(0).result().proof().isPresent()) {
       scores.addAll(Score.OF_PROOFS);
     }
+    if (!plan.detection().certain()) {
+      scores.addAll(Score.OF_CHANCE);
+    }
     return scores;
   }
 

@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.hifi.HiFiDetection;
@@ -25,9 +26,11 @@ import org.hificamsim.runs.output.ManifestFile;
  * @param inputs what has a name and a content: this program, the users' classes on the class path,
  *     the scenario, the detection
  * @param threshold of the detection
+ * @param detect how a value becomes a detection
  * @param policy name and options
  */
-public record RunKey(List<Input> inputs, double threshold, String policy, int steps) {
+public record RunKey(
+    List<Input> inputs, double threshold, String detect, String policy, int steps) {
   /**
    * An input with a content.
    *
@@ -63,7 +66,9 @@ public record RunKey(List<Input> inputs, double threshold, String policy, int st
     List<Input> inputs = new ArrayList<>(program);
     inputs.add(new Input("scenario", plan.scenario().name(), digest(bytes(scenario))));
     inputs.add(new Input("detection", plan.detection().name(), digest(plan.detection().model())));
-    return new RunKey(inputs, plan.detection().threshold(), plan.policy(), plan.steps());
+    Detection detection = plan.detection();
+    return new RunKey(
+        inputs, detection.threshold(), detection.rule().text(), plan.policy(), plan.steps());
   }
 
   /** A digest of the keys of all runs of a sweep. */
@@ -78,7 +83,7 @@ public record RunKey(List<Input> inputs, double threshold, String policy, int st
     try {
       return MAPPER.readValue(text, RunKey.class);
     } catch (JsonProcessingException e) {
-      return new RunKey(List.of(program("unknown")), 0, "", 0);
+      return new RunKey(List.of(program("unknown")), 0, "", "", 0);
     }
   }
 

@@ -1,6 +1,7 @@
 package org.hificamsim.runs.compare;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.runs.Metric;
@@ -25,6 +26,10 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
           new Score("unproven_steps", run -> proof(run).unprovenSteps()),
           new Score("performance_bound", run -> proof(run).bound(run.result().performance())));
 
+  /** Figures of runs whose detections are by chance, beside all others. */
+  static final List<Score> OF_CHANCE =
+      Arrays.stream(Metric.values()).filter(Metric::ofChance).map(Score::of).toList();
+
   /** The figure of one run. */
   public double of(ScoredRun run) {
     return figure.applyAsDouble(run);
@@ -45,7 +50,7 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
     all.add(PROPORTION_OF_OPTIMAL);
     all.add(new Score("regret", ScoredRun::regret));
     for (Metric metric : Metric.values()) {
-      if (metric != Metric.PERFORMANCE) {
+      if (metric != Metric.PERFORMANCE && !metric.ofChance()) {
         all.add(of(metric));
       }
     }

@@ -54,6 +54,7 @@ public record RandomField(int cameras, int targets, double area, long seed) {
         StepOrder.COVERAGE,
         Headings.DEGREES,
         OptionalDouble.empty(),
+        Optional.empty(),
         OptionalDouble.empty(),
         ZOOMS,
         cameras(field, random),

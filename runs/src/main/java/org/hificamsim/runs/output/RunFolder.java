@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
@@ -33,13 +34,16 @@ public final class RunFolder implements Closeable {
   /**
    * Starts the tables.
    *
+   * @param detection of the run: by chance, tables have more columns
    * @param record whether zooms and targets are written too
    */
-  public RunFolder(Path path, boolean record) throws IOException {
+  public RunFolder(Path path, Detection detection, boolean record) throws IOException {
+    boolean certain = detection.certain();
     folder = new OutputFolder(path);
-    steps = Table.RUN_STEPS.create(folder);
+    steps = (certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE).create(folder);
     zooms = record ? Table.RUN_ZOOMS.create(folder) : null;
-    targets = record ? Table.RUN_TARGETS.create(folder) : null;
+    Table ofTargets = certain ? Table.RUN_TARGETS : Table.RUN_TARGETS_BY_CHANCE;
+    targets = record ? ofTargets.create(folder) : null;
   }
 
   /** The listener that writes one repeat. */
@@ -48,7 +52,7 @@ public final class RunFolder implements Closeable {
       step(run, network.step(), coverage);
       if (zooms != null) {
         zooms(run, network);
-        targets(run, network);
+        targets(run, network, coverage);
       }
     };
   }
@@ -74,15 +78,19 @@ public final class RunFolder implements Closeable {
     }
   }
 
-  private void targets(int run, NetworkView network) {
+  private void targets(int run, NetworkView network, StepCoverage coverage) {
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
-        targets.row(
-            run,
-            network.step(),
-            network.targetName(target),
-            network.oracle().targetX(target),
-            network.oracle().targetY(target));
+        List<Object> row = new ArrayList<>();
+        row.addAll(List.of(run, network.step(), network.targetName(target)));
+        row.add(network.oracle().targetX(target));
+        row.add(network.oracle().targetY(target));
+        if (coverage.byChance()) {
+          row.add(network.coverage(target));
+          row.add(coverage.expected().chanceOfOne(target));
+          row.add(coverage.expected().chanceOfMore(target));
+        }
+        targets.row(row.toArray());
       }
     }
   }

@@ -34,6 +34,9 @@ public final class SettingsFile {
     json.writeStringField("scenario", scenario.name());
     json.writeStringField("detection", plan.detection().name());
     json.writeNumberField("threshold", plan.detection().threshold());
+    if (!plan.detection().certain()) {
+      json.writeStringField("detect", plan.detection().rule().text());
+    }
     json.writeStringField("policy", plan.policy());
     json.writeNumberField("steps", plan.steps());
     json.writeNumberField("seed", plan.seed());

@@ -5,6 +5,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
@@ -24,11 +25,12 @@ public final class SingleRun implements StepListener, Closeable {
    * Starts the run's folder.
    *
    * @param run its number
+   * @param detection of the run
    * @param record whether zooms and targets are written too
    */
-  public SingleRun(Path path, int run, boolean record) throws IOException {
+  public SingleRun(Path path, int run, Detection detection, boolean record) throws IOException {
     this.run = run;
-    folder = new RunFolder(path, record);
+    folder = new RunFolder(path, detection, record);
     rows = folder.listener(run);
   }
 

@@ -4,9 +4,11 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.metrics.ExpectedCoverage;
 import org.hificamsim.core.metrics.StepCoverage;
 
 /**
@@ -16,15 +18,32 @@ import org.hificamsim.core.metrics.StepCoverage;
  * @param measures the columns of {@link #measures(StepCoverage)}
  */
 public record StepRow(Path file, int line, String run, String step, String measures) {
-  /** What is measured in each step, in the order of columns. */
+  /** What is measured in each step, in the order of columns; what is expected follows by chance. */
   public static List<Number> measures(StepCoverage coverage) {
+    List<Number> measures =
+        new ArrayList<>(
+            List.of(
+                coverage.kMin(),
+                coverage.targets(),
+                coverage.covered0(),
+                coverage.covered1(),
+                coverage.coveredK(),
+                coverage.meanK()));
+    if (coverage.byChance()) {
+      measures.addAll(expected(coverage.expected()));
+    }
+    return measures;
+  }
+
+  private static List<Number> expected(ExpectedCoverage expected) {
     return List.of(
-        coverage.kMin(),
-        coverage.targets(),
-        coverage.covered0(),
-        coverage.covered1(),
-        coverage.coveredK(),
-        coverage.meanK());
+        expected.kMin(),
+        expected.covered0(),
+        expected.covered1(),
+        expected.coveredK(),
+        expected.meanK(),
+        expected.leastK(),
+        expected.leastChance());
   }
 
   /**

@@ -30,14 +30,15 @@ public final class SummaryFile {
           json.writeStartObject();
           SummaryFile file = new SummaryFile(json);
           SettingsFile.write(json, plan);
-          file.figures(results);
-          file.runs(results);
+          List<Metric> metrics = Metric.of(plan.detection());
+          file.figures(metrics, results);
+          file.runs(metrics, results);
           json.writeEndObject();
         });
   }
 
-  private void figures(List<RunResult> results) throws IOException {
-    for (Metric metric : Metric.values()) {
+  private void figures(List<Metric> metrics, List<RunResult> results) throws IOException {
+    for (Metric metric : metrics) {
       if (results.size() == 1 && metric.label().equals("performance")) {
         json.writeNumberField("performance", results.get(0).performance());
       } else {
@@ -46,7 +47,7 @@ public final class SummaryFile {
     }
     if (results.size() > 1) {
       json.writeObjectFieldStart("interval_95");
-      for (Metric metric : Metric.values()) {
+      for (Metric metric : metrics) {
         Estimate estimate = Estimate.of(results, metric);
         json.writeArrayFieldStart(metric.label());
         json.writeNumber(estimate.low());
@@ -57,13 +58,13 @@ public final class SummaryFile {
     }
   }
 
-  private void runs(List<RunResult> results) throws IOException {
+  private void runs(List<Metric> metrics, List<RunResult> results) throws IOException {
     json.writeArrayFieldStart("runs");
     for (RunResult result : results) {
       json.writeStartObject();
       json.writeNumberField("run", result.run());
       json.writeNumberField("seed", result.seed());
-      for (Metric metric : Metric.values()) {
+      for (Metric metric : metrics) {
         json.writeFieldName(metric.label());
         number(metric.of(result));
       }

@@ -9,8 +9,14 @@ import org.hificamsim.core.file.OutputFolder;
 /** Every table of results: its file, and its columns, which {@code docs/data.md} explains. */
 public enum Table {
   RUN_STEPS("steps.csv", "run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k"),
+  RUN_STEPS_BY_CHANCE(
+      RUN_STEPS.file,
+      RUN_STEPS.columns
+          + ",expected_k_min,expected_covered_0,expected_covered_1,expected_covered_k,"
+          + "expected_mean_k,least_expected_k,least_chance"),
   RUN_ZOOMS("zooms.csv", "run,step,camera,level,radius,detected"),
   RUN_TARGETS("targets.csv", "run,step,target,x,y"),
+  RUN_TARGETS_BY_CHANCE(RUN_TARGETS.file, RUN_TARGETS.columns + ",k,chance_1,chance_k"),
   RESULTS(
       "results.csv",
       "scenario,detection,policy,seed,performance,proportion_of_optimal,"

@@ -1,0 +1,134 @@
+package org.hificamsim.core.detection;
+
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.hificamsim.core.registry.Options;
+import org.hificamsim.core.registry.Registry;
+
+/**
+ * How a model's value becomes a detection: what the option {@code --detect} and the attribute
+ * {@code detect} choose ({@code docs/detection.md}).
+ */
+public sealed interface DetectionRule {
+  /** As users write it, with the options that are not the default. */
+  String text();
+
+  /** Whether equal values are equally detected: no luck is drawn. */
+  default boolean certain() {
+    return false;
+  }
+
+  /** For how many steps a camera keeps its luck with a target, 1 or more. */
+  default int memory() {
+    return 1;
+  }
+
+  /** The chance that a camera reports a target that is not there, for each step. */
+  default double phantoms() {
+    return 0;
+  }
+
+  /**
+   * The rule in a text.
+   *
+   * @throws org.hificamsim.core.InputException when it names none, or an option is wrong
+   */
+  static DetectionRule parse(String text) {
+    return rules().create(text);
+  }
+
+  /** All rules by name. */
+  static Registry<DetectionRule> rules() {
+    return new Registry<DetectionRule>("detect")
+        .register("threshold", "where the value reaches a threshold", Threshold::new)
+        .register("chance", "by chance, from the scatter of the model's fit", Chance::from)
+        .register("probability", "by chance; the value is the probability", Probability::from);
+  }
+
+  /** A target is detected when the value reaches a threshold: the rule of the thesis. */
+  record Threshold() implements DetectionRule {
+    @Override
+    public boolean certain() {
+      return true;
+    }
+
+    @Override
+    public String text() {
+      return "threshold";
+    }
+  }
+
+  /**
+   * A target is detected with the chance that its measured confidence, the value and its {@link
+   * Scatter}, reaches the threshold of a rate of false alarms.
+   *
+   * @param alpha rate of false alarms, (0, 0.5]
+   * @param memory steps, 1 or more
+   * @param withPhantoms whether cameras report targets that are not there
+   */
+  record Chance(double alpha, int memory, boolean withPhantoms) implements DetectionRule {
+    private static final double DEFAULT_ALPHA = 0.05;
+    private static final double MIN_ALPHA = 1e-9;
+
+    private static Chance from(Options options) {
+      return new Chance(
+          options.number(
+              "alpha",
+              DEFAULT_ALPHA,
+              MIN_ALPHA,
+              0.5,
+              "rate of false alarms, which sets the threshold"),
+          memoryFrom(options),
+          options.choice(
+                  "phantoms", Phantoms.OFF, "on: each camera, each step, a false alarm by alpha")
+              == Phantoms.ON);
+    }
+
+    @Override
+    public double phantoms() {
+      return withPhantoms ? alpha : 0;
+    }
+
+    @Override
+    public String text() {
+      return spelled(
+          "chance",
+          alpha == DEFAULT_ALPHA ? "" : "alpha=" + alpha,
+          memory == 1 ? "" : "memory=" + memory,
+          withPhantoms ? "phantoms=on" : "");
+    }
+  }
+
+  /**
+   * A target is detected with its value, as a proportion, for a chance.
+   *
+   * @param memory steps, 1 or more
+   */
+  record Probability(int memory) implements DetectionRule {
+    private static Probability from(Options options) {
+      return new Probability(memoryFrom(options));
+    }
+
+    @Override
+    public String text() {
+      return spelled("probability", memory == 1 ? "" : "memory=" + memory);
+    }
+  }
+
+  private static String spelled(String name, String... options) {
+    String given =
+        Stream.of(options).filter(option -> !option.isEmpty()).collect(Collectors.joining(","));
+    return given.isEmpty() ? name : name + ":" + given;
+  }
+
+  private static int memoryFrom(Options options) {
+    return options.integer(
+        "memory", 1, 1, 1_000_000, "steps for which a camera keeps its luck with a target");
+  }
+
+  /** The words of the option {@code phantoms}. */
+  enum Phantoms {
+    OFF,
+    ON
+  }
+}
