@@ -57,7 +57,7 @@ public record Overrides(
     return detection(spec, OptionalDouble.empty(), Optional.empty());
   }
 
-  private Detection detection(
+  Detection detection(
       DetectionSpec spec, OptionalDouble ofScenario, Optional<DetectionRule> ruleOfScenario) {
     DetectionRule decides =
         spec.rule().or(() -> rule).or(() -> ruleOfScenario).orElseGet(DetectionRule.Threshold::new);

@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionRule;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -64,14 +65,66 @@ class OverridesTest {
   void refusesToAskForAThresholdThatIsNone() {
     for (double threshold : new double[] {-0.1, 1.1, Double.NaN}) {
       assertThrows(
-          InputException.class, () -> Overrides.ofThreshold(Optional.of(threshold)), "no fault");
+          InputException.class,
+          () -> Overrides.ofDetection(Optional.of(threshold), Optional.empty()),
+          "no fault");
     }
   }
 
   private static Detection detection(String text, Double asked, Double ofScenario) {
-    return Overrides.ofThreshold(Optional.ofNullable(asked))
+    return Overrides.ofDetection(Optional.ofNullable(asked), Optional.empty())
         .detection(
             DetectionSpec.parse(text, CATALOGUE::detection),
-            ofScenario == null ? OptionalDouble.empty() : OptionalDouble.of(ofScenario));
+            ofScenario == null ? OptionalDouble.empty() : OptionalDouble.of(ofScenario),
+            Optional.empty());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "hifi:orb-lin | | | threshold | hifi:orb-lin",
+        "hifi:orb-lin | chance | | chance | hifi:orb-lin@chance",
+        "hifi:orb-lin | chance:alpha=0.01,memory=2 | probability | chance:alpha=0.01,memory=2"
+            + " | hifi:orb-lin@chance:alpha=0.01;memory=2",
+        "hifi:orb-lin | | probability | probability | hifi:orb-lin@probability",
+        "hifi:orb-lin@chance:alpha=0.01;memory=2 | threshold | probability"
+            + " | chance:alpha=0.01,memory=2 | hifi:orb-lin@chance:alpha=0.01;memory=2",
+        "hifi:orb-lin@threshold | chance | | threshold | hifi:orb-lin",
+        "camsim-range@probability | | | probability | camsim-range@probability",
+      })
+  void theFirstRuleThatThereIsCounts(
+      String detection, String asked, String ofScenario, String rule, String name) {
+    Detection made =
+        Overrides.ofDetection(Optional.empty(), rule(asked))
+            .detection(
+                DetectionSpec.parse(detection, CATALOGUE::detection),
+                OptionalDouble.empty(),
+                rule(ofScenario));
+    assertEquals(rule, made.rule().text());
+    assertEquals(name, made.name());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "hifi:orb-lin | 0.4 | threshold is 0.4, expected none with detect=chance",
+        "hifi:orb-lin@0.3 | | threshold is 0.3, expected none with detect=chance",
+        "camsim-range | | detection 'camsim-range' has no rmse",
+        "hifi:orb-lin@chance:beta=1 | | chance: unknown option 'beta=1', expected one of alpha",
+      })
+  void refusesWhatDoesNotSuitTheRule(String detection, Double threshold, String expected) {
+    InputException fault =
+        assertThrows(
+            InputException.class,
+            () ->
+                Overrides.ofDetection(Optional.ofNullable(threshold), rule("chance"))
+                    .detection(DetectionSpec.parse(detection, CATALOGUE::detection)));
+    assertTrue(fault.getMessage().startsWith(expected), fault.getMessage());
+  }
+
+  private static Optional<DetectionRule> rule(String text) {
+    return Optional.ofNullable(text).map(DetectionRule::parse);
   }
 }

@@ -7,6 +7,7 @@ import org.hificamsim.core.AllocatedBytes;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.scenario.MovementSpec;
@@ -28,18 +29,19 @@ class AllocationTest {
     "Waypoints, bearing",
     "Brownian, distance",
     "DirectedBrownian, distance",
+    "Straight, chance",
   })
   void aStepAllocatesNothing(String movement, String kind) {
     DetectionModel model =
-        kind.equals("distance") ? new CamSimRangeDetection() : new CamSimVisibilityDetection();
+        kind.equals("bearing") ? new CamSimVisibilityDetection() : new CamSimRangeDetection();
+    Detection detection =
+        kind.equals("chance")
+            ? Detection.by(DetectionRule.parse("probability:memory=3"), "drawn", model)
+            : Detection.of(model);
     RunCoverage coverage = new RunCoverage();
     Simulation simulation =
         new Simulation(
-            scenario(movement).world(),
-            Detection.of(model),
-            new WidestPolicy(),
-            0,
-            List.of(coverage));
+            scenario(movement).world(), detection, new WidestPolicy(), 0, List.of(coverage));
     simulation.run(STEPS);
     int[] rounds = {0};
     Runnable round = () -> simulation.run(STEPS);

@@ -1,0 +1,119 @@
+package org.hificamsim.core.detection;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Optional;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class DetectionRuleTest {
+  private static final ZoomLevel ZOOM = new ZoomLevel(8, 2, 8, Double.NaN, 2 * Math.PI);
+
+  /** Falls from 1 to 0.2 over eight metres. */
+  private record Falling(Optional<Scatter> scatter) implements DetectionModel {
+    @Override
+    public String name() {
+      return "falling";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return 1 - distance / 10;
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "threshold",
+        "chance",
+        "chance:alpha=0.01",
+        "chance:memory=25",
+        "chance:alpha=0.1,memory=3,phantoms=on",
+        "probability",
+        "probability:memory=4"
+      })
+  void isReadAsItIsWritten(String text) {
+    assertEquals(text, DetectionRule.parse(text).text());
+  }
+
+  @Test
+  void leavesOutWhatIsTheDefault() {
+    assertEquals("chance", DetectionRule.parse("chance:alpha=0.05,memory=1,phantoms=off").text());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "chances | unknown detect 'chances'",
+        "chance:alpha=0 | chance: alpha is '0', expected a number from 1.0E-9 to 0.5",
+        "chance:alpha=0.6 | chance: alpha is '0.6', expected",
+        "chance:memory=0 | chance: memory is '0', expected a whole number from 1",
+        "chance:phantoms=yes | chance: phantoms is 'yes', expected one of off, on",
+        "probability:alpha=0.1 | unknown option 'alpha=0.1'",
+        "threshold:0.4 | expected no options",
+      })
+  void refusesWhatIsNoRule(String text, String expected) {
+    InputException fault =
+        assertThrows(InputException.class, () -> DetectionRule.parse(text), "no fault");
+    assertTrue(fault.getMessage().contains(expected), fault.getMessage());
+  }
+
+  @Test
+  void chanceNeedsAModelWhoseScatterIsKnown() {
+    DetectionModel model = new Falling(Optional.empty());
+    InputException fault =
+        assertThrows(
+            InputException.class, () -> Detection.by(DetectionRule.parse("chance"), "x", model));
+    assertTrue(fault.getMessage().contains("'falling' has no rmse"), fault.getMessage());
+  }
+
+  @Test
+  void theThresholdOfChanceIsReachedByNothingAtTheRateOfFalseAlarms() {
+    Detection detection =
+        Detection.by(
+            DetectionRule.parse("chance:alpha=0.01"),
+            "x",
+            new Falling(Optional.of(new Scatter(0.2, 0.1))));
+    assertEquals(0.2 + 2.3263478740408408 * 0.1, detection.threshold(), 1e-12);
+    assertEquals(0.01, detection.chance(0.2), 1e-12);
+    assertEquals(0.5, detection.chance(detection.threshold()), 1e-15);
+    assertEquals(0.8413447460685429, detection.chance(detection.threshold() + 0.1), 1e-12);
+    assertFalse(detection.detects(Double.NaN, 0));
+  }
+
+  @Test
+  void aProbabilityIsTheValueItselfWithinItsLimits() {
+    Detection detection =
+        Detection.by(DetectionRule.parse("probability"), "x", new Falling(Optional.empty()));
+    assertEquals(0.3, detection.chance(0.3));
+    assertEquals(1, detection.chance(1.2));
+    assertEquals(0, detection.chance(-0.2));
+    assertTrue(detection.detects(0.3, 0.2999));
+    assertFalse(detection.detects(0.3, 0.3));
+  }
+
+  @Test
+  void theTableOfChancesDecidesAsTheModelDoes() {
+    Detection detection =
+        Detection.by(
+            DetectionRule.parse("chance"), "x", new Falling(Optional.of(new Scatter(0.2, 0.3))));
+    ChanceTable table = detection.chances(0.66, ZOOM);
+    int detected = 0;
+    for (int i = 0; i < 200_000; i++) {
+      double distance = 8.0 * (i % 997) / 996;
+      double luck = (i * 0.6180339887498949) % 1;
+      boolean expected = detection.detects(1 - distance / 10, luck);
+      assertEquals(expected, table.detects(distance, luck), distance + " " + luck);
+      detected += expected ? 1 : 0;
+    }
+    assertTrue(detected > 50_000 && detected < 150_000, detected + " detected");
+  }
+}

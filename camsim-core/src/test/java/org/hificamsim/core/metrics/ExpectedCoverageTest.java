@@ -1,0 +1,137 @@
+package org.hificamsim.core.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.SplittableRandom;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+
+/** Against all outcomes, one by one. */
+class ExpectedCoverageTest {
+  private static final double ERROR = 1e-12;
+
+  /** Cameras by targets; a target of which all chances are negative is not present. */
+  private record Chances(double[][] of) implements DetectionChances {
+    @Override
+    public int cameras() {
+      return of.length;
+    }
+
+    @Override
+    public int targets() {
+      return of[0].length;
+    }
+
+    @Override
+    public boolean present(int target) {
+      return of[0][target] >= 0;
+    }
+
+    @Override
+    public int chances(int camera, int[] targets, double[] chances) {
+      int count = 0;
+      for (int target = 0; target < targets(); target++) {
+        if (of[camera][target] > 0) {
+          targets[count] = target;
+          chances[count++] = of[camera][target];
+        }
+      }
+      return count;
+    }
+  }
+
+  @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
+  void isTheMeanOverAllOutcomes(
+      @ForAll @IntRange(min = 1, max = 4) int cameras,
+      @ForAll @IntRange(min = 1, max = 3) int targets,
+      @ForAll long seed) {
+    Chances chances = random(cameras, targets, new SplittableRandom(seed));
+    ExpectedCoverage expected = new ExpectedCoverage();
+    expected.measure(random(5, 7, new SplittableRandom(1))); // what was before is forgotten
+    expected.measure(chances);
+    double[] sums = new double[5];
+    double[] means = new double[targets];
+    double[] once = new double[targets];
+    double[] more = new double[targets];
+    for (int outcome = 0; outcome < 1 << (cameras * targets); outcome++) {
+      double weight = weight(chances, outcome);
+      int least = Integer.MAX_VALUE;
+      int present = 0;
+      for (int target = 0; target < targets; target++) {
+        if (chances.present(target)) {
+          present++;
+          int k = covering(outcome, cameras, target);
+          least = Math.min(least, k);
+          sums[Math.min(k, 2)] += weight;
+          means[target] += weight * k;
+          once[target] += k >= 1 ? weight : 0;
+          more[target] += k >= 2 ? weight : 0;
+        }
+      }
+      sums[3] += present == 0 ? 0 : weight * least;
+      sums[4] = present;
+    }
+    assertEquals(sums[0], expected.covered0(), ERROR);
+    assertEquals(sums[1], expected.covered1(), ERROR);
+    assertEquals(sums[2], expected.coveredK(), ERROR);
+    assertEquals(sums[3], expected.kMin(), ERROR);
+    double leastMean = Double.POSITIVE_INFINITY;
+    double leastOnce = Double.POSITIVE_INFINITY;
+    double sum = 0;
+    for (int target = 0; target < targets; target++) {
+      if (chances.present(target)) {
+        assertEquals(once[target], expected.chanceOfOne(target), ERROR);
+        assertEquals(more[target], expected.chanceOfMore(target), ERROR);
+        leastMean = Math.min(leastMean, means[target]);
+        leastOnce = Math.min(leastOnce, once[target]);
+        sum += means[target];
+      }
+    }
+    assertEquals(sums[4] == 0 ? 0 : leastMean, expected.leastK(), ERROR);
+    assertEquals(sums[4] == 0 ? 0 : leastOnce, expected.leastChance(), ERROR);
+    assertEquals(sums[4] == 0 ? 0 : sum / sums[4], expected.meanK(), ERROR);
+  }
+
+  @Test
+  void certainDetectionsAreExpectedAsTheyAre() {
+    ExpectedCoverage expected = new ExpectedCoverage();
+    expected.measure(new Chances(new double[][] {{1, 1, 0}, {1, 0, 0}, {1, 1, 1}}));
+    assertEquals(1, expected.kMin());
+    assertEquals(0, expected.covered0());
+    assertEquals(1, expected.covered1());
+    assertEquals(2, expected.coveredK());
+    assertEquals(2, expected.meanK());
+  }
+
+  /** Some chances are 0, some 1, and some targets are not there. */
+  private static Chances random(int cameras, int targets, SplittableRandom random) {
+    double[][] chances = new double[cameras][targets];
+    for (int target = 0; target < targets; target++) {
+      boolean present = random.nextInt(5) > 0;
+      for (int camera = 0; camera < cameras; camera++) {
+        double drawn = Math.max(0, Math.min(1, random.nextDouble(-0.3, 1.3)));
+        chances[camera][target] = present ? drawn : -1;
+      }
+    }
+    return new Chances(chances);
+  }
+
+  private static double weight(Chances chances, int outcome) {
+    double weight = 1;
+    for (int camera = 0; camera < chances.cameras(); camera++) {
+      for (int target = 0; target < chances.targets(); target++) {
+        double chance = Math.max(0, chances.of[camera][target]);
+        boolean detected = (outcome >> (target * chances.cameras() + camera) & 1) != 0;
+        weight *= detected ? chance : 1 - chance;
+      }
+    }
+    return weight;
+  }
+
+  private static int covering(int outcome, int cameras, int target) {
+    return Integer.bitCount(outcome >> (target * cameras) & ((1 << cameras) - 1));
+  }
+}
