@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -82,6 +83,21 @@ class ModelFilesTest {
             Math.nextUp(0.0441),
             new Provenance(
                 Map.of("quotes \" and \\", "line\nbreak, tab\t, é, 狐, \uD83E\uDD8A, \u0000"))));
+  }
+
+  @Test
+  void theScatterSurvivesWhereThereIsOne() throws IOException {
+    HiFiDetection without = named("m", new LinearAbstraction(1, 2, 3, 4));
+    assertRoundTrip(without);
+    assertRoundTrip(
+        new HiFiDetection(
+            "m",
+            without.f(),
+            without.g(),
+            without.optics(),
+            0.05,
+            OptionalDouble.of(1.0 / 3),
+            without.provenance()));
   }
 
   @Test

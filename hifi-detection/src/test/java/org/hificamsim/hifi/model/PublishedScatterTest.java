@@ -1,0 +1,86 @@
+package org.hificamsim.hifi.model;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.registry.Registry;
+import org.hificamsim.hifi.HiFiDetection;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What Table 6.1's scatter makes of Table 6.1's lines. */
+class PublishedScatterTest {
+  private static final Registry<DetectionModel> MODELS = new Registry<>("detection");
+
+  static {
+    HiFiDetections.register(MODELS);
+    LabDetections.register(MODELS);
+  }
+
+  private static Detection byChance(String name, String alpha) {
+    return Detection.by(DetectionRule.parse("chance:alpha=" + alpha), name, MODELS.create(name));
+  }
+
+  /** The share of the image at which half of the targets are detected. */
+  @ParameterizedTest
+  @CsvSource({
+    "orb-lin, .150, .212",
+    "orb-svr-rbf, .135, .190",
+    "orb-sr, .116, .164",
+    "sift-lin, .352, .497",
+    "sift-svr-rbf, .403, .569",
+    "sift-sr, .333, .471",
+    "surf-lin, .208, .294",
+    "surf-svr-rbf, .174, .246",
+    "surf-sr, .118, .166",
+  })
+  void halfOfTheTargetsAreDetectedAtAShareOfTheImageThatDependsOnTheDetector(
+      String name, double atFivePercent, double atOnePercent) {
+    String line = "hifi:" + (name.endsWith("svr-rbf") ? name.replace("svr-rbf", "lin") : name);
+    PublishedModels catalogue = PublishedModels.published();
+    int dash = name.indexOf('-');
+    PublishedModels.Line g =
+        catalogue.line(name.substring(0, dash), name.substring(dash + 1)).orElseThrow();
+    HiFiDetection any = (HiFiDetection) MODELS.create(line);
+    HiFiDetection model =
+        new HiFiDetection(name, any.f(), g.g(), any.optics(), 0.5, g.rmse(), any.provenance());
+    assertEquals(atFivePercent, half(model, "0.05"), 0.0006);
+    assertEquals(atOnePercent, half(model, "0.01"), 0.0006);
+  }
+
+  private static double half(HiFiDetection model, String alpha) {
+    Detection detection = Detection.by(DetectionRule.parse("chance:alpha=" + alpha), "half", model);
+    assertEquals(0.5, detection.chance(detection.threshold()), 1e-12);
+    return model.g().pip(detection.threshold());
+  }
+
+  @Test
+  void theDetectorsOfOneAbstractionAreThreeAndNotOne() {
+    ZoomLevel zoom = new ZoomLevel(3.75, 2.5, 7.5, Double.NaN, 2 * Math.PI);
+    double orb = chance("hifi:orb-lin", zoom);
+    double sift = chance("hifi:sift-lin", zoom);
+    double surf = chance("hifi:surf-lin", zoom);
+    assertEquals(0.73, orb, 0.01);
+    assertEquals(0.50, surf, 0.01);
+    assertEquals(0.25, sift, 0.01);
+  }
+
+  private static double chance(String name, ZoomLevel zoom) {
+    Detection detection = byChance(name, "0.05");
+    return detection.chance(detection.model().confidence(0.66, 3, 0, zoom));
+  }
+
+  @Test
+  void allModelsThatWereFittedHaveTheirScatter() {
+    for (String name : MODELS.names()) {
+      if (!name.equals("hifi-literal")) {
+        assertTrue(MODELS.create(name).scatter().isPresent(), name);
+      }
+    }
+  }
+}
