@@ -16,6 +16,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.junit.jupiter.api.Test;
@@ -71,6 +72,27 @@ class PolicyTest {
     for (String file : List.of("steps.csv", "zooms.csv", "targets.csv")) {
       assertEquals(Files.readString(expected.resolve(file)), with.text("results/" + file), file);
     }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"chance", "chance:alpha=0.2;memory=4;phantoms=on", "probability"})
+  void meetsTheSameLuckAsOurOwnEngine(String rule) throws IOException {
+    CamSimRun with =
+        run(
+            "with",
+            "detection=hifi:orb-power,detect=" + rule + ",policy=sarsa," + ZOOMS + ",out=results");
+    assertEquals("", with.err());
+    Path expected = folder.resolve("engine");
+    Detection detection =
+        Detection.by(
+            DetectionRule.parse(rule.replace(';', ',')),
+            "hifi:orb-power@" + rule,
+            OwnSimulation.CATALOGUE.detection("hifi:orb-power"));
+    OwnSimulation.record(expected, CamSimRun.CROSSING, RADII, detection, "sarsa", 200);
+    for (String file : List.of("steps.csv", "zooms.csv", "targets.csv")) {
+      assertEquals(Files.readString(expected.resolve(file)), with.text("results/" + file), file);
+    }
+    assertTrue(with.text("results/summary.json").contains("\"hifi:orb-power@" + rule + "\""));
   }
 
   @ParameterizedTest

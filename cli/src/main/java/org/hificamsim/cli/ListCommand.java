@@ -16,17 +16,34 @@ import picocli.CommandLine.Spec;
 /** {@code hificamsim list}: what can be asked for by name. */
 @Command(name = "list", description = "Lists detection models, policies or scenarios.")
 final class ListCommand {
+  private static final String WHAT_THRESHOLDS_MEAN =
+      """
+threshold: a target is detected where the model's confidence reaches it (--threshold, NAME@T).
+The defaults of the hi-fi models all lie where f puts the target at 3.2 % of the image: models
+with one f then detect the same targets, whatever their detector.
+chance: with --detect chance the detector counts, too. A target whose confidence is the second
+number is detected half of the time, one that is not there 5 % of the time. See docs/detection.md.\
+""";
+
   @Spec private CommandSpec spec;
 
-  @Command(description = "Detection models, with their default threshold.")
+  @Command(description = "Detection models, with their thresholds.")
   void detections() {
-    for (Registry.Entry<DetectionModel> entry : Catalogue.load().detections().entries()) {
-      DetectionModel model = Catalogue.load().detections().create(entry.name());
-      line(
-          entry.name(),
-          entry.summary()
-              + String.format(Locale.ROOT, " (threshold %.4g)", model.defaultThreshold()));
+    Registry<DetectionModel> detections = Catalogue.load().detections();
+    for (Registry.Entry<DetectionModel> entry : detections.entries()) {
+      line(entry.name(), entry.summary() + thresholds(detections.create(entry.name())));
     }
+    out().printf("%n%s%n", WHAT_THRESHOLDS_MEAN);
+    out().flush();
+  }
+
+  /** The default threshold, and the one of {@code --detect chance} with its default options. */
+  private static String thresholds(DetectionModel model) {
+    double byChance = model.scatter().map(scatter -> scatter.threshold(0.05)).orElse(Double.NaN);
+    return String.format(Locale.ROOT, " (threshold %.4g", model.defaultThreshold())
+        + (Double.isNaN(byChance)
+            ? ")"
+            : String.format(Locale.ROOT, "; chance: half of the time at %.4g)", byChance));
   }
 
   @Command(description = "Zoom policies, with their options and defaults.")

@@ -1,6 +1,7 @@
 package org.hificamsim.core.registry;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,6 +25,7 @@ public final class Registry<T> {
 
   private final String kind;
   private final Map<String, Entry<T>> entries = new LinkedHashMap<>();
+  private final Map<String, String> aliases = new HashMap<>();
 
   /**
    * @param kind what is registered, as error lines name it ("policy")
@@ -42,6 +44,16 @@ public final class Registry<T> {
       throw new InputException(
           kind + " '" + name + "' is registered twice, expected each name once");
     }
+    return this;
+  }
+
+  /**
+   * Lets another name stand for an implementation: it is understood, and not listed.
+   *
+   * @param name of one that is registered
+   */
+  public Registry<T> alias(String alias, String name) {
+    aliases.put(alias, name);
     return this;
   }
 
@@ -78,7 +90,7 @@ public final class Registry<T> {
    */
   public T create(String spec) {
     for (int end = spec.length(); end > 0; end = spec.lastIndexOf(':', end - 1)) {
-      Entry<T> entry = entries.get(spec.substring(0, end));
+      Entry<T> entry = entry(spec.substring(0, end));
       if (entry != null) {
         return create(entry, end == spec.length() ? "" : spec.substring(end + 1));
       }
@@ -93,10 +105,14 @@ public final class Registry<T> {
                     : "one of " + Nearest.to(spec.replaceFirst(":[^:]*=.*", ""), names())));
   }
 
+  private Entry<T> entry(String name) {
+    return entries.get(aliases.getOrDefault(name, name));
+  }
+
   /** Whether {@code spec} starts with a registered name. */
   public boolean knows(String spec) {
     for (int end = spec.length(); end > 0; end = spec.lastIndexOf(':', end - 1)) {
-      if (entries.containsKey(spec.substring(0, end))) {
+      if (entry(spec.substring(0, end)) != null) {
         return true;
       }
     }

@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.DetectionRule;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -38,6 +39,7 @@ class ScenarioReaderTest {
     assertEquals(StepOrder.CAMSIM, scenario.order());
     assertEquals(Headings.AS_RADIANS, scenario.headings());
     assertEquals(OptionalDouble.of(0.3), scenario.threshold());
+    assertEquals(Optional.of(new DetectionRule.Threshold()), scenario.detect());
     assertEquals(OptionalDouble.of(3.5), scenario.mountHeight());
     assertEquals(List.of(2.0, 3.5, 5.0), scenario.zooms());
     assertEquals(Map.of("note", "kept & quoted <>\"'"), scenario.extras());
@@ -146,6 +148,7 @@ class ScenarioReaderTest {
     assertEquals(StepOrder.CAMSIM, scenario.order());
     assertEquals(Headings.DEGREES, scenario.headings());
     assertEquals(OptionalDouble.empty(), scenario.threshold());
+    assertEquals(Optional.empty(), scenario.detect());
     assertEquals(OptionalDouble.empty(), scenario.mountHeight());
     assertEquals(List.of(), scenario.zooms());
     assertEquals(AgentSpec.NONE, scenario.cameras().get(0).agent());

@@ -1,13 +1,17 @@
 package org.hificamsim.core.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.DetectionRule;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -33,6 +37,33 @@ class ScenarioWriterTest {
     MovementSpec movement = scenario.targets().get(0).movement();
     assertEquals(movement, read(ScenarioWriter.write(scenario)).targets().get(0).movement());
     assertEquals(scenario.targets(), read(ScenarioWriter.write(scenario)).targets());
+  }
+
+  @Test
+  void aRuleOfDetectionIsReadBackWithItsOptions() throws IOException {
+    for (String rule : List.of("chance:alpha=0.01,memory=5,phantoms=on", "probability")) {
+      Scenario scenario =
+          new TestScenario()
+              .camera(0, 0)
+              .target(0, 0)
+              .scenario()
+              .withDetect(DetectionRule.parse(rule));
+      assertEquals(rule, read(ScenarioWriter.write(scenario)).detect().orElseThrow().text());
+    }
+  }
+
+  @Test
+  void aRuleOfDetectionThatIsNoneIsToldWithItsPlace() {
+    String file = ScenarioWriter.write(new TestScenario().camera(0, 0).target(0, 0).scenario());
+    String unknown = file.replace("order=", "detect=\"luck\" order=");
+    InputException fault = assertThrows(InputException.class, () -> read(unknown));
+    assertTrue(fault.getMessage().contains("test.xml:3:"), fault.getMessage());
+    assertTrue(fault.getMessage().contains("unknown detect 'luck', expected"), fault.getMessage());
+    String both = file.replace("order=", "detect=\"chance\" threshold=\"0.4\" order=");
+    fault = assertThrows(InputException.class, () -> read(both));
+    assertTrue(
+        fault.getMessage().endsWith("threshold is '0.4', expected none beside detect=\"chance\""),
+        fault.getMessage());
   }
 
   @Test

@@ -1,6 +1,7 @@
 package org.hificamsim.hifi.model;
 
 import java.util.Locale;
+import java.util.Optional;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.HiFiDetection;
@@ -10,7 +11,8 @@ import org.hificamsim.hifi.Provenance;
 /**
  * The names of the high-fidelity models: {@code hifi:<detector>-<f>} with the line that was fitted
  * on f's own predictions where Table 6.1 has one, {@code hifi:<detector>-<f>-gt} with the line
- * fitted on measured PIP, and {@code hifi-literal}.
+ * fitted on measured PIP (where that is the only line, both names are one model), and {@code
+ * hifi-literal}.
  */
 public final class HiFiDetections {
   private static final String LITERAL = "hifi-literal";
@@ -24,10 +26,14 @@ public final class HiFiDetections {
       PublishedModels.Line measured =
           catalogue.line(detector, PublishedModels.GROUND_TRUTH).orElseThrow();
       for (PublishedModels.Feature feature : catalogue.features()) {
-        PublishedModels.Line own = catalogue.line(detector, feature.name()).orElse(measured);
+        Optional<PublishedModels.Line> own = catalogue.line(detector, feature.name());
         String name = "hifi:" + detector + "-" + feature.name();
-        register(registry, name, feature, own);
-        register(registry, name + "-gt", feature, measured);
+        register(registry, name, feature, own.orElse(measured));
+        if (own.isPresent()) {
+          register(registry, name + "-gt", feature, measured);
+        } else {
+          registry.alias(name + "-gt", name);
+        }
       }
     }
     registry.register(

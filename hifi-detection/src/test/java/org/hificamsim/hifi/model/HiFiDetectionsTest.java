@@ -5,7 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
@@ -31,7 +33,7 @@ class HiFiDetectionsTest {
 
   @Test
   void everyDetectorGoesWithEveryAbstraction() {
-    assertEquals(DETECTORS.size() * ABSTRACTIONS.size() * 2 + 1, registry.names().size());
+    assertEquals(DETECTORS.size() * (ABSTRACTIONS.size() + 2) + 1, registry.names().size());
     for (String detector : DETECTORS) {
       for (String f : ABSTRACTIONS) {
         HiFiDetection own = model("hifi:" + detector + "-" + f);
@@ -46,6 +48,22 @@ class HiFiDetectionsTest {
             measured.g());
       }
     }
+  }
+
+  @Test
+  void noModelIsListedUnderTwoNames() {
+    List<HiFiDetection> models =
+        registry.names().stream()
+            .map(registry::create)
+            .filter(HiFiDetection.class::isInstance)
+            .map(HiFiDetection.class::cast)
+            .toList();
+    Set<String> contents = new HashSet<>();
+    for (HiFiDetection model : models) {
+      assertTrue(contents.add(model.f() + " " + model.g()), model.name());
+    }
+    assertEquals("hifi:orb-power", registry.create("hifi:orb-power-gt").name(), "still understood");
+    assertTrue(registry.knows("hifi:orb-power-gt"));
   }
 
   @Test

@@ -1,0 +1,208 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** {@code --detect}: one rule in all commands and in the scenario, with the same results. */
+class ChanceTest {
+  private static final Path LATTICE = Cli.scenario("lattice-random");
+
+  @TempDir Path folder;
+
+  @Test
+  void detectorsOfOneAbstractionAreOneByAThresholdAndThreeByChance() throws IOException {
+    for (String rule : List.of("threshold", "chance")) {
+      String orb = steps("hifi:orb-lin", rule);
+      boolean same = rule.equals("threshold");
+      assertEquals(same, orb.equals(steps("hifi:sift-lin", rule)), rule);
+      assertEquals(same, orb.equals(steps("hifi:surf-lin", rule)), rule);
+      assertEquals(same, orb.equals(steps("hifi:orb-lin-gt", rule)), rule);
+    }
+  }
+
+  private String steps(String detection, String rule) throws IOException {
+    Path out = folder.resolve("out");
+    Cli.run(
+        "run",
+        LATTICE,
+        "--detection",
+        detection,
+        "--detect",
+        rule,
+        "--policy",
+        "optimal",
+        "--steps",
+        200,
+        "--out",
+        out);
+    return Files.readString(out.resolve("steps.csv"));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"chance", "chance:alpha=0.01,memory=5,phantoms=on", "probability"})
+  void theScenarioMaySayWhatTheOptionSays(String rule) throws IOException {
+    Path option = folder.resolve("option");
+    Path attribute = folder.resolve("attribute");
+    Path file =
+        Files.writeString(
+            folder.resolve("lattice-random.xml"),
+            Files.readString(LATTICE)
+                .replaceFirst("<simulation", "<simulation detect=\"" + rule + "\""));
+    run("run", LATTICE, "--detect", rule, "--record", "--steps", 100, "--out", option);
+    run("run", file, "--record", "--steps", 100, "--out", attribute);
+    for (String name : List.of("steps.csv", "zooms.csv", "targets.csv", "summary.json")) {
+      assertEquals(
+          Files.readString(option.resolve(name)), Files.readString(attribute.resolve(name)), name);
+    }
+    JsonNode summary = new ObjectMapper().readTree(option.resolve("summary.json").toFile());
+    assertEquals(rule, summary.get("detect").asText());
+    assertEquals("hifi:orb-lin@" + rule.replace(',', ';'), summary.get("detection").asText());
+    run("run", file, "--detect", "threshold", "--steps", 100, "--out", attribute);
+    run("run", LATTICE, "--steps", 100, "--out", option);
+    assertEquals(
+        Files.readString(option.resolve("steps.csv")),
+        Files.readString(attribute.resolve("steps.csv")),
+        "the option goes before the scenario");
+  }
+
+  @Test
+  void whatIsExpectedStandsBesideWhatIsDrawn() throws IOException {
+    Path out = folder.resolve("out");
+    run("run", LATTICE, "--detect", "chance", "--record", "--steps", 3000, "--out", out);
+    List<String> steps = Files.readAllLines(out.resolve("steps.csv"));
+    assertEquals(
+        "run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k,expected_k_min,"
+            + "expected_covered_0,expected_covered_1,expected_covered_k,expected_mean_k,"
+            + "least_expected_k,least_chance",
+        steps.get(0));
+    assertTrue(
+        Files.readAllLines(out.resolve("targets.csv")).get(0).endsWith("x,y,k,chance_1,chance_k"));
+    JsonNode summary = new ObjectMapper().readTree(out.resolve("summary.json").toFile());
+    for (String share : List.of("covered_0", "covered_1", "covered_k")) {
+      double drawn = summary.get(share).asDouble();
+      assertEquals(summary.get("expected_" + share).asDouble(), drawn, 0.02, share);
+    }
+    double sum = 0;
+    for (String row : steps.subList(1, steps.size())) {
+      sum += Double.parseDouble(row.split(",")[8]);
+    }
+    assertEquals(sum, summary.get("expected_performance").asDouble(), 1e-9 * sum);
+    assertEquals(0, Cli.run("report", out).exit());
+    assertTrue(Files.readString(out.resolve("report.html")).contains("hifi:orb-lin@chance"));
+  }
+
+  @Test
+  void withoutARuleNothingIsWrittenOfChance() throws IOException {
+    Path out = folder.resolve("out");
+    run("run", LATTICE, "--steps", 10, "--out", out);
+    assertFalse(Files.readString(out.resolve("summary.json")).contains("expected"));
+  }
+
+  @Test
+  void comparesRulesSideBySideWithTheSameBytesOnAnyNumberOfThreads() throws IOException {
+    Path one = folder.resolve("one");
+    Path two = folder.resolve("two");
+    for (Path out : List.of(one, two)) {
+      run(
+          "compare",
+          LATTICE,
+          "--detections",
+          "hifi:orb-lin,hifi:orb-lin@chance,hifi:orb-lin@chance:alpha=0.01;memory=9",
+          "--policies",
+          "zoom-out,sarsa",
+          "--steps",
+          200,
+          "--repeat",
+          2,
+          "--threads",
+          out.equals(one) ? 1 : 2,
+          "--out",
+          out);
+    }
+    for (String file : List.of("results.csv", "metrics.csv", "summary.csv")) {
+      assertEquals(Files.readString(one.resolve(file)), Files.readString(two.resolve(file)), file);
+    }
+    String metrics = Files.readString(one.resolve("metrics.csv"));
+    assertTrue(metrics.contains("hifi:orb-lin@chance,sarsa,0,expected_performance,"));
+    assertFalse(metrics.contains("hifi:orb-lin,sarsa,0,expected_performance,"));
+    for (String row : Files.readAllLines(one.resolve("results.csv")).subList(1, 13)) {
+      String proportion = row.split(",")[5];
+      assertTrue(proportion.isEmpty() || Double.parseDouble(proportion) <= 1, row);
+    }
+  }
+
+  @Test
+  void camSimsNetworkMeetsTheSameLuckAsARunWithoutIt() throws IOException {
+    Path scenario = Cli.scenario("tutorial-camsim");
+    Path network = folder.resolve("network");
+    Path plain = folder.resolve("plain");
+    String rule = "chance:memory=3";
+    run(
+        "camsim",
+        "-t",
+        200,
+        "-o",
+        folder.resolve("camsim.csv"),
+        "--detection",
+        "hifi:orb-power",
+        "--detect",
+        rule,
+        "--coverage-out",
+        network,
+        scenario);
+    run(
+        "run",
+        scenario,
+        "--steps",
+        200,
+        "--policy",
+        "zoom-out",
+        "--detection",
+        "hifi:orb-power",
+        "--detect",
+        rule,
+        "--out",
+        plain);
+    assertEquals(
+        Files.readString(plain.resolve("steps.csv")),
+        Files.readString(network.resolve("steps.csv")));
+    assertNotEquals("", Files.readString(folder.resolve("camsim.csv")));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--detect luck | unknown detect 'luck', expected",
+        "--detect chance:alpha=1 | alpha is '1', expected a number from 1.0E-9 to 0.5",
+        "--detect chance --threshold 0.4 | threshold is 0.4, expected none with detect=chance",
+        "--detect chance --detection camsim-range | 'camsim-range' has no rmse",
+        "--detection hifi:orb-lin@chance:x=1 | unknown option 'x=1'",
+      })
+  void refusesInOneLineWhatDoesNotFit(String options, String expected) {
+    Object[] words = ("run " + LATTICE + " " + options).split(" ");
+    Cli run = Cli.run(words);
+    assertEquals(2, run.exit());
+    assertTrue(run.err().startsWith("error: ") && run.err().contains(expected), run.err());
+    assertEquals(1, run.err().lines().count());
+  }
+
+  private static void run(Object... words) {
+    Cli run = Cli.run(words);
+    assertEquals(0, run.exit(), run.err());
+  }
+}
