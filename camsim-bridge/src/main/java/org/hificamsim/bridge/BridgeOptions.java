@@ -44,14 +44,15 @@ final class BridgeOptions {
     Optional<String> size = text("size", "target size, m");
     Optional<String> policy = text("policy", "name and options of the zoom policy");
     Optional<String> zooms = text("zooms", "radii, m");
-    Optional<String> seed = text("seed", "seed of the policy");
+    Optional<String> seed = text("seed", "seed of the policy, and of luck");
     Optional<String> out = text("out", "folder for result files");
     given.choice("strict", Strict.FALSE, "whether to stop when something is wrong");
     rejectUnknown();
     requireFor("threshold", threshold, model.isPresent(), "detection");
     requireFor("detect", detect, model.isPresent(), "detection");
     requireFor("size", size, model.isPresent(), "detection");
-    requireFor("seed", seed, policy.isPresent(), "policy");
+    boolean draws = policy.isPresent() || detect.isPresent();
+    requireFor("seed", seed, draws, "policy or detect");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
     return new BridgeSettings(
         model.map(name -> detection(name, threshold, detect)),

@@ -9,6 +9,7 @@ import org.hificamsim.agents.baseline.ZoomInPolicy;
 import org.hificamsim.agents.baseline.ZoomOutPolicy;
 import org.hificamsim.agents.hindsight.BestFixedZoomPolicy;
 import org.hificamsim.agents.optimal.OneHopZoomPolicy;
+import org.hificamsim.agents.optimal.OptimalExpectedZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalZoomPolicy;
 import org.hificamsim.agents.temporal.QLearningZoomPolicy;
 import org.hificamsim.agents.temporal.SarsaZoomPolicy;
@@ -32,6 +33,10 @@ public final class CoveragePolicies {
             OptimalZoomPolicy.NAME,
             "the exactly best k_min of each step, with global knowledge",
             OptimalZoomPolicy::from)
+        .register(
+            OptimalExpectedZoomPolicy.NAME,
+            "the exactly best least expected coverage of each step, before luck is drawn",
+            OptimalExpectedZoomPolicy::from)
         .register(
             OneHopZoomPolicy.NAME,
             "the exactly best k_min when each camera moves at most one level, global knowledge",

@@ -17,7 +17,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 class CoveragePoliciesTest {
-  private static final Set<String> GLOBAL = Set.of("optimal", "one-hop", "best-fixed");
+  private static final Set<String> GLOBAL =
+      Set.of("optimal", "optimal-expected", "one-hop", "best-fixed");
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 

@@ -13,6 +13,8 @@ import org.hificamsim.core.engine.RunCoverage;
  * @param meanK expected mean number of cameras that cover a target
  * @param leastK the least expected number of cameras that cover a target, mean over the steps
  * @param leastChance the least chance of a target to be covered, mean over the steps
+ * @param leastKBound what leastK could have been at most; NaN under a policy that does not claim it
+ *     to be the best
  */
 public record ExpectedResult(
     double performance,
@@ -21,12 +23,18 @@ public record ExpectedResult(
     double coveredK,
     double meanK,
     double leastK,
-    double leastChance)
+    double leastChance,
+    double leastKBound)
     implements Serializable {
   /** Nothing was left to chance. */
-  public static final ExpectedResult NONE = of(new RunCoverage());
+  public static final ExpectedResult NONE = of(new RunCoverage(), Double.NaN);
 
-  static ExpectedResult of(RunCoverage coverage) {
+  /**
+   * Of a repeat whose coverage has been added up.
+   *
+   * @param gap what the least expected coverage might gain, over all steps; NaN where none is known
+   */
+  static ExpectedResult of(RunCoverage coverage, double gap) {
     return new ExpectedResult(
         coverage.expectedPerformance(),
         coverage.expectedProportion0(),
@@ -34,6 +42,7 @@ public record ExpectedResult(
         coverage.expectedProportionK(),
         coverage.expectedMeanK(),
         coverage.leastExpectedK(),
-        coverage.leastChance());
+        coverage.leastChance(),
+        coverage.leastExpectedK() + gap / Math.max(1, coverage.steps()));
   }
 }

@@ -3,7 +3,6 @@ package org.hificamsim.runs;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
-import org.hificamsim.core.detection.Detection;
 
 /** The figures of a run, each with its name in files ({@code docs/data.md}). */
 @SuppressWarnings("ImmutableEnumChecker") // the figures are method references
@@ -23,7 +22,8 @@ public enum Metric {
   EXPECTED_COVERED_K("expected_covered_k", result -> result.expected().coveredK()),
   EXPECTED_MEAN_K("expected_mean_k", result -> result.expected().meanK()),
   LEAST_EXPECTED_K("least_expected_k", result -> result.expected().leastK()),
-  LEAST_CHANCE("least_chance", result -> result.expected().leastChance());
+  LEAST_CHANCE("least_chance", result -> result.expected().leastChance()),
+  LEAST_EXPECTED_K_BOUND("least_expected_k_bound", result -> result.expected().leastKBound());
 
   private final String label;
   private final ToDoubleFunction<RunResult> figure;
@@ -33,11 +33,9 @@ public enum Metric {
     this.figure = figure;
   }
 
-  /** The figures that runs under a detection have, in the order of files. */
-  public static List<Metric> of(Detection detection) {
-    return Arrays.stream(values())
-        .filter(metric -> !detection.certain() || !metric.ofChance())
-        .toList();
+  /** The figures that a run has, in the order of files. */
+  public static List<Metric> measured(RunResult result) {
+    return Arrays.stream(values()).filter(metric -> !Double.isNaN(metric.of(result))).toList();
   }
 
   /** Whether it is a figure of runs whose detections are by chance alone. */

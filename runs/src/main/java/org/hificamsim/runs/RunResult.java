@@ -4,6 +4,7 @@ import java.io.Serializable;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.policy.ExpectationProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
@@ -85,7 +86,10 @@ public record RunResult(
 
   /** The result of a repeat whose coverage has been added up, under a policy. */
   public static RunResult of(int run, long seed, RunCoverage coverage, ZoomPolicy policy) {
-    return of(run, seed, coverage, policy.messages(), Proof.of(policy));
+    double gap =
+        policy instanceof ExpectationProvingZoomPolicy proving ? proving.gap() : Double.NaN;
+    return of(run, seed, coverage, policy.messages(), Proof.of(policy))
+        .with(ExpectedResult.of(coverage, gap));
   }
 
   /**
@@ -110,13 +114,21 @@ public record RunResult(
         messages,
         proof.unprovenSteps(),
         proof.gap(),
-        ExpectedResult.of(coverage));
+        ExpectedResult.of(coverage, Double.NaN));
   }
 
   /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
   public RunResult asRun(int repeat) {
+    return copy(repeat, expected);
+  }
+
+  private RunResult with(ExpectedResult newExpected) {
+    return copy(run, newExpected);
+  }
+
+  private RunResult copy(int newRun, ExpectedResult newExpected) {
     return new RunResult(
-        repeat,
+        newRun,
         seed,
         performance,
         meanKMin,
@@ -129,6 +141,6 @@ public record RunResult(
         messages,
         unprovenSteps,
         gap,
-        expected);
+        newExpected);
   }
 }

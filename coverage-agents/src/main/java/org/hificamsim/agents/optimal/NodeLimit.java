@@ -10,9 +10,13 @@ final class NodeLimit {
   private NodeLimit() {}
 
   static int from(Options options) {
+    return from(options, DEFAULT);
+  }
+
+  static int from(Options options, int byDefault) {
     return options.integer(
         "nodes",
-        DEFAULT,
+        byDefault,
         0,
         Integer.MAX_VALUE,
         "search nodes of a step before the best configuration found is taken, unproven");

@@ -2,6 +2,7 @@ package org.hificamsim.runs.compare;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
@@ -21,9 +22,10 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
     if (runs.get(0).result().proof().isPresent()) {
       scores.addAll(Score.OF_PROOFS);
     }
-    if (!plan.detection().certain()) {
-      scores.addAll(Score.OF_CHANCE);
-    }
+    Metric.measured(runs.get(0).result()).stream()
+        .filter(Metric::ofChance)
+        .map(Score::of)
+        .forEach(scores::add);
     return scores;
   }
 

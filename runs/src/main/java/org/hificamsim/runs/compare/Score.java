@@ -1,7 +1,6 @@
 package org.hificamsim.runs.compare;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.runs.Metric;
@@ -25,10 +24,6 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
       List.of(
           new Score("unproven_steps", run -> proof(run).unprovenSteps()),
           new Score("performance_bound", run -> proof(run).bound(run.result().performance())));
-
-  /** Figures of runs whose detections are by chance, beside all others. */
-  static final List<Score> OF_CHANCE =
-      Arrays.stream(Metric.values()).filter(Metric::ofChance).map(Score::of).toList();
 
   /** The figure of one run. */
   public double of(ScoredRun run) {

@@ -30,7 +30,7 @@ public final class SummaryFile {
           json.writeStartObject();
           SummaryFile file = new SummaryFile(json);
           SettingsFile.write(json, plan);
-          List<Metric> metrics = Metric.of(plan.detection());
+          List<Metric> metrics = Metric.measured(results.get(0));
           file.figures(metrics, results);
           file.runs(metrics, results);
           json.writeEndObject();

@@ -1,0 +1,61 @@
+package org.hificamsim.agents.optimal;
+
+import java.util.SplittableRandom;
+import org.hificamsim.core.policy.ExpectationProvingZoomPolicy;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * The configuration with the best least expected coverage: where detections are by chance, the best
+ * that can be done without knowing the luck that will be drawn ({@code docs/detection.md}). Found
+ * exactly at each step by {@link ExpectedSearch}. By a threshold it reaches the best k_min, as
+ * {@link OptimalZoomPolicy} does. With no target present the levels stay.
+ */
+public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPolicy {
+  public static final String NAME = "optimal-expected";
+
+  private static final int DEFAULT_NODES = 100_000;
+
+  private final int nodes;
+  private ExpectedSearch search;
+  private long unprovenSteps;
+  private double gap;
+
+  /**
+   * @param nodes search nodes after which a step's proof is given up, 0 or more
+   */
+  public OptimalExpectedZoomPolicy(int nodes) {
+    this.nodes = nodes;
+  }
+
+  /** The policy with its option {@code nodes}. */
+  public static OptimalExpectedZoomPolicy from(Options options) {
+    return new OptimalExpectedZoomPolicy(NodeLimit.from(options, DEFAULT_NODES));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    search = new ExpectedSearch(network.oracle(), nodes);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] levels) {
+    unprovenSteps += search.decide(network.oracle(), levels) ? 0 : 1;
+    gap += search.bound() - search.value();
+  }
+
+  @Override
+  public long unprovenSteps() {
+    return unprovenSteps;
+  }
+
+  @Override
+  public double gap() {
+    return gap;
+  }
+}

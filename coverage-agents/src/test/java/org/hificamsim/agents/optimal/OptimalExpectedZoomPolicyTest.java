@@ -1,0 +1,130 @@
+package org.hificamsim.agents.optimal;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.junit.jupiter.api.Test;
+
+/** Against all configurations, one by one. */
+class OptimalExpectedZoomPolicyTest {
+  /** Chances at random: some 0, some 1, some levels equal, some better than others throughout. */
+  private static final class Chances extends ToyNetwork {
+    private final double[][][] chances;
+
+    Chances(int targets, int[] levels, SplittableRandom random) {
+      super(targets, levels);
+      chances = new double[levels.length][][];
+      for (int camera = 0; camera < levels.length; camera++) {
+        chances[camera] = new double[levels[camera]][targets];
+        for (int level = 0; level < levels[camera]; level++) {
+          for (int target = 0; target < targets; target++) {
+            double drawn = Math.max(0, Math.min(1, random.nextDouble(-0.5, 1.2)));
+            chances[camera][level][target] = random.nextInt(4) == 0 ? Math.rint(drawn) : drawn;
+          }
+        }
+      }
+    }
+
+    @Override
+    public double chance(int camera, int level, int target) {
+      return chances[camera][level][target];
+    }
+
+    double least(int[] at) {
+      double least = Double.POSITIVE_INFINITY;
+      for (int target = 0; target < targets(); target++) {
+        double sum = 0;
+        for (int camera = 0; camera < cameras(); camera++) {
+          sum += online(camera) ? chances[camera][at[camera]][target] : 0;
+        }
+        least = present(target) ? Math.min(least, sum) : least;
+      }
+      return least;
+    }
+
+    double best(int[] at, int camera) {
+      if (camera == cameras()) {
+        return least(at);
+      }
+      double best = 0;
+      for (int level = 0; level < levels(camera); level++) {
+        at[camera] = level;
+        best = Math.max(best, best(at, camera + 1));
+      }
+      return best;
+    }
+  }
+
+  private static Chances network(int cameras, int targets, SplittableRandom random) {
+    int[] levels = new int[cameras];
+    for (int camera = 0; camera < cameras; camera++) {
+      levels[camera] = 1 + random.nextInt(4);
+    }
+    return new Chances(targets, levels, random);
+  }
+
+  @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+  void reachesTheBestLeastExpectedCoverage(
+      @ForAll @IntRange(min = 1, max = 6) int cameras,
+      @ForAll @IntRange(min = 1, max = 6) int targets,
+      @ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    Chances network = network(cameras, targets, random);
+    network.switchCamera(0, random.nextInt(4) > 0);
+    network.showTarget(0, targets == 1 || random.nextInt(4) > 0);
+    OptimalExpectedZoomPolicy policy = network.begin(new OptimalExpectedZoomPolicy(100_000), 1);
+    network.decide(policy);
+    double best = network.best(new int[cameras], 0);
+    assertEquals(best, network.least(network.currentLevels()), 1e-8);
+    assertEquals(0, policy.unprovenSteps());
+    assertEquals(0, policy.gap());
+  }
+
+  @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
+  void tellsWhatItMayHaveMissedWhereItGivesUp(@ForAll long seed) {
+    Chances network = network(6, 5, new SplittableRandom(seed));
+    OptimalExpectedZoomPolicy policy = network.begin(new OptimalExpectedZoomPolicy(0), 1);
+    network.decide(policy);
+    double reached = network.least(network.currentLevels());
+    double best = network.best(new int[6], 0);
+    assertTrue(reached + policy.gap() >= best - 1e-8, reached + " + " + policy.gap());
+    assertTrue(policy.unprovenSteps() == 1 || reached >= best - 1e-8);
+  }
+
+  @Test
+  void itsFirstConfigurationIsSeldomFarFromTheBest() {
+    double lost = 0;
+    for (int seed = 0; seed < 200; seed++) {
+      Chances network = network(6, 5, new SplittableRandom(seed));
+      network.decide(network.begin(new OptimalExpectedZoomPolicy(0), 1));
+      double best = network.best(new int[6], 0);
+      lost += 1 - network.least(network.currentLevels()) / best;
+    }
+    assertTrue(lost / 200 < 0.01, "lost " + lost / 200);
+  }
+
+  @Test
+  void levelsStayWhereNoTargetIsPresent() {
+    Chances network = network(3, 1, new SplittableRandom(3));
+    network.showTarget(0, false);
+    int[] before = network.currentLevels();
+    network.decide(network.begin(new OptimalExpectedZoomPolicy(10), 1));
+    assertArrayEquals(before, network.currentLevels());
+  }
+
+  @Test
+  void byAThresholdItReachesTheBestKMin() {
+    ToyNetwork network = new ToyNetwork(2, 2, 2, 1).see(0, 0, 0).see(0, 1, 1).see(1, 0, 1);
+    network.see(1, 1, 0).see(2, 0, 0, 1);
+    network.decide(network.begin(new OptimalExpectedZoomPolicy(10), 1));
+    network.observe();
+    assertEquals(2, network.kMin());
+  }
+}
