@@ -13,7 +13,20 @@ import org.junit.jupiter.api.io.TempDir;
 /** The sweeps around the defaults, from the command line. */
 class SensitivityCommandTest {
   private static final List<String> PARAMETERS =
-      List.of("threshold-hifi", "threshold-camsim", "targets", "gamma", "epsilon", "k", "reward");
+      List.of(
+          "threshold-hifi",
+          "threshold-camsim",
+          "targets",
+          "gamma",
+          "epsilon",
+          "k",
+          "reward",
+          "size",
+          "optics",
+          "f",
+          "g",
+          "state",
+          "formula");
 
   @TempDir Path folder;
 
@@ -28,6 +41,72 @@ class SensitivityCommandTest {
       assertTrue(Files.size(folder.resolve("sensitivity-" + parameter + ".png")) > 1000);
       assertTrue(Files.size(folder.resolve("sensitivity-" + parameter + ".svg")) > 1000);
     }
-    assertTrue(Files.readString(folder.resolve("sensitivity.md")).contains("It holds in"));
+    String findings = Files.readString(folder.resolve("sensitivity.md"));
+    assertTrue(findings.contains("It holds in"));
+    assertTrue(findings.contains("How many settings fit Table 8.1 as well"));
+    modelsOfOneFeatureAbstractionAreOneModel(rows);
+    everySettingHasItsDistanceFromTheTable();
+  }
+
+  /** Under the default thresholds the detector g cancels out. */
+  private static void modelsOfOneFeatureAbstractionAreOneModel(List<String> rows) {
+    List<String> own = rows.stream().filter(row -> row.startsWith("g,")).toList();
+    assertEquals(3 * 4 * 4, own.size());
+    assertEquals(
+        own.size() / 3,
+        own.stream().map(row -> row.replaceFirst("g,[a-z]+,(true|false),", "")).distinct().count());
+    assertTrue(
+        4 * 4
+            < rows.stream()
+                .filter(row -> row.startsWith("f,"))
+                .map(row -> row.replaceFirst("f,[-a-z]+,(true|false),", ""))
+                .distinct()
+                .count());
+  }
+
+  private void everySettingHasItsDistanceFromTheTable() throws IOException {
+    List<String> fits = Files.readAllLines(folder.resolve("fit.csv"));
+    assertEquals("parameter,value,default,error_hifi,error_camsim", fits.get(0));
+    assertEquals(
+        1,
+        fits.stream()
+            .filter(row -> row.contains(",true,"))
+            .map(row -> row.split(",", -1)[3])
+            .distinct()
+            .count());
+    assertTrue(fits.stream().noneMatch(row -> row.startsWith("k,")));
+  }
+
+  /** What an audit found by hand: with smaller targets hi-fi falls below CamSim's model. */
+  @Test
+  void theConclusionFlipsWithTheTargetsSize() throws IOException {
+    Path scenario = folder.resolve("small.xml");
+    Files.writeString(
+        scenario,
+        Files.readString(Cli.scenario("lattice-random")).replace("size=\"0.66\"", "size=\"0.45\""));
+    Cli run =
+        Cli.run(
+            "compare",
+            scenario,
+            "--policies",
+            "optimal,zoom-out,sarsa",
+            "--steps",
+            3000,
+            "--repeat",
+            1,
+            "--out",
+            folder.resolve("out"));
+    assertEquals(0, run.exit(), run.err());
+    List<String> results = Files.readAllLines(folder.resolve("out/results.csv"));
+    for (String row :
+        List.of(
+            "hifi:orb-lin,optimal,0,738",
+            "hifi:orb-lin,zoom-out,0,39",
+            "hifi:orb-lin,sarsa,0,281",
+            "camsim-range,optimal,0,2311",
+            "camsim-range,zoom-out,0,780",
+            "camsim-range,sarsa,0,1205")) {
+      assertTrue(results.stream().anyMatch(one -> one.startsWith("small," + row + ",")), row);
+    }
   }
 }
