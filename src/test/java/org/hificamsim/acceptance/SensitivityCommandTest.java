@@ -1,11 +1,14 @@
 package org.hificamsim.acceptance;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -77,17 +80,36 @@ class SensitivityCommandTest {
     assertTrue(fits.stream().noneMatch(row -> row.startsWith("k,")));
   }
 
+  /** With f_lin, size and threshold move the farthest detected distances of all levels alike. */
+  @Test
+  void smallerTargetsUnderALowerThresholdGiveTheSameSteps() throws IOException {
+    double lower = 0.026 + (0.0441 - 0.026) * Math.pow(10, -2 * (0.66 - 0.45));
+    byte[] standard = steps(Cli.scenario("cluster-random"), 0.0441);
+    assertArrayEquals(standard, steps(smaller("cluster-random"), lower));
+    assertFalse(Arrays.equals(standard, steps(smaller("cluster-random"), 0.0441)));
+  }
+
+  private byte[] steps(Path scenario, double threshold) throws IOException {
+    Path out = folder.resolve("run-" + threshold);
+    Cli run = Cli.run("run", scenario, "--threshold", threshold, "--policy", "sarsa", "--out", out);
+    assertEquals(0, run.exit(), run.err());
+    return Files.readAllBytes(out.resolve("steps.csv"));
+  }
+
+  private Path smaller(String name) throws IOException {
+    String scenario = Files.readString(Cli.scenario(name));
+    Path file = folder.resolve("small.xml");
+    Files.writeString(file, scenario.replace("size=\"0.66\"", "size=\"0.45\""));
+    return file;
+  }
+
   /** What an audit found by hand: with smaller targets hi-fi falls below CamSim's model. */
   @Test
   void theConclusionFlipsWithTheTargetsSize() throws IOException {
-    Path scenario = folder.resolve("small.xml");
-    Files.writeString(
-        scenario,
-        Files.readString(Cli.scenario("lattice-random")).replace("size=\"0.66\"", "size=\"0.45\""));
     Cli run =
         Cli.run(
             "compare",
-            scenario,
+            smaller("lattice-random"),
             "--policies",
             "optimal,zoom-out,sarsa",
             "--steps",

@@ -28,15 +28,15 @@ its whole 95% interval, by layout and policy; it flips where it is below with it
   /** Markdown: which settings come as near to the hi-fi column as the defaults, fitted to it. */
   static String ofFits(List<Fit> fits) {
     Fit standard = fits.stream().filter(fit -> fit.variant().standard()).findFirst().orElseThrow();
-    List<Fit> others = fits.stream().filter(fit -> !fit.variant().standard()).toList();
+    List<Fit> others = fits.stream().filter(fit -> fit.isOther(standard)).toList();
     return String.format(
         Locale.ROOT,
         """
 ## How many settings fit Table 8.1 as well
 
 The defaults were fitted to the hi-fi column: their mean distance from its nine cells is %.3f here. Of the %d other
-settings, each with all else at its default, %d come as near (within %.2f), among them the same to the last digit %d: %s.
-`fit.csv` has all of them.
+settings that bear on it, each with all else at its default, %d come as near (within %.2f), %d of these with the same
+results to the last digit: %s. `fit.csv` has all of them.
 
 """,
         standard.hifi(),
@@ -44,10 +44,16 @@ settings, each with all else at its default, %d come as near (within %.2f), amon
         others.stream().filter(fit -> fit.asGoodAs(standard)).count(),
         Fit.AS_GOOD,
         others.stream().filter(fit -> fit.sameAs(standard)).count(),
+        asGood(others, standard));
+  }
+
+  private static String asGood(List<Fit> others, Fit standard) {
+    String names =
         others.stream()
             .filter(fit -> fit.asGoodAs(standard))
             .map(Findings::named)
-            .collect(Collectors.joining(", ")));
+            .collect(Collectors.joining(", "));
+    return names.isEmpty() ? "none" : names;
   }
 
   private static String named(Fit fit) {

@@ -34,6 +34,11 @@ record Fit(Sweep sweep, Variant variant, double hifi, double camsim) {
     return fits;
   }
 
+  /** Whether this is another setting than the default's, and not of CamSim's model alone. */
+  boolean isOther(Fit standard) {
+    return !variant.standard() && variant.camsim() == standard.variant.camsim();
+  }
+
   /** Whether the hi-fi column is as near as under the defaults. */
   boolean asGoodAs(Fit standard) {
     return hifi <= standard.hifi + AS_GOOD;

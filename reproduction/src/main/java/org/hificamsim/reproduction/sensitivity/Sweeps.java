@@ -101,12 +101,7 @@ public final class Sweeps {
         new Sweep(
             "formula",
             "formula of CamSim's model",
-            formulas(
-                "camsim-range",
-                "camsim-standard",
-                "camsim-visibility",
-                "camsim-visibility@0.35",
-                "geometric")));
+            formulas("camsim-range", "camsim-standard", "camsim-visibility", "geometric")));
   }
 
   /** The plans of all sweeps, each once. */
