@@ -52,7 +52,7 @@ class ReproduceCommandTest {
 
   @Test
   void anyZoomThatDecidesAloneGivesZoomOutNothingOrEverything() throws IOException {
-    Path out = reproduce("standard", 400, 2, 2);
+    Path out = reproduce("standard", 1500, 4, 2);
     List<String> header = List.of(line(out, "table-8.1.csv", "layout,").split(",", -1));
     for (String layout : List.of("lattice", "ring", "cluster")) {
       String[] cells = line(out, "table-8.1.csv", layout + ",zoom-out,camsim-range").split(",", -1);

@@ -54,7 +54,7 @@ final class Claims {
     StringBuilder table = new StringBuilder("source,claim,published,value,verdict\n");
     for (Claim claim : all()) {
       table.append(
-          "%s,\"%s\",%s,%s,%s\n"
+          "\"%s\",\"%s\",%s,%s,%s\n"
               .formatted(
                   claim.source(), claim.text(), claim.published(), claim.ours(), claim.verdict()));
     }

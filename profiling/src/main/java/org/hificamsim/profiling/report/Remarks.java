@@ -151,7 +151,8 @@ final class Remarks {
         ? "PIP counts the rectangle around the ball, in the thesis and in these measurements."
         : "The thesis counts the rectangle around the ball, these measurements the object alone:"
             + " they are held against the disc in it, pi/4 of the rectangle (0.10 less in log10)."
-            + " profile measure --pip rectangle counts as the thesis does.";
+            + " pinhole predicts the square of side q, whatever was counted. profile measure --pip"
+            + " rectangle counts as the thesis does.";
   }
 
   /** On the ladder. */

@@ -19,6 +19,7 @@ import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
+import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.CamSimConfidence;
 import org.hificamsim.profiling.fit.FitResult;
@@ -132,16 +133,15 @@ class FitReportTest {
           silhouettes.photos().get(i).response() - rectangles.photos().get(i).response(),
           1e-12);
     }
-    assertTrue(
-        Files.readString(folder.resolve("report.html")).contains("the ball&#39;s disc")
-            || Files.readString(folder.resolve("report.html")).contains("the ball's disc"));
+    assertTrue(Files.readString(folder.resolve("report.html")).contains("the ball's disc"));
   }
 
   @Test
   void judgesWhatChapters4To6Say() throws IOException {
     List<Claim> claims = new Claims(result).all();
     assertEquals(5 + 4 + 3 + 3 + 3 + 3, claims.size());
-    assertEquals(claims.size() + 1, Files.readAllLines(folder.resolve(Claims.FILE)).size());
+    List<String> columns = List.of("source", "claim", "published", "value", "verdict");
+    assertEquals(claims.size(), CsvRows.read(folder.resolve(Claims.FILE), columns).rows().size());
     List<String> published = claims.stream().map(Claim::published).toList();
     assertTrue(published.containsAll(List.of("0.86", "0.73", "0.92", "0.60", "0.09")));
     assertTrue(published.containsAll(List.of("svr-rbf > lin > sr", "orb > surf > sift")));

@@ -89,7 +89,7 @@ public final class Sweeps {
         new Sweep(
             "f",
             "feature abstraction f of the hi-fi model",
-            hifi("hifi:orb-%s", "lin", "lin", "sr", "svr-lin", "power", "pinhole")),
+            hifi("hifi:orb-%s", "lin", "lin", "pinhole", "power", "sr", "svr-lin")),
         new Sweep(
             "g",
             "detector g of the hi-fi model",
