@@ -145,6 +145,20 @@ class ComparisonPageTest {
     assertTrue(browser.text("main").contains("steps: 120"));
   }
 
+  @Test
+  void aReproductionSaysFirstThatTheOptimumIsStatic() {
+    Path reproduced = folder.resolve("reproduced");
+    Cli cli = Cli.run("reproduce", "--steps", 100, "--repeat", 2, "--out", reproduced);
+    assertEquals(0, cli.exit(), cli.err());
+    browser.open(reproduced.resolve("report.html").toUri().toString());
+    assertTrue(
+        browser
+            .find("header + p.notice")
+            .getText()
+            .startsWith("The optimum is static: one zoom for all cameras, never changed, has its"));
+    assertTrue(browser.find("header + p.notice").getText().contains("in 12 of 12 cases"));
+  }
+
   private static void open() {
     browser.open(address());
   }

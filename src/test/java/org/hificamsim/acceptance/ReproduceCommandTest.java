@@ -51,6 +51,79 @@ class ReproduceCommandTest {
   }
 
   @Test
+  void anyZoomThatDecidesAloneGivesZoomOutNothingOrEverything() throws IOException {
+    Path out = reproduce("standard", 1500, 4, 2);
+    List<String> header = List.of(line(out, "table-8.1.csv", "layout,").split(",", -1));
+    for (String layout : List.of("lattice", "ring", "cluster")) {
+      String[] cells = line(out, "table-8.1.csv", layout + ",zoom-out,camsim-range").split(",", -1);
+      assertEquals(0, Double.parseDouble(cells[header.indexOf("eq_6.2")]), layout);
+    }
+    assertTrue(Files.readString(out.resolve("table-8.1.md")).contains("depends on the zoom alone"));
+  }
+
+  @Test
+  void saysFirstThatTheOptimumIsStaticAndWhatWasFitted() throws IOException {
+    Path out = folder.resolve("first");
+    Cli run = Cli.run("reproduce", "--steps", 150, "--repeat", 2, "--out", out);
+    assertTrue(run.out().startsWith("The optimum is static: fixed:2 has the k_min"), run.out());
+    assertTrue(run.out().contains("in 12 of 12 cases"), run.out());
+    assertTrue(run.out().contains("fitted "), run.out());
+    List<String> verdicts = Files.readAllLines(out.resolve("verdicts.csv"));
+    assertEquals(
+        9,
+        verdicts.stream()
+            .filter(row -> row.startsWith("cell,") && row.endsWith(",fitted"))
+            .count());
+    assertEquals(
+        9,
+        verdicts.stream()
+            .filter(row -> row.startsWith("cell,") && row.endsWith(",held out"))
+            .count());
+    assertTrue(Files.readString(out.resolve("verdicts.md")).startsWith("The optimum is static"));
+  }
+
+  @Test
+  void theOptimumWritesTheStepsOfAFixedZoomInAllSixScenarios() throws IOException {
+    for (String detection : List.of("hifi:orb-lin", "camsim-range")) {
+      for (String scenario : Cli.SIX) {
+        assertArrayEquals(
+            steps(scenario, detection, "optimal"),
+            steps(scenario, detection, "fixed:2"),
+            scenario + " under " + detection);
+      }
+    }
+  }
+
+  private byte[] steps(String scenario, String detection, String policy) throws IOException {
+    Path out = folder.resolve(String.join("-", scenario, detection, policy).replace(':', '-'));
+    Cli run =
+        Cli.run(
+            "run",
+            Cli.scenario(scenario),
+            "--detection",
+            detection,
+            "--policy",
+            policy,
+            "--steps",
+            1000,
+            "--repeat",
+            2,
+            "--out",
+            out);
+    assertEquals(0, run.exit(), run.err());
+    byte[] steps = Files.readAllBytes(out.resolve("steps.csv"));
+    assertTrue(steps.length > 20_000, scenario);
+    return steps;
+  }
+
+  private static String line(Path folder, String file, String start) throws IOException {
+    return Files.readAllLines(folder.resolve(file)).stream()
+        .filter(row -> row.startsWith(start))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
   void wrongNumbersAreToldInOneLine() {
     Cli run = Cli.run("reproduce", "--steps", 0, "--out", folder.resolve("none"));
     assertEquals(2, run.exit());
@@ -60,7 +133,8 @@ class ReproduceCommandTest {
 
   private static List<String> files() {
     return Stream.concat(
-            Stream.of("table-8.1.csv", "table-8.1.md", "verdicts.csv", "verdicts.md"),
+            Stream.of(
+                "adapting.csv", "table-8.1.csv", "table-8.1.md", "verdicts.csv", "verdicts.md"),
             Stream.concat(FIGURES.stream(), Stream.of("table-8.1"))
                 .flatMap(name -> Stream.of(name + ".png", name + ".svg")))
         .toList();

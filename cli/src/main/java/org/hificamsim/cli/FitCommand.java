@@ -18,6 +18,7 @@ import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.MeasurementsFile;
+import org.hificamsim.profiling.measure.PipReading;
 import org.hificamsim.profiling.report.FitReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -84,7 +85,11 @@ final class FitCommand implements Callable<Integer> {
     List<Measurement> measurements = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
     int models = new ModelFolder(folder.resolve("models"), name).write(result);
-    FitReport.write(result, folder.toAbsolutePath().normalize().getFileName().toString(), folder);
+    FitReport.write(
+        result,
+        PipReading.ofDataset(folder),
+        folder.toAbsolutePath().normalize().getFileName().toString(),
+        folder);
     print(result, models);
     return 0;
   }

@@ -16,6 +16,7 @@ import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.hificamsim.profiling.measure.MeasureSettings;
 import org.hificamsim.profiling.measure.Measurer;
+import org.hificamsim.profiling.measure.PipReading;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -43,6 +44,12 @@ final class MeasureCommand implements Callable<Integer> {
       paramLabel = "R",
       description = "Lowe's ratio test, above 0, at most 1.")
   private double ratio;
+
+  @Option(
+      names = "--pip",
+      paramLabel = "silhouette|rectangle",
+      description = "The object's pixels: its mask's, or its patch's as in the thesis.")
+  private PipReading pip;
 
   @Option(
       names = "--picture",
@@ -100,6 +107,6 @@ final class MeasureCommand implements Callable<Integer> {
             "--detectors has '" + name + "', expected some of " + Detectors.names());
       }
     }
-    return new MeasureSettings(names, new RatioTest(metric, ratio), pictures);
+    return new MeasureSettings(names, new RatioTest(metric, ratio), pip, pictures);
   }
 }

@@ -12,7 +12,9 @@ import picocli.CommandLine.Mixin;
 /** {@code hificamsim sensitivity}: what each open parameter does to the conclusion of chapter 8. */
 @Command(
     name = "sensitivity",
-    description = "Sweeps thresholds, targets, gamma, epsilon, k and the reward around defaults.")
+    description =
+        "Sweeps thresholds, targets, their size, optics, f, g, CamSim's formula and the learners'"
+            + " settings around defaults.")
 final class SensitivityCommand implements Callable<Integer> {
   @Mixin private BatchOptions batch;
 

@@ -1,10 +1,16 @@
 package org.hificamsim.reproduction;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 
-/** The judged cells of Table 8.1 and statements of the text. */
-public record Judgement(List<Table81.Cell> cells, List<Statement> statements) {
+/**
+ * The judged cells of Table 8.1 and statements of the text.
+ *
+ * @param adapting what the optimum gains over a fixed zoom, which comes before all else
+ */
+public record Judgement(
+    List<Table81.Cell> cells, List<Statement> statements, List<Adapting> adapting) {
   /** How many cells have a verdict. */
   public long cellsWith(Verdict verdict) {
     return count(cells.stream().map(Table81.Cell::verdict), verdict);
@@ -13,6 +19,30 @@ public record Judgement(List<Table81.Cell> cells, List<Statement> statements) {
   /** How many statements have a verdict. */
   public long statementsWith(Verdict verdict) {
     return count(statements.stream().map(Statement::verdict), verdict);
+  }
+
+  /** How many cells and statements of a role there are, and how many of them are reproduced. */
+  public String score(Role role) {
+    List<Verdict> ofCells = verdictsOfCells(role);
+    List<Verdict> ofStatements = verdictsOfStatements(role);
+    return String.format(
+        Locale.ROOT,
+        "%d of %d cells, %d of %d statements reproduced",
+        count(ofCells.stream(), Verdict.REPRODUCED),
+        ofCells.size(),
+        count(ofStatements.stream(), Verdict.REPRODUCED),
+        ofStatements.size());
+  }
+
+  private List<Verdict> verdictsOfCells(Role role) {
+    return cells.stream().filter(cell -> Role.of(cell) == role).map(Table81.Cell::verdict).toList();
+  }
+
+  private List<Verdict> verdictsOfStatements(Role role) {
+    return statements.stream()
+        .filter(statement -> Role.of(statement) == role)
+        .map(Statement::verdict)
+        .toList();
   }
 
   private static long count(Stream<Verdict> verdicts, Verdict verdict) {

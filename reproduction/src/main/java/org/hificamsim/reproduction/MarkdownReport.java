@@ -8,6 +8,13 @@ import org.hificamsim.core.file.OutputFolder;
 
 /** Table and verdicts for people: {@code table-8.1.md} and {@code verdicts.md}. */
 final class MarkdownReport {
+  /** Why CamSim's formula is not the one behind Table 8.1. */
+  private static final String PROOF =
+      "Eq 6.2 depends on the zoom alone, so that a camera detects either all or nothing within the"
+          + " radius of a level. Where the widest level detects, its targets are those of every"
+          + " level, and zoom-out is the optimum: 1. Where it does not, zoom-out covers nothing: 0."
+          + " No threshold gives the published 0.18, 0.58 and 0.05; hence camsim-range.";
+
   private final PrintWriter out;
 
   private MarkdownReport(PrintWriter out) {
@@ -26,11 +33,11 @@ final class MarkdownReport {
   private void table(List<Table81.Cell> cells) {
     line(
         "| layout | policy | detection | published | ours [95%] | verdict | over hi-fi optimum |"
-            + " the same at 0.45 | explore=any | script at origin |");
-    line("|---|---|---|---:|---:|---|---:|---:|---:|---:|");
+            + " the same at 0.45 | explore=any | script at origin | Eq 6.2 | role |");
+    line("|---|---|---|---:|---:|---|---:|---:|---:|---:|---:|---|");
     for (Table81.Cell cell : cells) {
       line(
-          "| %s | %s | %s | %.2f | %.3f [%.3f, %.3f] | %s | %s | %s | %s | %s |",
+          "| %s | %s | %s | %.2f | %.3f [%.3f, %.3f] | %s | %s | %s | %s | %s | %s | %s |",
           cell.published().layout().label(),
           cell.published().policy(),
           cell.published().hifi() ? "hi-fi" : "CamSim",
@@ -42,8 +49,12 @@ final class MarkdownReport {
           number(cell.overHifi()),
           number(cell.at45()),
           number(cell.exploreAny()),
-          number(cell.origin()));
+          number(cell.origin()),
+          number(cell.standard()),
+          Role.of(cell).label());
     }
+    line("");
+    line("%s", PROOF);
   }
 
   private static String number(double value) {
@@ -51,24 +62,35 @@ final class MarkdownReport {
   }
 
   private void verdicts(Judgement judgement) {
-    line("| cell | published | ours | verdict | why |");
-    line("|---|---:|---:|---|---|");
+    line("%s", Adapting.finding(judgement.adapting()));
+    line("");
+    for (Role role : Role.values()) {
+      line("- %s: %s", role.label(), judgement.score(role));
+    }
+    line("");
+    line("| cell | role | published | ours | verdict | why |");
+    line("|---|---|---:|---:|---|---|");
     for (Table81.Cell cell : judgement.cells()) {
       line(
-          "| %s | %.2f | %.2f | %s | %s |",
+          "| %s | %s | %.2f | %.2f | %s | %s |",
           Reason.id(cell),
+          Role.of(cell).label(),
           cell.published().proportion(),
           cell.ours().mean(),
           cell.verdict().label(),
           Reason.of(cell));
     }
     line("");
-    line("| statement | source | verdict | why |");
-    line("|---|---|---|---|");
+    line("| statement | source | role | verdict | why |");
+    line("|---|---|---|---|---|");
     for (Statement statement : judgement.statements()) {
       line(
-          "| %s | %s | %s | %s |",
-          statement.text(), statement.source(), statement.verdict().label(), Reason.of(statement));
+          "| %s | %s | %s | %s | %s |",
+          statement.text(),
+          statement.source(),
+          Role.of(statement).label(),
+          statement.verdict().label(),
+          Reason.of(statement));
     }
   }
 

@@ -21,13 +21,19 @@ final class Reason {
       return off;
     }
     if (!cell.published().hifi()) {
-      return off
-          + format(
-              "; CamSim's formula and threshold are not published; at 0.45 and over the hi-fi"
-                  + " optimum it is %.2f",
-              cell.at45());
+      return off + camSim(cell);
     }
     return off + "; state, discount and reward of SARSA, and the targets, are not published";
+  }
+
+  private static String camSim(Table81.Cell cell) {
+    String formula =
+        cell.published().policy().equals(ReproductionPlans.ZOOM_OUT)
+            ? "CamSim's formula, Eq 6.2, depends on the zoom alone and can give 0 or 1 here"
+            : format("CamSim's formula, Eq 6.2, gives %.2f", cell.standard());
+    return format(
+        "; %s; its threshold is not published; camsim-range at 0.45 over the hi-fi optimum is %.2f",
+        formula, cell.at45());
   }
 
   static String of(Statement statement) {

@@ -21,6 +21,7 @@ public final class ReproductionFiles {
   public static Judgement write(OutputFolder folder, List<CaseResult> results) throws IOException {
     Cases cases = new Cases(results);
     Judgement judgement = judge(cases);
+    adapting(folder, judgement.adapting());
     table(folder, judgement.cells());
     verdicts(folder, judgement);
     MarkdownReport.write(folder, judgement);
@@ -32,7 +33,21 @@ public final class ReproductionFiles {
   public static Judgement judge(Cases cases) {
     List<Statement> statements = new ArrayList<>(new Statements(cases).all());
     statements.addAll(new DetectionStatements(cases).all());
-    return new Judgement(new Table81(cases).cells(), statements);
+    return new Judgement(new Table81(cases).cells(), statements, Adapting.of(cases));
+  }
+
+  private static void adapting(OutputFolder folder, List<Adapting> all) throws IOException {
+    try (CsvTable table = Table.ADAPTING.create(folder)) {
+      for (Adapting one : all) {
+        table.row(
+            one.scenario(),
+            one.detection(),
+            one.optimum(),
+            one.fixed(),
+            one.value(),
+            one.sameEveryStep() ? "true" : "false");
+      }
+    }
   }
 
   private static void table(OutputFolder folder, List<Table81.Cell> cells) throws IOException {
@@ -51,7 +66,9 @@ public final class ReproductionFiles {
             cell.overHifi(),
             cell.at45(),
             cell.exploreAny(),
-            cell.origin());
+            cell.origin(),
+            cell.standard(),
+            Role.of(cell).label());
       }
     }
   }
@@ -71,7 +88,8 @@ public final class ReproductionFiles {
             1,
             cell.verdict() == Verdict.REPRODUCED ? 1 : 0,
             cell.verdict().label(),
-            Reason.of(cell));
+            Reason.of(cell),
+            Role.of(cell).label());
       }
       for (Statement statement : judgement.statements()) {
         Statement.Margin weakest = statement.weakest();
@@ -87,7 +105,8 @@ public final class ReproductionFiles {
             statement.margins().size(),
             statement.held(),
             statement.verdict().label(),
-            Reason.of(statement));
+            Reason.of(statement),
+            Role.of(statement).label());
       }
     }
   }

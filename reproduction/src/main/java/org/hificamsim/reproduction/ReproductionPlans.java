@@ -25,6 +25,9 @@ public record ReproductionPlans(
   public static final String HIFI = "hifi:orb-lin";
   public static final String CAMSIM = "camsim-range";
 
+  /** CamSim's formula as the thesis prints it, Eq 6.2. */
+  public static final String STANDARD = "camsim-standard";
+
   /** CamSim's model with the threshold that fits the table best over the hi-fi optimum. */
   public static final String CAMSIM_45 = "camsim-range@0.45";
 
@@ -32,6 +35,10 @@ public record ReproductionPlans(
   public static final String ORIGIN = "cluster-scripted-origin";
 
   static final String OPTIMAL = "optimal";
+
+  /** Every camera at the level with a radius of 5 m, always. */
+  static final String FIXED = "fixed:2";
+
   public static final String ZOOM_OUT = "zoom-out";
   public static final String EPSILON_GREEDY = "epsilon-greedy";
   static final String ANY = "epsilon-greedy:explore=any";
@@ -55,7 +62,7 @@ public record ReproductionPlans(
   /** The plans, each once, the optima among them. */
   public List<RunPlan> plans(Function<String, DetectionModel> models) {
     Map<String, Detection> detections =
-        Stream.of(HIFI, CAMSIM, CAMSIM_45)
+        Stream.of(HIFI, CAMSIM, CAMSIM_45, STANDARD)
             .collect(Collectors.toMap(name -> name, name -> detection(name, models)));
     return cases().stream()
         .map(
@@ -90,6 +97,11 @@ public record ReproductionPlans(
     add(cases, Layout.LATTICE.random(), HIFI, List.of("random"));
     add(cases, Layout.LATTICE.scripted(), HIFI, List.of(epsilon(SARSA, 0.2), epsilon(SARSA, 0.3)));
     add(cases, Layout.LATTICE.scripted(), HIFI, List.of(alpha(0.2), alpha(0.3), COUNT));
+    for (String scenario : Layout.SCENARIOS) {
+      table(cases, scenario, List.of(STANDARD));
+      add(cases, scenario, CAMSIM, List.of(FIXED));
+      add(cases, scenario, HIFI, List.of(FIXED));
+    }
     return cases;
   }
 

@@ -153,7 +153,35 @@ public final class Statements {
   private List<Statement> voting() {
     return List.of(
         lessUncovered("qb-sarsa-covers-more", "", "with the default state"),
-        lessUncovered("qb-sarsa-covers-more-stateless", STATELESS, "with state=none"));
+        lessUncovered("qb-sarsa-covers-more-stateless", STATELESS, "with state=none"),
+        settlesSooner("qb-sarsa-faster", "", "with the default state"),
+        settlesSooner("qb-sarsa-faster-stateless", STATELESS, "with state=none"),
+        higher("qb-sarsa-higher", "", "with the default state"),
+        higher("qb-sarsa-higher-stateless", STATELESS, "with state=none"));
+  }
+
+  private Statement settlesSooner(String id, String options, String remark) {
+    return new Statement(
+        id,
+        "7.4.5",
+        "QB-SARSA converges considerably faster than SARSA in all scenarios.",
+        Margins.six(
+            scenario ->
+                more(
+                    scenario,
+                    margins.hifi(scenario, SARSA + options),
+                    margins.hifi(scenario, QB_SARSA + options),
+                    Margins.SETTLING)),
+        "steps until within 90% of the final level; " + remark);
+  }
+
+  private Statement higher(String id, String options, String remark) {
+    return new Statement(
+        id,
+        "7.5, 7.6",
+        "Sharing knowledge (QB-SARSA) gives a higher k_min than SARSA in all scenarios.",
+        margins.inAllSix(QB_SARSA + options, SARSA + options),
+        remark);
   }
 
   private Statement lessUncovered(String id, String options, String remark) {

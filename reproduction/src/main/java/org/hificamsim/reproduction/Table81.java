@@ -22,6 +22,7 @@ public final class Table81 {
    * @param at45 the same with CamSim's threshold at 0.45
    * @param exploreAny epsilon-greedy that explores among all levels, the best one included
    * @param origin the cluster with the script about the field's centre
+   * @param standard CamSim's cells under Eq 6.2 as printed
    */
   public record Cell(
       PublishedCell published,
@@ -30,7 +31,8 @@ public final class Table81 {
       double overHifi,
       double at45,
       double exploreAny,
-      double origin) {
+      double origin,
+      double standard) {
     /** Ours less the published. */
     public double difference() {
       return ours.mean() - published.proportion();
@@ -51,7 +53,8 @@ public final class Table81 {
         overHifi(published, ReproductionPlans.CAMSIM),
         overHifi(published, ReproductionPlans.CAMSIM_45),
         exploreAny(published),
-        origin(published));
+        origin(published),
+        standard(published));
   }
 
   /** The ratio of a cell. */
@@ -93,6 +96,14 @@ public final class Table81 {
             .estimate()
             .mean()
         : Double.NaN;
+  }
+
+  private double standard(PublishedCell cell) {
+    return cell.hifi()
+        ? Double.NaN
+        : ratio(cell.layout().scenarios(), ReproductionPlans.STANDARD, cell.policy())
+            .estimate()
+            .mean();
   }
 
   private List<CaseResult> find(List<String> scenarios, String detection, String policy) {

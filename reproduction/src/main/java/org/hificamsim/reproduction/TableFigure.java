@@ -27,7 +27,8 @@ final class TableFigure {
             new LegendEntry("hi-fi, ours", color(true), LegendEntry.Mark.DOT),
             new LegendEntry("hi-fi, published", pale(true), LegendEntry.Mark.DIAMOND),
             new LegendEntry("CamSim, ours", color(false), LegendEntry.Mark.DOT),
-            new LegendEntry("CamSim, published", pale(false), LegendEntry.Mark.DIAMOND)),
+            new LegendEntry("CamSim, published", pale(false), LegendEntry.Mark.DIAMOND),
+            new LegendEntry("CamSim by Eq 6.2", Palette.GREY, LegendEntry.Mark.DOT)),
         PublishedCell.POLICIES.stream().map(policy -> panel(policy, cells)).toList(),
         PublishedCell.POLICIES.size(),
         WIDTH,
@@ -54,6 +55,9 @@ final class TableFigure {
     panel.interval(x - BESIDE, cell.ours().low(), cell.ours().high(), color);
     panel.dots(point(x - BESIDE, cell.ours().mean()), color);
     panel.diamonds(point(x + BESIDE, published.proportion()), pale(published.hifi()));
+    if (!Double.isNaN(cell.standard())) {
+      panel.dots(point(x - 2 * BESIDE, cell.standard()), Palette.GREY);
+    }
   }
 
   private static Curve point(double x, double y) {

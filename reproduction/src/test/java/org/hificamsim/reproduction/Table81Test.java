@@ -61,8 +61,26 @@ class Table81Test {
       PublishedCell published = cell.published();
       assertEquals(published.hifi(), Double.isNaN(cell.overHifi()));
       assertEquals(published.hifi(), Double.isNaN(cell.at45()));
+      assertEquals(published.hifi(), Double.isNaN(cell.standard()));
       assertEquals(published.policy().equals("epsilon-greedy"), !Double.isNaN(cell.exploreAny()));
       assertEquals(published.layout() == Layout.CLUSTER, !Double.isNaN(cell.origin()));
+    }
+  }
+
+  @Test
+  void theHiFiColumnIsFittedAndCamSimsHeldOut() {
+    for (Table81.Cell cell : cells()) {
+      assertEquals(cell.published().hifi() ? Role.FITTED : Role.HELD_OUT, Role.of(cell));
+    }
+  }
+
+  @Test
+  void camSimsFormulaIsNotSaidToBeUnpublished() {
+    for (Table81.Cell cell : cells()) {
+      assertEquals(
+          !cell.published().hifi() && cell.verdict() == Verdict.NOT_REPRODUCED,
+          Reason.of(cell).contains("Eq 6.2"),
+          Reason.of(cell));
     }
   }
 

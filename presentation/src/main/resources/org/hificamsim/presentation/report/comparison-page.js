@@ -10,6 +10,8 @@ const SHORT = 4;
 /** The page; `data` is what ComparisonReport wrote. */
 export async function comparisonPage(root, data) {
   root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), badges(data)));
+  const adapting = data.tables.find(table => table.name === 'adapting.csv');
+  if (adapting) root.append(el('p', {class: 'notice'}, worthOfAdapting(rowsOf(adapting))));
   if (data.summary) root.append(comparison(data));
   if (data.curves) root.append(curves(data));
   for (const table of data.tables) root.append(card(titleOf(table.name), plainTable(table)));
@@ -27,6 +29,14 @@ const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
 function kind({tables}) {
   const has = name => tables.some(table => table.name === name);
   return has('sensitivity.csv') ? 'Sensitivity' : has('table-8.1.csv') ? 'Reproduction' : 'Comparison';
+}
+
+/** What a reader has to know before any proportion of the optimum. */
+function worthOfAdapting(rows) {
+  const same = rows.filter(row => row.same_every_step === 'true').length;
+  const most = Math.max(...rows.map(row => Number(row.value_of_adapting)));
+  return `The optimum is static: one zoom for all cameras, never changed, has its k_min at every step in ${same} of ${rows.length} cases; ` +
+    `at best, adapting the zoom is worth ${most.toFixed(2)} of a fixed one.`;
 }
 
 function badges({summary, settings}) {

@@ -9,9 +9,11 @@ import org.hificamsim.profiling.detector.RatioTest;
  *
  * @param detectors by name, in the order of the columns
  * @param test which matches count
+ * @param pip which pixels are the object's
  * @param pictures images of the data set whose matches are drawn (Figures 5.2, 5.4, 5.6)
  */
-public record MeasureSettings(List<String> detectors, RatioTest test, Set<String> pictures) {
+public record MeasureSettings(
+    List<String> detectors, RatioTest test, PipReading pip, Set<String> pictures) {
   public MeasureSettings {
     detectors = List.copyOf(detectors);
     pictures = Set.copyOf(pictures);

@@ -41,7 +41,7 @@ final class MeasurementJournal implements Closeable {
   static MeasurementJournal open(Dataset dataset, MeasureSettings settings) throws IOException {
     Path file = dataset.folder().resolve(".measurements-" + key(dataset, settings) + ".part");
     Map<Integer, Measurement> done = settings.pictures().isEmpty() ? read(file, dataset) : Map.of();
-    StringBuilder kept = new StringBuilder(MeasurementsFile.header(settings.detectors()));
+    StringBuilder kept = new StringBuilder(MeasurementsFile.header(settings));
     done.values().forEach(row -> kept.append(MeasurementsFile.line(row)));
     new OutputFile(file).write(kept.toString());
     Writer out =
@@ -117,6 +117,7 @@ final class MeasurementJournal implements Closeable {
   private static String key(Dataset dataset, MeasureSettings settings) throws IOException {
     StringBuilder facts = new StringBuilder();
     facts.append(settings.detectors()).append(settings.test()).append(dataset.camera());
+    facts.append(settings.pip());
     for (Sample sample : dataset.samples()) {
       facts.append(sample);
       stamp(sample.file(), facts);

@@ -61,7 +61,7 @@ public final class Measurer {
                 return row;
               });
       Path file = dataset.folder().resolve(MeasurementsFile.NAME);
-      MeasurementsFile.write(file, settings.detectors(), rows);
+      MeasurementsFile.write(file, settings, rows);
       done.finish();
       return resumed;
     } catch (IOException e) {
@@ -128,11 +128,11 @@ public final class Measurer {
     }
   }
 
-  /** The ground truth: the mask's share of the image where there is one, else the patch's. */
+  /** The ground truth: the share of the image that is the object's. */
   private double pip(Sample sample) {
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
     Optional<Path> mask = sample.mask();
-    if (mask.isEmpty()) {
+    if (settings.pip() == PipReading.RECTANGLE || mask.isEmpty()) {
       return sample.patch().area() / pixels;
     }
     try (Mats mats = new Mats()) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.measure.PipReading;
 
 /** Writes {@code report.html} and its pictures. */
 public final class FitReport {
@@ -18,10 +19,11 @@ public final class FitReport {
   private final HtmlPage page;
   private final Figures figures;
   private final Tables tables;
-  private final HeldOut heldOut = new HeldOut();
+  private final HeldOut heldOut;
   private final Remarks remarks;
 
-  private FitReport(FitResult result, Path folder, String title) {
+  private FitReport(FitResult result, PipReading pip, Path folder, String title) {
+    this.heldOut = new HeldOut(pip);
     this.result = result;
     this.folder = folder;
     this.page = new HtmlPage(title);
@@ -30,14 +32,20 @@ public final class FitReport {
     this.remarks = new Remarks(result, heldOut);
   }
 
-  /** Writes the report on a data set of this name into a folder. */
-  public static void write(FitResult result, String name, Path folder) throws IOException {
-    new FitReport(result, folder, "Detection models fitted to " + name).write();
+  /**
+   * Writes the report on a data set of this name into a folder.
+   *
+   * @param pip how its PIP was counted
+   */
+  public static void write(FitResult result, PipReading pip, String name, Path folder)
+      throws IOException {
+    new FitReport(result, pip, folder, "Detection models fitted to " + name).write();
   }
 
   private void write() throws IOException {
     page.paragraph(
         "Every number is ours, with the thesis's in brackets or beside it where there is one.");
+    claims();
     data();
     features();
     detectors();
@@ -46,6 +54,16 @@ public final class FitReport {
     ball();
     ladder();
     new OutputFile(folder.resolve("report.html")).write(page.text());
+  }
+
+  private void claims() throws IOException {
+    Claims claims = new Claims(result);
+    page.heading("What chapters 4 to 6 say, judged on these photos");
+    tables.claims(page, claims.all());
+    page.paragraph(
+        "Shares are R2, reproduced when at most 0.05 away. The photos are not the thesis's, which"
+            + " are not published.");
+    claims.write(folder);
   }
 
   private void data() throws IOException {

@@ -7,17 +7,35 @@ import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Observation;
 import org.hificamsim.profiling.fit.Scores;
+import org.hificamsim.profiling.measure.PipReading;
 
 /**
  * The six real photos of Figure 3.7, a ball at 1 m, as a check of every f; no fit has seen them.
- * The thesis does not say how big the ball is: {@value #BALL} m is a football's diameter.
+ * The thesis does not say how big the ball is: {@value #BALL} m is a football's diameter. It counts
+ * the rectangle around the ball; the ball itself is the disc within.
  */
 final class HeldOut {
   /** Metres. */
   static final double BALL = 0.22;
 
-  private final List<Observation> photos =
-      PublishedTables.ball().stream().map(HeldOut::photo).toList();
+  private static final double DISC = Math.PI / 4;
+
+  private final PipReading reading;
+  private final List<Observation> photos;
+
+  /**
+   * @param reading how the data were counted that the f were fitted to, and so how the ball is
+   */
+  HeldOut(PipReading reading) {
+    this.reading = reading;
+    double share = reading == PipReading.SILHOUETTE ? DISC : 1;
+    photos = PublishedTables.ball().stream().map(row -> photo(row, share)).toList();
+  }
+
+  /** How the ball is counted. */
+  PipReading reading() {
+    return reading;
+  }
 
   /** How an f did: the root of the mean squared error and the mean error, of -log10(PIP). */
   record Check(String f, double rmse, double bias, List<Double> pips) {}
@@ -49,10 +67,10 @@ final class HeldOut {
     return new Check(f.name(), Scores.of(observed, predicted).rmse(), bias, pips);
   }
 
-  private static Observation photo(Map<String, String> row) {
+  private static Observation photo(Map<String, String> row, double share) {
     double patch = number(row, "patch_width_px") * number(row, "patch_height_px");
     double image = number(row, "image_width_px") * number(row, "image_height_px");
-    return new Observation(BALL, 1, number(row, "focal_length_m"), patch / image);
+    return new Observation(BALL, 1, number(row, "focal_length_m"), share * patch / image);
   }
 
   private static double number(Map<String, String> row, String column) {

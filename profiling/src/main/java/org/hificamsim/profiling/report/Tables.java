@@ -7,6 +7,7 @@ import org.hificamsim.profiling.fit.Coefficient;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
+import org.hificamsim.profiling.measure.PipReading;
 
 /** The report's tables: ours, and in brackets what is published. */
 final class Tables {
@@ -128,7 +129,7 @@ final class Tables {
     List<String> columns = new ArrayList<>(List.of("f", "RMSE", "bias"));
     heldOut.photos().forEach(o -> columns.add(Math.round(o.focalLength() * 1000) + " mm"));
     List<List<String>> rows = new ArrayList<>();
-    List<String> measured = new ArrayList<>(List.of("measured PIP", "", ""));
+    List<String> measured = new ArrayList<>(List.of(ballRow(heldOut), "", ""));
     heldOut.photos().forEach(o -> measured.add(Cells.fixed(o.pip(), 4)));
     rows.add(measured);
     for (HeldOut.Check check : heldOut.checks(result)) {
@@ -140,6 +141,23 @@ final class Tables {
       rows.add(row);
     }
     page.table(columns, rows);
+  }
+
+  private static String ballRow(HeldOut heldOut) {
+    return heldOut.reading() == PipReading.RECTANGLE
+        ? "measured PIP, the ball's rectangle"
+        : "measured PIP, the ball's disc";
+  }
+
+  /** What chapters 4 to 6 say, judged. */
+  void claims(HtmlPage page, List<Claim> claims) {
+    page.table(
+        List.of("statement", "source", "published", "ours", "verdict"),
+        claims.stream()
+            .map(
+                one ->
+                    List.of(one.text(), one.source(), one.published(), one.ours(), one.verdict()))
+            .toList());
   }
 
   /** The ladder, with every detector. */

@@ -23,7 +23,8 @@ import org.junit.jupiter.api.io.TempDir;
 
 class MeasurerTest {
   private static final List<String> ALL = List.of("orb", "sift", "surf");
-  private static final MeasureSettings PLAIN = new MeasureSettings(ALL, RatioTest.THESIS, Set.of());
+  private static final MeasureSettings PLAIN =
+      new MeasureSettings(ALL, RatioTest.THESIS, PipReading.SILHOUETTE, Set.of());
 
   @TempDir static Path folder;
   private static Dataset dataset;
@@ -69,7 +70,8 @@ class MeasurerTest {
   @Test
   void otherSettingsDoNotResumeIt() throws IOException {
     AtomicInteger seen = new AtomicInteger();
-    MeasureSettings orb = new MeasureSettings(List.of("orb"), RatioTest.THESIS, Set.of());
+    MeasureSettings orb =
+        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE, Set.of());
     assertThrows(
         IllegalStateException.class,
         () ->
@@ -104,7 +106,8 @@ class MeasurerTest {
                         Optional.empty()))
             .toList();
     Dataset unmasked = new Dataset(folder, dataset.camera(), bare, dataset.templates());
-    MeasureSettings orb = new MeasureSettings(List.of("orb"), RatioTest.THESIS, Set.of());
+    MeasureSettings orb =
+        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE, Set.of());
     new Measurer(unmasked, orb).measure(2, () -> {});
     List<Measurement> patched = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
@@ -116,9 +119,40 @@ class MeasurerTest {
   }
 
   @Test
+  void pipOfRectanglesIsThePatchsShareAndSaysSoInTheTable() throws IOException {
+    MeasureSettings rectangles =
+        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.RECTANGLE, Set.of());
+    new Measurer(dataset, rectangles).measure(2, () -> {});
+    assertTrue(
+        table().startsWith("image,object,size_m,distance_m,focal_length_m,pip_rectangle,orb\n"));
+    assertEquals(PipReading.RECTANGLE, PipReading.ofDataset(folder));
+    double pixels = (double) dataset.camera().width() * dataset.camera().height();
+    List<Measurement> rows = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
+    for (int i = 0; i < rows.size(); i++) {
+      assertEquals(dataset.samples().get(i).patch().area() / pixels, rows.get(i).pip());
+      assertEquals(List.of("orb"), List.copyOf(rows.get(i).confidences().keySet()));
+    }
+  }
+
+  @Test
+  void aDataSetWithoutMasksHasRectanglesWhateverItsColumnIsCalled(@TempDir Path other)
+      throws IOException {
+    String measured = "image,object,size_m,distance_m,focal_length_m,pip,orb\n";
+    Files.writeString(other.resolve(MeasurementsFile.NAME), measured + "a,b,0.1,1,0.01,0.5,0.2\n");
+    assertEquals(PipReading.SILHOUETTE, PipReading.ofDataset(other));
+    Files.writeString(other.resolve("dataset.csv"), "image,mask\na.png,\n");
+    assertEquals(PipReading.RECTANGLE, PipReading.ofDataset(other));
+    Files.writeString(other.resolve("dataset.csv"), "image,mask\na.png,\nb.png,masks/b.png\n");
+    assertEquals(PipReading.SILHOUETTE, PipReading.ofDataset(other));
+  }
+
+  @Test
   void drawsMatchesOnRequest() {
     String image = dataset.samples().get(0).image();
-    new Measurer(dataset, new MeasureSettings(List.of("orb"), RatioTest.THESIS, Set.of(image)))
+    new Measurer(
+            dataset,
+            new MeasureSettings(
+                List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE, Set.of(image)))
         .measure(2, () -> {});
     Path picture = folder.resolve("matches/orb-images_matchbox-10mm-01.0m.jpg");
     assertTrue(Files.exists(picture), picture.toString());

@@ -19,6 +19,7 @@ import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
+import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.CamSimConfidence;
 import org.hificamsim.profiling.fit.FitResult;
@@ -28,6 +29,7 @@ import org.hificamsim.profiling.fit.ModelFolder;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
+import org.hificamsim.profiling.measure.PipReading;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -44,7 +46,7 @@ class FitReportTest {
   static void fitAndWrite() throws IOException {
     result = new Fitting(SETTINGS).fit(new PhotoCamera(0.0224, 0.015, 1296, 864), photos(), 2);
     assertEquals(36, new ModelFolder(folder.resolve("models"), "mine").write(result));
-    FitReport.write(result, "test & trial", folder);
+    FitReport.write(result, PipReading.SILHOUETTE, "test & trial", folder);
   }
 
   @Test
@@ -114,9 +116,67 @@ class FitReportTest {
 
   @Test
   void heldOutPhotosDoNotFollowThePinhole() {
-    HeldOut heldOut = new HeldOut();
+    HeldOut heldOut = new HeldOut(PipReading.RECTANGLE);
     assertEquals(6, heldOut.photos().size());
     assertEquals(1.316, heldOut.exponent(), 0.001);
+  }
+
+  @Test
+  void theBallIsCountedAsThePhotosAre() throws IOException {
+    HeldOut rectangles = new HeldOut(PipReading.RECTANGLE);
+    HeldOut silhouettes = new HeldOut(PipReading.SILHOUETTE);
+    assertEquals(
+        2904.0 * 2850 / (5184 * 3456), rectangles.photos().get(0).pip(), 1e-15, "as published");
+    for (int i = 0; i < rectangles.photos().size(); i++) {
+      assertEquals(
+          Math.log10(4 / Math.PI),
+          silhouettes.photos().get(i).response() - rectangles.photos().get(i).response(),
+          1e-12);
+    }
+    assertTrue(Files.readString(folder.resolve("report.html")).contains("the ball's disc"));
+  }
+
+  @Test
+  void judgesWhatChapters4To6Say() throws IOException {
+    List<Claim> claims = new Claims(result).all();
+    assertEquals(5 + 4 + 3 + 3 + 3 + 3, claims.size());
+    List<String> columns = List.of("source", "claim", "published", "value", "verdict");
+    assertEquals(claims.size(), CsvRows.read(folder.resolve(Claims.FILE), columns).rows().size());
+    List<String> published = claims.stream().map(Claim::published).toList();
+    assertTrue(published.containsAll(List.of("0.86", "0.73", "0.92", "0.60", "0.09")));
+    assertTrue(published.containsAll(List.of("svr-rbf > lin > sr", "orb > surf > sift")));
+    for (Claim claim : claims) {
+      if (claim.text().contains("more of")) {
+        assertTrue(claim.reproduced(), claim.text());
+      }
+    }
+  }
+
+  @Test
+  void aShareIsReproducedUpToFiveHundredths() {
+    assertTrue(Claim.share("", "", 0.60, 0.65).reproduced());
+    assertFalse(Claim.share("", "", 0.60, 0.66).reproduced());
+  }
+
+  /** SSE / (1 - R2) is the variation of one detector's confidences, whatever the predictor. */
+  @Test
+  void publishedSharesAndErrorsGoTogetherButForOrbOnMeasuredPip() {
+    for (String detector : List.of("orb", "sift", "surf")) {
+      double total = total(PublishedTables.line(detector, "lin"));
+      for (Map<String, String> row :
+          List.of(
+              PublishedTables.line(detector, "svr-rbf"),
+              PublishedTables.line(detector, "sr"),
+              PublishedTables.camSimLine(detector))) {
+        assertEquals(1, total(row) / total, 0.06, detector);
+      }
+      double measured = total(PublishedTables.groundTruthLine(detector)) / total;
+      assertEquals(detector.equals("orb") ? 1.11 : 1, measured, 0.01, detector);
+    }
+  }
+
+  private static double total(Map<String, String> row) {
+    return Double.parseDouble(row.get("sse")) / (1 - Double.parseDouble(row.get("r2")));
   }
 
   @Test

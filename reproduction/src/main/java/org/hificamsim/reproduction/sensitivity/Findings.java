@@ -25,6 +25,42 @@ its whole 95% interval, by layout and policy; it flips where it is below with it
     return text.toString();
   }
 
+  /** Markdown: which settings come as near to the hi-fi column as the defaults, fitted to it. */
+  static String ofFits(List<Fit> fits) {
+    Fit standard = fits.stream().filter(fit -> fit.variant().standard()).findFirst().orElseThrow();
+    List<Fit> others = fits.stream().filter(fit -> fit.isOther(standard)).toList();
+    return String.format(
+        Locale.ROOT,
+        """
+## How many settings fit Table 8.1 as well
+
+The defaults were fitted to the hi-fi column: their mean distance from its nine cells is %.3f here. Of the %d other
+settings that bear on it, each with all else at its default, %d come as near (within %.2f), %d of these with the same
+results to the last digit: %s. `fit.csv` has all of them.
+
+""",
+        standard.hifi(),
+        others.size(),
+        others.stream().filter(fit -> fit.asGoodAs(standard)).count(),
+        Fit.AS_GOOD,
+        others.stream().filter(fit -> fit.sameAs(standard)).count(),
+        asGood(others, standard));
+  }
+
+  private static String asGood(List<Fit> others, Fit standard) {
+    String names =
+        others.stream()
+            .filter(fit -> fit.asGoodAs(standard))
+            .map(Findings::named)
+            .collect(Collectors.joining(", "));
+    return names.isEmpty() ? "none" : names;
+  }
+
+  private static String named(Fit fit) {
+    return String.format(
+        Locale.ROOT, "%s %s (%.3f)", fit.sweep().parameter(), fit.variant().value(), fit.hifi());
+  }
+
   private static String paragraph(Sweep sweep, List<Gap> gaps) {
     List<Gap> cells = gaps.stream().filter(gap -> !gap.layout().equals(Gap.ALL)).toList();
     return String.format(

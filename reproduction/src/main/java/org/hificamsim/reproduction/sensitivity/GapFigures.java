@@ -70,7 +70,7 @@ final class GapFigures {
   private XYChart panel(String title, Sweep sweep, String layout, List<Gap> scale) {
     List<String> values =
         sweep.variants().stream()
-            .map(variant -> variant.value() + (variant.standard() ? "*" : ""))
+            .map(variant -> label(variant.value()) + (variant.standard() ? "*" : ""))
             .toList();
     XyPanel panel =
         new XyPanel(title, sweep.parameter(), "hi-fi - CamSim (proportion)")
@@ -83,6 +83,11 @@ final class GapFigures {
       line(panel, gapsOf(sweep, layout, policy), colors.of(policy));
     }
     return panel.chart();
+  }
+
+  /** Short enough to stand beside the others. */
+  private static String label(String value) {
+    return value.replaceFirst("^camsim-", "");
   }
 
   private List<Gap> gapsOf(Sweep sweep, String layout, String policy) {

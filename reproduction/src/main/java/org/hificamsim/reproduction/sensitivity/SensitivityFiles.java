@@ -18,13 +18,28 @@ public final class SensitivityFiles {
       throws IOException {
     List<Sweep> all = sweeps.all();
     List<Gap> gaps = new Gaps(new Cases(results)).of(all);
+    List<Fit> fits = Fit.of(all, gaps);
     table(folder, gaps);
+    fits(folder, fits);
     new GapFigures(gaps).write(folder, all);
-    String findings = Findings.of(all, gaps);
+    String findings = Findings.of(all, gaps) + Findings.ofFits(fits);
     try (PrintWriter out = new PrintWriter(folder.open("sensitivity.md"))) {
       out.print(findings);
     }
     return findings;
+  }
+
+  private static void fits(OutputFolder folder, List<Fit> fits) throws IOException {
+    try (CsvTable table = Table.FIT.create(folder)) {
+      for (Fit fit : fits) {
+        table.row(
+            fit.sweep().parameter(),
+            fit.variant().value(),
+            fit.variant().standard() ? "true" : "false",
+            fit.hifi(),
+            fit.camsim());
+      }
+    }
   }
 
   private static void table(OutputFolder folder, List<Gap> gaps) throws IOException {

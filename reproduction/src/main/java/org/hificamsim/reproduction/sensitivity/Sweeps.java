@@ -7,9 +7,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.hifi.model.PublishedModels;
+import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.ReproductionPlans;
 import org.hificamsim.runs.RunPlan;
@@ -76,7 +80,28 @@ public final class Sweeps {
         new Sweep(
             "reward",
             "reading of Eq 7.5",
-            options(TEMPORAL, "reward", "count-change", "count-change", "sign", "literal")));
+            options(TEMPORAL, "reward", "count-change", "count-change", "sign", "literal")),
+        new Sweep("size", "targets' size q, m", sizes(0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.66)),
+        new Sweep(
+            "optics",
+            "focal length of the narrowest level, m",
+            focalLengths(0.03, 0.05, 0.07, 0.085, 0.1)),
+        new Sweep(
+            "f",
+            "feature abstraction f of the hi-fi model",
+            hifi("hifi:orb-%s", "lin", "lin", "pinhole", "power", "sr", "svr-lin")),
+        new Sweep(
+            "g",
+            "detector g of the hi-fi model",
+            hifi("hifi:%s-lin", "orb", "orb", "sift", "surf")),
+        new Sweep(
+            "state",
+            "state of SARSA and QB-SARSA",
+            options(TEMPORAL, "state", "level-count", "level-count", "count", "none")),
+        new Sweep(
+            "formula",
+            "formula of CamSim's model",
+            formulas("camsim-range", "camsim-standard", "camsim-visibility", "geometric")));
   }
 
   /** The plans of all sweeps, each once. */
@@ -117,12 +142,59 @@ public final class Sweeps {
   private List<Variant> targets(int... numbers) {
     List<Variant> variants = new ArrayList<>();
     for (int number : numbers) {
-      boolean standard = number == TARGETS;
-      Map<String, Scenario> changed = new LinkedHashMap<>();
-      scenarios.forEach(
-          (name, scenario) ->
-              changed.put(name, standard ? scenario : TargetCount.of(scenario, number)));
-      variants.add(variant(String.valueOf(number), standard, changed, specs(ALL, "")));
+      variants.add(worlds(number, number == TARGETS, scenario -> TargetCount.of(scenario, number)));
+    }
+    return variants;
+  }
+
+  private List<Variant> sizes(double... sizes) {
+    List<Variant> variants = new ArrayList<>();
+    for (double size : sizes) {
+      boolean standard = size == TargetSpec.DEFAULT_SIZE;
+      variants.add(worlds(size, standard, scenario -> ChangedWorld.withSize(scenario, size)));
+    }
+    return variants;
+  }
+
+  private List<Variant> focalLengths(double... lengths) {
+    Optics optics = PublishedModels.published().optics();
+    List<Variant> variants = new ArrayList<>();
+    for (double length : lengths) {
+      boolean standard = length == optics.longestFocalLength();
+      variants.add(
+          worlds(
+              length,
+              standard,
+              scenario -> ChangedWorld.withFocalLength(scenario, optics, length)));
+    }
+    return variants;
+  }
+
+  private Variant worlds(Number value, boolean standard, UnaryOperator<Scenario> change) {
+    Map<String, Scenario> changed = new LinkedHashMap<>();
+    scenarios.forEach(
+        (name, scenario) -> changed.put(name, standard ? scenario : change.apply(scenario)));
+    return variant(String.valueOf(value), standard, changed, specs(ALL, ""));
+  }
+
+  /** The hi-fi models whose names follow a pattern, each at its default threshold. */
+  private List<Variant> hifi(String pattern, String standard, String... values) {
+    List<Variant> variants = new ArrayList<>();
+    for (String value : values) {
+      boolean isStandard = value.equals(standard);
+      Detection changed =
+          isStandard ? hifi : ReproductionPlans.detection(pattern.formatted(value), models);
+      variants.add(new Variant(value, isStandard, scenarios, changed, camsim, specs(ALL, "")));
+    }
+    return variants;
+  }
+
+  private List<Variant> formulas(String... names) {
+    List<Variant> variants = new ArrayList<>();
+    for (String name : names) {
+      boolean standard = name.equals(camsim.name());
+      Detection changed = standard ? camsim : ReproductionPlans.detection(name, models);
+      variants.add(new Variant(name, standard, scenarios, hifi, changed, specs(ALL, "")));
     }
     return variants;
   }

@@ -29,22 +29,35 @@ public enum Table {
   STEPS("steps.csv.gz", "scenario,detection,policy,step,k_min"),
   VERDICTS(
       "verdicts.csv",
-      "kind,id,source,claim,published,value,low,high,checks,checks_held,verdict,why"),
+      "kind,id,source,claim,published,value,low,high,checks,checks_held,verdict,why",
+      "role"),
   TABLE_8_1(
       "table-8.1.csv",
       "layout,policy,detection,published,proportion,low,high,difference,verdict,"
-          + "over_hifi_optimum,over_hifi_optimum_at_0.45,explore_any,cluster_script_at_origin"),
+          + "over_hifi_optimum,over_hifi_optimum_at_0.45,explore_any,cluster_script_at_origin",
+      "eq_6.2,role"),
+  ADAPTING("adapting.csv", "scenario,detection,optimum,fixed,value_of_adapting,same_every_step"),
   SENSITIVITY(
       "sensitivity.csv",
       "parameter,value,default,layout,policy,proportion_hifi,proportion_camsim,"
-          + "difference,low,high,finding");
+          + "difference,low,high,finding"),
+  FIT("fit.csv", "parameter,value,default,error_hifi,error_camsim");
 
   private final String file;
   private final String columns;
+  private final String later;
 
   Table(String file, String columns) {
+    this(file, columns, "");
+  }
+
+  /**
+   * @param later columns that files of earlier versions do not have
+   */
+  Table(String file, String columns, String later) {
     this.file = file;
     this.columns = columns;
+    this.later = later;
   }
 
   /** The file's name. */
@@ -54,7 +67,8 @@ public enum Table {
 
   /** Starts the table in a folder. */
   public CsvTable create(OutputFolder folder) throws IOException {
-    return new CsvTable(folder.open(file), columns.split(","));
+    String all = later.isEmpty() ? columns : columns + "," + later;
+    return new CsvTable(folder.open(file), all.split(","));
   }
 
   /** Whether a folder has it. */

@@ -8,7 +8,7 @@ import org.hificamsim.core.detection.ZoomLevel;
  * metres, at least 0; a target closer than a nanometre is certain.
  */
 public final class CamSimRangeDetection implements DetectionModel {
-  /** Reproduces the CamSim column of Table 8.1 best. */
+  /** Near the CamSim column of Table 8.1, as 0.40 and 0.45 are; none of them reproduces it. */
   static final double THRESHOLD = 0.35;
 
   private static final double B = 15;

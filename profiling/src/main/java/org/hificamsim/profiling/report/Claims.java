@@ -1,0 +1,149 @@
+package org.hificamsim.profiling.report;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.fit.FitResult;
+
+/** The statements of chapters 4 to 6, judged on a data set; shares are R2. */
+final class Claims {
+  static final String FILE = "verdicts.csv";
+
+  private static final Map<String, String> SECTIONS =
+      Map.of("lin", "4.5.1", "sr", "4.5.2", "svr-lin", "4.5.3", "svr-rbf", "4.5.3");
+  private static final List<String> METHODS = List.of("svr-rbf", "lin", "sr");
+
+  private final FitResult result;
+
+  Claims(FitResult result) {
+    this.result = result;
+  }
+
+  /** All that concern the detectors that were measured, in the order of the text. */
+  List<Claim> all() {
+    List<Claim> all = new ArrayList<>();
+    List.of("lin", "sr", "svr-lin", "svr-rbf").forEach(f -> all.add(feature(f)));
+    all.add(
+        order(
+            "4.6",
+            "Of the three methods, which predicts PIP best",
+            METHODS,
+            f -> result.feature(f).validation().mean()));
+    List<String> detectors = published();
+    detectors.forEach(detector -> all.add(groundTruth(detector)));
+    if (detectors.size() > 1) {
+      all.add(detectorsInOrder(detectors));
+    }
+    detectors.forEach(detector -> all.add(combination(detector)));
+    detectors.forEach(detector -> all.add(methodsInOrder(detector)));
+    detectors.forEach(detector -> all.add(camSim(detector)));
+    detectors.forEach(detector -> all.add(aboveCamSim(detector)));
+    return all;
+  }
+
+  /** Writes them as a table. */
+  void write(Path folder) throws IOException {
+    StringBuilder table = new StringBuilder("source,claim,published,value,verdict\n");
+    for (Claim claim : all()) {
+      table.append(
+          "\"%s\",\"%s\",%s,%s,%s\n"
+              .formatted(
+                  claim.source(), claim.text(), claim.published(), claim.ours(), claim.verdict()));
+    }
+    new OutputFile(folder.resolve(FILE))
+        .write(out -> out.write(table.toString().getBytes(StandardCharsets.UTF_8)));
+  }
+
+  private Claim feature(String f) {
+    double best = Arrays.stream(result.feature(f).validation().folds()).max().orElseThrow();
+    return Claim.share(
+        SECTIONS.get(f),
+        "What " + f + " captures of -log10(PIP), in its best fold",
+        number(PublishedTables.feature(f), "r2_best"),
+        best);
+  }
+
+  private Claim groundTruth(String detector) {
+    return Claim.share(
+        "5.4 to 5.6",
+        "What measured PIP captures of the confidence of " + detector,
+        number(PublishedTables.groundTruthLine(detector), "r2"),
+        result.line(detector, FitResult.GROUND_TRUTH).r2());
+  }
+
+  private Claim detectorsInOrder(List<String> detectors) {
+    return Claim.order(
+        "5.7",
+        "Which detector's confidence PIP captures best",
+        inOrder(detectors, d -> number(PublishedTables.groundTruthLine(d), "r2")),
+        inOrder(detectors, d -> result.line(d, FitResult.GROUND_TRUTH).r2()));
+  }
+
+  private Claim combination(String detector) {
+    return Claim.share(
+        "6.1, Table 6.1",
+        "What g(f_lin) captures of the confidence of " + detector,
+        number(PublishedTables.line(detector, "lin"), "r2"),
+        result.line(detector, "lin").r2());
+  }
+
+  private Claim methodsInOrder(String detector) {
+    return Claim.order(
+        "6.1, Table 6.1",
+        "Which f captures the confidence of " + detector + " best",
+        inOrder(METHODS, f -> number(PublishedTables.line(detector, f), "r2")),
+        inOrder(METHODS, f -> result.line(detector, f).r2()));
+  }
+
+  private Claim camSim(String detector) {
+    return Claim.share(
+        "6.2, Table 6.2",
+        "What Eq 6.2 captures of the confidence of " + detector,
+        number(PublishedTables.camSimLine(detector), "r2"),
+        result.line(detector, FitResult.CAMSIM).r2());
+  }
+
+  private Claim aboveCamSim(String detector) {
+    return Claim.order(
+        "6.2",
+        "Whether g(f_lin) captures more of " + detector + " than Eq 6.2",
+        "g(f_lin) > Eq 6.2",
+        result.line(detector, "lin").r2() > result.line(detector, FitResult.CAMSIM).r2()
+            ? "g(f_lin) > Eq 6.2"
+            : "Eq 6.2 > g(f_lin)");
+  }
+
+  private Claim order(
+      String source, String text, List<String> names, ToDoubleFunction<String> ours) {
+    return Claim.order(
+        source,
+        text,
+        inOrder(names, f -> number(PublishedTables.feature(f), "r2_cv_mean")),
+        inOrder(names, ours));
+  }
+
+  /** The names, highest first. */
+  private static String inOrder(List<String> names, ToDoubleFunction<String> value) {
+    return names.stream()
+        .sorted(Comparator.comparingDouble(value).reversed())
+        .collect(Collectors.joining(" > "));
+  }
+
+  private List<String> published() {
+    return result.detectors().stream()
+        .filter(detector -> !PublishedTables.groundTruthLine(detector).isEmpty())
+        .toList();
+  }
+
+  private static double number(Map<String, String> row, String column) {
+    return Double.parseDouble(row.get(column));
+  }
+}

@@ -1,0 +1,64 @@
+package org.hificamsim.reproduction;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.ScoredRun;
+
+/**
+ * What it is worth to change the zoom in a scenario at all: the exact optimum of every step beside
+ * one level that all cameras keep.
+ *
+ * @param optimum performance of the optimum, summed over the seeds
+ * @param fixed the same of {@code fixed:2}
+ * @param sameEveryStep whether both have the same k_min in every step, in the mean over the seeds
+ */
+public record Adapting(
+    String scenario, String detection, long optimum, long fixed, boolean sameEveryStep) {
+  /** The six scenarios under both models. */
+  static List<Adapting> of(Cases cases) {
+    List<Adapting> all = new ArrayList<>();
+    for (String detection : List.of(ReproductionPlans.HIFI, ReproductionPlans.CAMSIM)) {
+      for (String scenario : Layout.SCENARIOS) {
+        all.add(of(cases, scenario, detection));
+      }
+    }
+    return all;
+  }
+
+  /** The optimum over the fixed level; NaN where that covers nothing. */
+  public double value() {
+    return fixed == 0 ? Double.NaN : (double) optimum / fixed;
+  }
+
+  /** All of them in a sentence. */
+  public static String finding(List<Adapting> all) {
+    double most = all.stream().mapToDouble(Adapting::value).max().orElse(Double.NaN);
+    return String.format(
+        Locale.ROOT,
+        "The optimum is static: %s has the k_min of optimal at every step in %d of %d cases"
+            + " (scenario, model); at best, adapting the zoom is worth %.2f of a fixed one.",
+        ReproductionPlans.FIXED,
+        all.stream().filter(Adapting::sameEveryStep).count(),
+        all.size(),
+        most);
+  }
+
+  private static Adapting of(Cases cases, String scenario, String detection) {
+    CaseResult optimal = cases.find(scenario, detection, ReproductionPlans.OPTIMAL);
+    CaseResult fixed = cases.find(scenario, detection, ReproductionPlans.FIXED);
+    return new Adapting(
+        scenario,
+        detection,
+        performance(optimal),
+        performance(fixed),
+        Arrays.equals(optimal.meanKMin(), fixed.meanKMin()));
+  }
+
+  private static long performance(CaseResult one) {
+    return one.runs().stream().map(ScoredRun::result).mapToLong(run -> run.performance()).sum();
+  }
+}

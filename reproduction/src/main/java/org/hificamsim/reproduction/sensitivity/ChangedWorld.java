@@ -1,0 +1,52 @@
+package org.hificamsim.reproduction.sensitivity;
+
+import java.util.OptionalDouble;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.hifi.optics.Optics;
+
+/** A scenario with other targets or other optics, under a name that tells what is changed. */
+final class ChangedWorld {
+  private ChangedWorld() {}
+
+  /** All targets of another size q, metres. */
+  static Scenario withSize(Scenario scenario, double size) {
+    Scenario changed = scenario.withTargets(target -> withSize(target, size));
+    return changed.with(scenario.name() + "-q" + size, changed.targets(), changed.events());
+  }
+
+  /**
+   * All cameras at the height at which the narrowest level has a focal length (Eqs 3.1, 3.2).
+   *
+   * @param focalLength metres, above 0
+   */
+  static Scenario withFocalLength(Scenario scenario, Optics optics, double focalLength) {
+    double height = 2 * focalLength * scenario.zooms().get(0) / optics.sensorWidth();
+    return new Scenario(
+        scenario.name() + "-z" + focalLength,
+        scenario.field(),
+        scenario.order(),
+        scenario.headings(),
+        scenario.threshold(),
+        OptionalDouble.of(height),
+        scenario.zooms(),
+        scenario.cameras(),
+        scenario.targets(),
+        scenario.events(),
+        scenario.visionGraph(),
+        scenario.extras());
+  }
+
+  private static TargetSpec withSize(TargetSpec target, double size) {
+    return new TargetSpec(
+        target.origin(),
+        target.features(),
+        target.x(),
+        target.y(),
+        target.heading(),
+        target.speed(),
+        size,
+        target.movement(),
+        target.extras());
+  }
+}

@@ -1,0 +1,47 @@
+package org.hificamsim.reproduction.sensitivity;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.hifi.model.PublishedModels;
+import org.hificamsim.hifi.optics.Optics;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ChangedWorldTest {
+  private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
+  private static final Optics OPTICS = PublishedModels.published().optics();
+
+  private static Scenario read(String name) {
+    return ScenarioReader.read(
+        ROOT.resolve("scenarios").resolve(name + ".xml"), movement -> true, warning -> {});
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"lattice-random", "lattice-scripted"})
+  void allTargetsGetTheSizeThoseOfEventsIncluded(String name) {
+    Scenario changed = ChangedWorld.withSize(read(name), 0.45);
+    List<TargetSpec> targets = new java.util.ArrayList<>(changed.targets());
+    changed.events().stream()
+        .filter(ScenarioEvent.AddTarget.class::isInstance)
+        .forEach(event -> targets.add(((ScenarioEvent.AddTarget) event).target()));
+    assertEquals(3, targets.size());
+    targets.forEach(target -> assertEquals(0.45, target.size()));
+    assertEquals(name + "-q0.45", changed.name());
+  }
+
+  @Test
+  void theHeightGivesTheNarrowestLevelItsFocalLength() {
+    Scenario changed = ChangedWorld.withFocalLength(read("ring-random"), OPTICS, 0.05);
+    double height = changed.mountHeight().orElseThrow();
+    assertEquals(0.05, OPTICS.focalLength(2.5, height), 1e-15);
+    assertEquals(0.05 / 3, OPTICS.focalLength(7.5, height), 1e-15);
+    assertEquals("ring-random-z0.05", changed.name());
+  }
+}
