@@ -1,12 +1,15 @@
 package org.hificamsim.presentation.view;
 
+import com.fasterxml.jackson.annotation.JsonSetter;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import com.fasterxml.jackson.annotation.Nulls;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.StreamReadFeature;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.exc.InvalidNullException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import org.hificamsim.core.InputException;
 
@@ -127,6 +130,8 @@ public sealed interface Command {
         throw new InputException("null, expected a command");
       }
       return command;
+    } catch (InvalidNullException e) {
+      throw new InputException(e.getPropertyName() + " is null, expected a value", e);
     } catch (JsonProcessingException e) {
       throw new InputException("no command: " + e.getOriginalMessage(), e);
     } catch (java.io.IOException e) {
@@ -134,7 +139,7 @@ public sealed interface Command {
     }
   }
 
-  /** How commands are read: nothing is left out, added or converted. */
+  /** How commands are read: nothing is left out, added or converted; a threshold may be null. */
   final class Json {
     private static final ObjectMapper STRICT =
         JsonMapper.builder()
@@ -144,6 +149,10 @@ public sealed interface Command {
             .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+            .defaultSetterInfo(JsonSetter.Value.forValueNulls(Nulls.FAIL))
+            .withConfigOverride(
+                Double.class,
+                type -> type.setSetterInfo(JsonSetter.Value.forValueNulls(Nulls.SET)))
             .build();
 
     private Json() {}

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -61,7 +60,7 @@ public final class Session implements AutoCloseable {
   private final int kept;
   private final StepBuffer history;
   private final Thread thread = new Thread(this::work, "simulation");
-  private volatile boolean closed;
+  private final CompletableFuture<Object> end = new CompletableFuture<>();
   private boolean running;
   private int perSecond = 10;
   private long due;
@@ -81,13 +80,28 @@ public final class Session implements AutoCloseable {
    * Has a command done.
    *
    * @return completes when it has been done; exceptionally with an {@link InputException} when a
-   *     value is wrong
+   *     value is wrong, with {@link SessionEnded} when nothing is done any more
    */
-  public CompletableFuture<Void> submit(Command command) {
-    if (closed) {
-      throw new RejectedExecutionException("the session has ended");
+  public CompletableFuture<Object> submit(Command command) {
+    CompletableFuture<Object> done = new CompletableFuture<>();
+    queue.add(() -> obey(command, done));
+    return CompletableFuture.anyOf(done, end);
+  }
+
+  /** An error leaves nobody knows what behind: it ends the session. */
+  @SuppressWarnings("CatchingUnchecked") // a user's own model may fail in any way
+  private void obey(Command command, CompletableFuture<Object> done) {
+    try {
+      command.obey(this);
+      done.complete(null);
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      done.completeExceptionally(e);
     }
-    return CompletableFuture.runAsync(() -> command.obey(this), queue::add);
+  }
+
+  /** Completes with {@link SessionEnded}, whose cause is the error that has broken it, if any. */
+  CompletableFuture<Object> end() {
+    return end;
   }
 
   /** Tells somebody all that there is, and from then on whatever happens. */
@@ -113,17 +127,23 @@ public final class Session implements AutoCloseable {
 
   private void work() {
     try {
-      while (!closed) {
-        long wait = running ? due - System.nanoTime() : Long.MAX_VALUE;
-        Runnable task = queue.poll(Math.max(0, wait), TimeUnit.NANOSECONDS);
-        if (task != null) {
-          task.run();
-        } else if (running) {
-          stepByTheClock();
-        }
+      while (!end.isDone()) {
+        next();
       }
     } catch (InterruptedException e) {
-      closed = true;
+      close();
+    } catch (Error e) {
+      end.completeExceptionally(new SessionEnded(e));
+    }
+  }
+
+  private void next() throws InterruptedException {
+    long wait = running ? due - System.nanoTime() : Long.MAX_VALUE;
+    Runnable task = queue.poll(Math.max(0, wait), TimeUnit.NANOSECONDS);
+    if (task != null) {
+      task.run();
+    } else if (running) {
+      stepByTheClock();
     }
   }
 
@@ -239,7 +259,7 @@ public final class Session implements AutoCloseable {
   /** Ends the thread; no command is done any more. */
   @Override
   public void close() {
-    closed = true;
+    end.completeExceptionally(new SessionEnded());
     thread.interrupt();
   }
 }

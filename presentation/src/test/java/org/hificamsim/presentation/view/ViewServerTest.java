@@ -180,6 +180,12 @@ class ViewServerTest {
         "{\"command\":\"speed\",\"perSecond\":0} | perSecond is 0, expected a whole number from 1",
         "{\"command\":\"speed\",\"perSecond\":1,\"perSecond\":2} | Duplicate",
         "{\"command\":\"step\",\"steps\":1001} | steps is 1001",
+        "{\"command\":null} | command",
+        "{\"command\":\"choose\",\"side\":0,\"detection\":null,\"threshold\":null,\"policy\":\"sarsa\"}"
+            + " | detection is null",
+        "{\"command\":\"choose\",\"side\":0,\"detection\":\"geometric\",\"threshold\":null,\"policy\":null}"
+            + " | policy is null",
+        "{\"command\":\"restart\",\"seed\":null,\"keepCameras\":true} | seed",
         "{\"command\":\"drag\",\"camera\":0,\"x\":NaN,\"y\":0} | NaN",
         "{\"command\":\"drag\",\"camera\":99,\"x\":0,\"y\":0} | camera is 99",
         "{\"command\":\"drag\",\"camera\":0,\"x\":1e300,\"y\":0} | expected a place in the field",
