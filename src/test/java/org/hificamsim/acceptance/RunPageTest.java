@@ -178,6 +178,32 @@ class RunPageTest {
   }
 
   @Test
+  void isReadableAndNothingSticksOut() {
+    open(run);
+    Accessibility.check(browser);
+    Accessibility.assertNothingSticksOut(browser, 400);
+    Accessibility.assertNothingSticksOut(browser, 3840);
+  }
+
+  @Test
+  void oneRunIsReadableToo() {
+    Path single = record("single", Cli.scenario("ring-random"), "--steps", 20);
+    open(single);
+    Accessibility.check(browser);
+    Accessibility.assertNothingSticksOut(browser, 400);
+  }
+
+  @Test
+  void saysThatNothingIsToBeSeenInKMinWhereAllAreZero() {
+    Path blind = record("blind", Cli.scenario("ring-random"), "--steps", 20, "--policy", "fixed:0");
+    open(blind);
+    assertEquals("0", browser.run("return String(Math.max(...hificamsim.run.kMin))"));
+    assertTrue(browser.text(".notice").startsWith("k_min is 0 at every step"));
+    open(run);
+    assertEquals(0, browser.findAll(".notice").size());
+  }
+
+  @Test
   void isPlayedWithKeysOnTheSliderToo() {
     open(run);
     browser.run("document.querySelector('input[type=range]').focus()");

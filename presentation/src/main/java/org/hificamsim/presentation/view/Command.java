@@ -22,6 +22,8 @@ import org.hificamsim.core.InputException;
   @JsonSubTypes.Type(value = Command.Speed.class, name = "speed"),
   @JsonSubTypes.Type(value = Command.Restart.class, name = "restart"),
   @JsonSubTypes.Type(value = Command.Drag.class, name = "drag"),
+  @JsonSubTypes.Type(value = Command.Turn.class, name = "turn"),
+  @JsonSubTypes.Type(value = Command.Add.class, name = "add"),
   @JsonSubTypes.Type(value = Command.Choose.class, name = "choose"),
   @JsonSubTypes.Type(value = Command.Compare.class, name = "compare")
 })
@@ -76,7 +78,7 @@ public sealed interface Command {
   /**
    * Everything from the start.
    *
-   * @param keepCameras whether cameras stay where they have been dragged
+   * @param keepCameras whether cameras stay where they were put, and those that were added
    */
   record Restart(long seed, boolean keepCameras) implements Command {
     @Override
@@ -95,6 +97,32 @@ public sealed interface Command {
     @Override
     public void obey(Session session) {
       session.drag(camera, x, y);
+    }
+  }
+
+  /**
+   * A camera looks another way, in all simulations.
+   *
+   * @param heading degrees, 0 is +y and 90 is +x
+   */
+  record Turn(int camera, double heading) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.turn(camera, heading);
+    }
+  }
+
+  /**
+   * A camera more, in all simulations: the targets go on, learning begins anew.
+   *
+   * @param like the camera that has its kind and heading
+   * @param x metres, within the field
+   * @param y metres, within the field
+   */
+  record Add(int like, double x, double y) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.add(like, x, y);
     }
   }
 
@@ -151,8 +179,7 @@ public sealed interface Command {
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
             .defaultSetterInfo(JsonSetter.Value.forValueNulls(Nulls.FAIL))
             .withConfigOverride(
-                Double.class,
-                type -> type.setSetterInfo(JsonSetter.Value.forValueNulls(Nulls.SET)))
+                Double.class, type -> type.setSetterInfo(JsonSetter.Value.forValueNulls(Nulls.SET)))
             .build();
 
     private Json() {}

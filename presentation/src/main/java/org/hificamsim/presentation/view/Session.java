@@ -5,8 +5,10 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.RunFault;
@@ -83,17 +85,28 @@ public final class Session implements AutoCloseable {
    *     value is wrong, with {@link SessionEnded} when nothing is done any more
    */
   public CompletableFuture<Object> submit(Command command) {
+    return inTurn(
+        () -> {
+          command.obey(this);
+          return null;
+        });
+  }
+
+  /** The scenario with its cameras as commands have put them, as XML. */
+  CompletableFuture<Object> scenario() {
+    return inTurn(() -> ScenarioWriter.write(run.scenario()));
+  }
+
+  private CompletableFuture<Object> inTurn(Supplier<Object> task) {
     CompletableFuture<Object> done = new CompletableFuture<>();
-    queue.add(() -> obey(command, done));
+    queue.add(() -> attempt(task, done));
     return CompletableFuture.anyOf(done, end);
   }
 
-  /** An error leaves nobody knows what behind: it ends the session. */
-  @SuppressWarnings("CatchingUnchecked") // a user's own model may fail in any way
-  private void obey(Command command, CompletableFuture<Object> done) {
+  /** Any other error leaves nobody knows what behind: it ends the session. */
+  private static void attempt(Supplier<Object> task, CompletableFuture<Object> done) {
     try {
-      command.obey(this);
-      done.complete(null);
+      done.complete(task.get());
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
       done.completeExceptionally(e);
     }
@@ -198,7 +211,7 @@ public final class Session implements AutoCloseable {
 
   void restart(long seed, boolean keepCameras) {
     if (!keepCameras) {
-      run.forgetDragged();
+      run.forgetEdits();
     }
     run.restart(seed);
     beginAnew();
@@ -211,6 +224,15 @@ public final class Session implements AutoCloseable {
 
   void drag(int camera, double x, double y) {
     run.drag(camera, x, y);
+  }
+
+  void turn(int camera, double heading) {
+    run.turn(camera, heading);
+  }
+
+  void add(int like, double x, double y) {
+    run.add(like, x, y);
+    beginAnew();
   }
 
   void choose(int side, Choice choice) {

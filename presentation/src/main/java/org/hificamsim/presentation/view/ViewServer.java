@@ -12,6 +12,7 @@ import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Future;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
@@ -34,6 +35,9 @@ public final class ViewServer implements AutoCloseable {
   private static final long IDLE_THREAD = 10;
   private static final int WAITING_CONNECTIONS = 32;
   private static final long MAX_COMMAND = 60;
+
+  /** Milliseconds that answers have to get through when the server closes. */
+  private static final long LAST_ANSWERS = 500;
 
   /** At most so many events a second, each with the steps since the one before. */
   private static final long BETWEEN_EVENTS = 25;
@@ -139,6 +143,7 @@ public final class ViewServer implements AutoCloseable {
     switch (request) {
       case "GET /" -> Reply.send(exchange, 200, "text/html", page);
       case "GET /events" -> events(exchange);
+      case "GET /scenario.xml" -> scenario(exchange);
       case "POST /command" -> command(exchange);
       default -> Reply.line(exchange, 404, "nothing here");
     }
@@ -158,20 +163,37 @@ public final class ViewServer implements AutoCloseable {
 
   private void obey(HttpExchange exchange, byte[] body) throws IOException, InterruptedException {
     try {
-      session.submit(Command.read(body)).get(MAX_COMMAND, TimeUnit.SECONDS);
+      await(session.submit(Command.read(body)));
       exchange.sendResponseHeaders(204, -1);
     } catch (InputException e) {
       Reply.line(exchange, 400, Place.printable(e.getMessage()));
     } catch (ExecutionException e) {
       tell(exchange, e.getCause());
+    }
+  }
+
+  private void scenario(HttpExchange exchange) throws IOException, InterruptedException {
+    try {
+      String xml = (String) await(session.scenario());
+      exchange.getResponseHeaders().set("Content-Disposition", "attachment");
+      Reply.send(exchange, 200, "application/xml", xml.getBytes(StandardCharsets.UTF_8));
+    } catch (ExecutionException e) {
+      tell(exchange, e.getCause());
+    }
+  }
+
+  private static Object await(Future<Object> answer)
+      throws InterruptedException, ExecutionException {
+    try {
+      return answer.get(MAX_COMMAND, TimeUnit.SECONDS);
     } catch (TimeoutException e) {
-      Reply.line(exchange, 400, "the step before takes longer than a minute");
+      throw new ExecutionException(
+          new InputException("the step before takes longer than a minute", e));
     }
   }
 
   private static void tell(HttpExchange exchange, Throwable fault) throws IOException {
-    int status =
-        fault instanceof InputException ? 400 : fault instanceof SessionEnded ? 503 : 500;
+    int status = fault instanceof InputException ? 400 : fault instanceof SessionEnded ? 503 : 500;
     String text = status == 500 ? RunFault.describe(fault) : fault.getMessage();
     Reply.line(exchange, status, Place.printable(text));
   }
@@ -203,10 +225,16 @@ public final class ViewServer implements AutoCloseable {
     return thread;
   }
 
-  /** Ends the streams and closes the port. */
+  /** Ends the streams, lets answers that are under way get through, and closes the port. */
   @Override
   public void close() {
     pages.close();
+    threads.shutdown();
+    try {
+      threads.awaitTermination(LAST_ANSWERS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
     server.stop(0);
     threads.shutdownNow();
     closed.complete(null);

@@ -189,6 +189,10 @@ class ViewServerTest {
         "{\"command\":\"drag\",\"camera\":0,\"x\":NaN,\"y\":0} | NaN",
         "{\"command\":\"drag\",\"camera\":99,\"x\":0,\"y\":0} | camera is 99",
         "{\"command\":\"drag\",\"camera\":0,\"x\":1e300,\"y\":0} | expected a place in the field",
+        "{\"command\":\"turn\",\"camera\":0,\"heading\":1e999} | heading is Infinity, expected"
+            + " degrees",
+        "{\"command\":\"add\",\"like\":99,\"x\":0,\"y\":0} | camera is 99",
+        "{\"command\":\"add\",\"like\":0,\"x\":0,\"y\":1e9} | expected a place in the field",
         "{\"command\":\"compare\",\"on\":1} | on",
         "{\"command\":\"choose\",\"side\":3,\"detection\":\"geometric\",\"threshold\":null,\"policy\":\"zoom-out\"}"
             + " | side is 3",
@@ -254,6 +258,20 @@ class ViewServerTest {
       send(post("{\"command\":\"step\",\"steps\":1}"));
       assertEquals(31, page.stepsUntil(31));
     }
+  }
+
+  @Test
+  void theScenarioIsHandedOutWithItsCamerasAsTheyWerePut() throws Exception {
+    send(post("{\"command\":\"drag\",\"camera\":0,\"x\":0.5,\"y\":-0.25}"));
+    assertEquals(
+        204, send(post("{\"command\":\"turn\",\"camera\":0,\"heading\":12}")).statusCode());
+    assertEquals(204, send(post("{\"command\":\"add\",\"like\":0,\"x\":1,\"y\":2}")).statusCode());
+    HttpResponse<String> scenario = get(address.resolve("scenario.xml"));
+    assertEquals(200, scenario.statusCode());
+    assertEquals("attachment", scenario.headers().firstValue("Content-Disposition").orElseThrow());
+    String body = scenario.body();
+    assertTrue(body.contains("name=\"Cam_01\" x=\"0.5\" y=\"-0.25\" heading=\"12.0\""), body);
+    assertTrue(body.contains("name=\"added-1\" x=\"1.0\" y=\"2.0\" heading=\"12.0\""), body);
   }
 
   @Test
