@@ -121,9 +121,9 @@ class ComparisonPageTest {
     Cli cli =
         Cli.run(
             "compare",
-            Cli.scenario("ring-random"),
+            Cli.scenario("cluster-random"),
             "--policies",
-            "fixed:0,zoom-out",
+            "zoom-out",
             "--steps",
             20,
             "--repeat",

@@ -77,9 +77,17 @@ export class AgentPanel {
 
   remark() {
     const {policy, targetSize, onAxis} = this.run.setup;
-    const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.`;
+    const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.${this.lens()}`;
     if (!this.run.estimated) return `${policy} keeps no estimates of its levels. ${range}`;
     return (MEANING[this.run.estimated] || '') + range;
+  }
+
+  /** The focal length by level and the mount height, as the settings have them. */
+  lens() {
+    const {focal_lengths: lengths = [], mount_height: height} = this.run.lens ?? {};
+    const levels = this.run.setup.cameras[this.camera].pose.levels.length;
+    const focal = lengths.length === levels ? ` Focal length by level, from 0: ${lengths.map(length => decimals(1000 * length, 1)).join(', ')} mm.` : '';
+    return focal + (height ? ` Mounted ${decimals(height, 3)} m over the targets.` : '');
   }
 }
 

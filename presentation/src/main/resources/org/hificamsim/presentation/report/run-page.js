@@ -15,6 +15,7 @@ export async function runPage(root, data) {
 
   async function open(index) {
     const run = await unpack(setup, runs[index]);
+    run.lens = data.summary.settings;
     const playhead = new Playhead(run.count, run.every);
     controls = new Controls(playhead, run);
     const player = new Player(run, playhead, {middle: controls.element});
@@ -55,7 +56,7 @@ function details({summary, command, version}) {
   const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) => row(name,
     el('td', {data: {name: `summary-${name}`}}, decimals(mean, 4)),
     repeated ? el('td', {}, low === high ? '' : `${decimals(low, 4)} to ${decimals(high, 4)}`) : null));
-  const settings = Object.entries(summary.settings).map(([name, value]) => row(name, el('td', {}, Array.isArray(value) ? value.join(' ') : String(value))));
+  const settings = Object.entries(summary.settings).map(([name, value]) => row(name, el('td', {}, Array.isArray(value) ? value.join(' ') : String(value ?? '–'))));
   return el('section', {class: 'details'},
     table('Whole run', ['figure', ...(repeated ? ['mean of the repeats', '95 % interval'] : ['value'])], rows),
     table('Settings', ['setting', 'value'], settings),
