@@ -97,6 +97,13 @@ return document.getElementById('page').dataset.ready !== undefined
         Map.of("width", width, "height", height, "deviceScaleFactor", 1, "mobile", false));
   }
 
+  /** Has files that the page hands out saved in this folder. */
+  void downloadTo(Path folder) {
+    driver.executeCdpCommand(
+        "Browser.setDownloadBehavior",
+        Map.of("behavior", "allow", "downloadPath", folder.toAbsolutePath().toString()));
+  }
+
   /** What a script returns. */
   Object run(String script, Object... arguments) {
     return driver.executeScript(script, arguments);

@@ -109,6 +109,38 @@ class ComparisonPageTest {
   }
 
   @Test
+  void isReadableAndNothingSticksOut() {
+    open();
+    Accessibility.check(browser);
+    Accessibility.assertNothingSticksOut(browser, 400);
+  }
+
+  @Test
+  void opensOnAMetricThatTellsTheCasesApartAndSaysWhy() {
+    Path blind = folder.resolve("blind");
+    Cli cli =
+        Cli.run(
+            "compare",
+            Cli.scenario("cluster-random"),
+            "--policies",
+            "zoom-out",
+            "--steps",
+            20,
+            "--repeat",
+            2,
+            "--out",
+            blind);
+    assertEquals(0, cli.exit(), cli.err());
+    browser.open(blind.resolve("report.html").toUri().toString());
+    assertEquals("covered_k", browser.find("select[aria-label=metric]").getDomProperty("value"));
+    assertTrue(browser.text("section.card .notice").startsWith("All k_min are 0"));
+    open();
+    assertEquals(
+        "proportion_of_optimal", browser.find("select[aria-label=metric]").getDomProperty("value"));
+    assertEquals(0, browser.findAll("section.card .notice").size());
+  }
+
+  @Test
   void drawsThePicturesAndTheCurvesAndAsksNobody() {
     open();
     browser.until("return [...document.images].every(i => i.complete && i.naturalWidth > 100)");

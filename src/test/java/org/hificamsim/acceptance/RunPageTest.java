@@ -4,12 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -175,6 +179,49 @@ class RunPageTest {
     for (WebElement control : browser.findAll("button, select, input, canvas[role=img]")) {
       assertTrue(!control.getAccessibleName().isBlank(), control.getDomProperty("outerHTML"));
     }
+  }
+
+  @Test
+  void isReadableAndNothingSticksOut() {
+    open(run);
+    Accessibility.check(browser);
+    Accessibility.assertNothingSticksOut(browser, 400);
+    Accessibility.assertNothingSticksOut(browser, 3840);
+  }
+
+  @Test
+  void saysThroughWhichLensACameraLooks() throws IOException {
+    Path seen = record("seen", Cli.scenario("ring-random"), "--steps", 5);
+    ObjectMapper json = new ObjectMapper();
+    ObjectNode summary = (ObjectNode) json.readTree(seen.resolve("summary.json").toFile());
+    summary.put("mount_height", 2.5);
+    ArrayNode lengths = summary.putArray("focal_lengths");
+    DoubleStream.of(0.012, 0.008, 0.006, 0.0048, 0.004).forEach(lengths::add);
+    json.writeValue(seen.resolve("summary.json").toFile(), summary);
+    Cli report = Cli.run("report", seen);
+    assertEquals(0, report.exit(), report.err());
+    open(seen);
+    String note = browser.text(".agent .note");
+    assertTrue(note.contains("Focal length by level, from 0: 12, 8, 6, 4.8, 4 mm."), note);
+    assertTrue(note.contains("Mounted 2.5 m over the targets."), note);
+  }
+
+  @Test
+  void oneRunIsReadableToo() {
+    Path single = record("single", Cli.scenario("ring-random"), "--steps", 20);
+    open(single);
+    Accessibility.check(browser);
+    Accessibility.assertNothingSticksOut(browser, 400);
+  }
+
+  @Test
+  void saysThatNothingIsToBeSeenInKMinWhereAllAreZero() {
+    Path blind = record("blind", Cli.scenario("ring-random"), "--steps", 20, "--policy", "fixed:0");
+    open(blind);
+    assertEquals("0", browser.run("return String(Math.max(...hificamsim.run.kMin))"));
+    assertTrue(browser.text(".notice").startsWith("k_min is 0 at every step"));
+    open(run);
+    assertEquals(0, browser.findAll(".notice").size());
   }
 
   @Test

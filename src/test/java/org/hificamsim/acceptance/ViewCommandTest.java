@@ -3,10 +3,22 @@ package org.hificamsim.acceptance;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.io.InputStream;
 import java.net.URI;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
 import java.util.stream.Stream;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -22,6 +34,58 @@ class ViewCommandTest {
       }
       assertEquals(0, view.exit(), view.err());
       assertEquals("", view.err());
+    }
+  }
+
+  @Test
+  void anErrorInTheSimulationEndsTheCommandInOneLine(@TempDir Path folder) throws Exception {
+    ClassLoader before = Thread.currentThread().getContextClassLoader();
+    try (URLClassLoader loader = withBreaking(folder)) {
+      Thread.currentThread().setContextClassLoader(loader);
+      try (ViewProcess view =
+          new ViewProcess(Cli.scenario("lattice-random"), "--policy", "breaking")) {
+        assertEquals(503, command(view, "{\"command\":\"step\",\"steps\":5}"));
+        assertEquals(1, view.exit());
+        assertEquals("error: AssertionError: broken in a test\n", view.err());
+      }
+    } finally {
+      Thread.currentThread().setContextClassLoader(before);
+    }
+  }
+
+  /** A class path with {@link Breaking} as a user's policy. */
+  private static URLClassLoader withBreaking(Path folder) throws IOException {
+    Path services = Files.createDirectories(folder.resolve("META-INF/services"));
+    Files.writeString(services.resolve(ZoomPolicy.class.getName()), Breaking.class.getName());
+    return new URLClassLoader(new URL[] {folder.toUri().toURL()}, Breaking.class.getClassLoader());
+  }
+
+  private static int command(ViewProcess view, String json) throws Exception {
+    URI address = URI.create(view.address());
+    HttpRequest request =
+        HttpRequest.newBuilder(address.resolve("command"))
+            .header("Content-Type", "application/json")
+            .header("Origin", "http://127.0.0.1:" + address.getPort())
+            .POST(HttpRequest.BodyPublishers.ofString(json))
+            .timeout(Duration.ofSeconds(20))
+            .build();
+    return HttpClient.newHttpClient()
+        .send(request, HttpResponse.BodyHandlers.discarding())
+        .statusCode();
+  }
+
+  /** A user's policy that breaks after the first step. */
+  public static final class Breaking implements ZoomPolicy {
+    @Override
+    public String name() {
+      return "breaking";
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] levels) {
+      if (network.step() > 0) {
+        throw new AssertionError("broken in a test");
+      }
     }
   }
 

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import org.hificamsim.presentation.view.Browsers;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
@@ -138,7 +139,7 @@ class ViewPageTest {
         .moveByOffset(-20, 20)
         .release()
         .perform();
-    browser.until("return !hificamsim.dragging && !hificamsim.dragged");
+    browser.until("return !hificamsim.editing");
     browser.press(Keys.ARROW_RIGHT);
     browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
     assertEquals(x - 60.0, number(place, "map.x(pose.x))"), 1);
@@ -206,7 +207,15 @@ class ViewPageTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"1280,1000,1", "1280,1000,2", "3840,2000,1", "3840,2000,2"})
+  @CsvSource({
+    "400,800,1",
+    "400,800,2",
+    "1280,720,1",
+    "1280,1000,1",
+    "1280,1000,2",
+    "3840,2000,1",
+    "3840,2000,2"
+  })
   void fitsTheWindow(int width, int height, int models) throws IOException {
     browser.size(width, height);
     choose("policy", "sarsa");
@@ -215,14 +224,105 @@ class ViewPageTest {
       browser.until("return hificamsim.runs.length === 2 && hificamsim.runs[1].count > 3");
       new Select(browser.findAll("[name=detection]").get(1)).selectByValue("camsim-range");
     }
-    new Select(browser.find(".controls select")).selectByValue("200");
-    browser.until("return hificamsim.runs[0].count > 400");
-    pause();
+    beginAgain(); // the same steps each time: the picture is one of the documentation's
+    step(600);
+    browser.until("return !hificamsim.waiting");
     Path pictures = Files.createDirectories(Path.of("build", "screenshots"));
     browser.screenshot(pictures.resolve("view-%s-%s.png".formatted(width, models)));
     assertEquals(
         true, browser.run("return document.documentElement.scrollWidth <= innerWidth"), "overflow");
+    Accessibility.check(browser);
+    Accessibility.assertNothingSticksOut(browser, width);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1280,720,1", "1280,720,2", "3840,2000,1", "3840,2000,2"})
+  void theCurvesAreInSight(int width, int height, int models) {
+    if (models == 2) {
+      browser.find("#compare").click();
+      browser.until("return hificamsim.runs.length === 2 && hificamsim.runs[1].count > 3");
+    }
+    browser.size(width, height);
+    browser.until(
+        "return hificamsim.players.every(({timeline: {kMin}}) =>"
+            + " kMin.element.getBoundingClientRect().bottom <= innerHeight)");
     browser.size(1280, 1000);
+  }
+
+  @Test
+  void theChosenCameraIsMovedAndTurnedWithKeysAlone() {
+    pause();
+    browser.findAll(".rows button").get(2).click();
+    double x = number("return ", "hificamsim.pose(2).x");
+    double y = number("return ", "hificamsim.pose(2).y");
+    browser.press("w", "a", "a", "W");
+    browser.press("e", "E", "q");
+    browser.until("return !hificamsim.editing");
+    browser.press(Keys.ARROW_RIGHT);
+    browser.until("return !hificamsim.runs[0].poses[2].at(-1).preview");
+    assertEquals(x - 0.6, number("return ", "hificamsim.pose(2).x"), 1e-9);
+    assertEquals(y + 3.3, number("return ", "hificamsim.pose(2).y"), 1e-9);
+    assertEquals(30, number("return ", "hificamsim.pose(2).heading * 180 / Math.PI"), 1e-9);
+    assertTrue(
+        browser.find("[role=status]").getDomProperty("textContent").endsWith("heading 30 degrees"));
+    browser.press(Keys.ARROW_LEFT); // still steps
+    assertEquals(number("hificamsim.runs[0].count - 2"), number("hificamsim.playhead.frame"));
+  }
+
+  @Test
+  void theChosenCameraStandsWhereItsFieldsSay() {
+    pause();
+    browser.findAll(".rows button").get(4).click();
+    type("x", "3.25");
+    type("y", "-1");
+    type("heading", "45");
+    browser.until("return !hificamsim.editing");
+    browser.press(Keys.TAB); // away from the field, which keeps the arrows to itself
+    step(1);
+    assertEquals(3.25, number("return ", "hificamsim.runs[0].poses[4].at(-1).pose.x"));
+    assertEquals(-1, number("return ", "hificamsim.runs[0].poses[4].at(-1).pose.y"));
+    assertEquals(45, number("return ", "hificamsim.pose(4).heading * 180 / Math.PI"), 1e-9);
+    type("x", "99");
+    browser.until("return !hificamsim.editing");
+    step(1);
+    assertEquals(15, number("return ", "hificamsim.pose(4).x"), "as near as the field reaches");
+  }
+
+  @Test
+  void aCameraIsAddedAndTheScenarioIsSavedAndRuns() throws IOException {
+    pause();
+    browser.findAll(".rows button").get(4).click();
+    browser.find(".pose .add").click();
+    browser.until("return hificamsim.runs[0].setup.cameras.length === 15");
+    assertEquals("added-1", browser.text(".agent h2"));
+    type("x", "1.5");
+    browser.until("return !hificamsim.editing");
+    Path saved = folder.resolve("cluster-random-edited.xml");
+    Files.deleteIfExists(saved);
+    browser.downloadTo(folder);
+    browser.find("#save").click();
+    waitFor(saved);
+    assertTrue(Files.readString(saved).contains("name=\"added-1\" x=\"1.5\""));
+    Cli validate = Cli.run("validate", saved);
+    assertEquals(0, validate.exit(), validate.err());
+    Path out = folder.resolve("saved");
+    Cli run = Cli.run("run", saved, "--steps", 20, "--out", out);
+    assertEquals(0, run.exit(), run.err());
+    assertTrue(Files.readString(out.resolve("summary.json")).contains("\"cameras\" : 15"));
+  }
+
+  private static void type(String field, String value) {
+    browser
+        .find(".pose input[name=" + field + "]")
+        .sendKeys(Keys.chord(Keys.CONTROL, "a"), value, Keys.TAB);
+  }
+
+  private static void waitFor(Path file) {
+    long end = System.nanoTime() + TimeUnit.SECONDS.toNanos(20);
+    while (!Files.exists(file) && System.nanoTime() < end) {
+      Thread.onSpinWait();
+    }
+    assertTrue(Files.exists(file), file + " was not saved");
   }
 
   @Test
@@ -281,6 +381,13 @@ class ViewPageTest {
 
   private static void choose(String name, String value) {
     new Select(browser.find("[name=" + name + "]")).selectByValue(value);
+  }
+
+  /** Pauses before the second step. */
+  private static void beginAgain() {
+    pause();
+    browser.find("#restart").click();
+    browser.until("return hificamsim.runs[0].steps === 1 && hificamsim.playhead.count === 1");
   }
 
   private static void step(int steps) {

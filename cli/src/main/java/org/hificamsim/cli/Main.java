@@ -7,7 +7,6 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Properties;
-import java.util.ServiceConfigurationError;
 import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Nearest;
@@ -77,7 +76,7 @@ public final class Main {
             .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command));
     try {
       return line.execute(args);
-    } catch (OutOfMemoryError | StackOverflowError | LinkageError | ServiceConfigurationError e) {
+    } catch (Error e) {
       return failure(e, line);
     }
   }

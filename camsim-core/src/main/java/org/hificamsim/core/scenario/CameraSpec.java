@@ -26,4 +26,14 @@ public record CameraSpec(
   public CameraSpec {
     extras = Map.copyOf(extras);
   }
+
+  /** The same camera elsewhere; metres and degrees. */
+  public CameraSpec standing(double newX, double newY, double newHeading) {
+    return new CameraSpec(name, newX, newY, newHeading, viewingAngle, range, agent, extras);
+  }
+
+  /** The same camera under another name. */
+  public CameraSpec named(String newName) {
+    return new CameraSpec(newName, x, y, heading, viewingAngle, range, agent, extras);
+  }
 }

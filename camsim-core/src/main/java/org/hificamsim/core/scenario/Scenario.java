@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
 import org.hificamsim.core.detection.DetectionRule;
+import java.util.stream.Stream;
 
 /**
  * A scenario: the field, the cameras, the targets, and what happens when.
@@ -96,6 +97,18 @@ public record Scenario(
     return withTargets(target -> target.withMovement(movement));
   }
 
+  /** The same scenario with one camera more, after those of the start. */
+  public Scenario withCamera(CameraSpec added) {
+    return copy(Stream.concat(cameras.stream(), Stream.of(added)).toList(), events);
+  }
+
+  /** The same scenario with every camera, now or later, changed. */
+  public Scenario withCameras(UnaryOperator<CameraSpec> change) {
+    return copy(
+        cameras.stream().map(change).toList(),
+        events.stream().map(event -> withCamera(event, change)).toList());
+  }
+
   /** The same scenario with every target, now or later, changed. */
   public Scenario withTargets(UnaryOperator<TargetSpec> change) {
     return with(
@@ -125,6 +138,28 @@ public record Scenario(
         newEvents,
         visionGraph,
         extras);
+  }
+
+  private Scenario copy(List<CameraSpec> newCameras, List<ScenarioEvent> newEvents) {
+    return new Scenario(
+        name,
+        field,
+        order,
+        headings,
+        threshold,
+        mountHeight,
+        zooms,
+        newCameras,
+        targets,
+        newEvents,
+        visionGraph,
+        extras);
+  }
+
+  private static ScenarioEvent withCamera(ScenarioEvent event, UnaryOperator<CameraSpec> change) {
+    return event instanceof ScenarioEvent.AddCamera add
+        ? new ScenarioEvent.AddCamera(add.step(), change.apply(add.camera()))
+        : event;
   }
 
   private static ScenarioEvent withTarget(ScenarioEvent event, UnaryOperator<TargetSpec> change) {

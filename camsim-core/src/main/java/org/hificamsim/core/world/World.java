@@ -97,6 +97,11 @@ public final class World {
     cameras.place(camera, Pose.of(x, y, cameras.heading(camera)));
   }
 
+  /** Turns a camera, outside any event; radians, 0 is +y and pi/2 is +x. */
+  public void turnCamera(int camera, double heading) {
+    cameras.place(camera, Pose.of(cameras.x(camera), cameras.y(camera), heading));
+  }
+
   /**
    * Gives a camera another range; one with a zoom list keeps its levels.
    *

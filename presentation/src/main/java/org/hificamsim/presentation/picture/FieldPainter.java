@@ -46,14 +46,19 @@ final class FieldPainter {
   private final Frame frame;
   private final List<CameraPose> poses;
   private final FieldMap map;
+  private final Surroundings surroundings;
 
-  FieldPainter(Graphics2D graphics, RunFrames run, int index, FieldMap map) {
+  /**
+   * @param area the part of the picture that shows the field
+   */
+  FieldPainter(Graphics2D graphics, RunFrames run, int index, Rectangle2D area) {
     this.graphics = graphics;
     this.run = run;
     this.index = index;
     this.frame = run.frame(index);
     this.poses = run.poses(index);
-    this.map = map;
+    this.map = FieldMap.fit(run.setup().field(), area);
+    this.surroundings = Surroundings.of(area);
   }
 
   void paint() {
@@ -124,16 +129,18 @@ final class FieldPainter {
         graphics.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, strength));
         graphics.setStroke(
             new BasicStroke(cover.trail(), BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND));
-        line(
-            cover.color(),
-            new Line2D.Double(
-                map.x(from.x()[target]),
-                map.y(from.y()[target]),
-                map.x(to.x()[target]),
-                map.y(to.y()[target])));
+        surroundings.within(moved(from, to, target)).ifPresent(line -> line(cover.color(), line));
       }
     }
     graphics.setComposite(before);
+  }
+
+  private Line2D moved(Frame from, Frame to, int target) {
+    return new Line2D.Double(
+        map.x(from.x()[target]),
+        map.y(from.y()[target]),
+        map.x(to.x()[target]),
+        map.y(to.y()[target]));
   }
 
   /** A square with a line along the heading; hollow and crossed out while it is not online. */

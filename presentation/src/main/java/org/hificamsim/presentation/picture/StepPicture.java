@@ -70,7 +70,7 @@ public final class StepPicture implements Picture {
     Rectangle2D field = area(run.setup().field());
     Shape before = graphics.getClip();
     graphics.clip(field);
-    new FieldPainter(graphics, run, index, map(run.setup().field())).paint();
+    new FieldPainter(graphics, run, index, field).paint();
     graphics.setClip(before);
     legend(graphics, (int) field.getMaxY() + LEGEND / 2);
     Rectangle2D strip =

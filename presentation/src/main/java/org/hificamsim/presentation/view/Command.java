@@ -1,12 +1,15 @@
 package org.hificamsim.presentation.view;
 
+import com.fasterxml.jackson.annotation.JsonSetter;
 import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
+import com.fasterxml.jackson.annotation.Nulls;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.StreamReadFeature;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.exc.InvalidNullException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import org.hificamsim.core.InputException;
 
@@ -19,6 +22,8 @@ import org.hificamsim.core.InputException;
   @JsonSubTypes.Type(value = Command.Speed.class, name = "speed"),
   @JsonSubTypes.Type(value = Command.Restart.class, name = "restart"),
   @JsonSubTypes.Type(value = Command.Drag.class, name = "drag"),
+  @JsonSubTypes.Type(value = Command.Turn.class, name = "turn"),
+  @JsonSubTypes.Type(value = Command.Add.class, name = "add"),
   @JsonSubTypes.Type(value = Command.Choose.class, name = "choose"),
   @JsonSubTypes.Type(value = Command.Compare.class, name = "compare")
 })
@@ -73,7 +78,7 @@ public sealed interface Command {
   /**
    * Everything from the start.
    *
-   * @param keepCameras whether cameras stay where they have been dragged
+   * @param keepCameras whether cameras stay where they were put, and those that were added
    */
   record Restart(long seed, boolean keepCameras) implements Command {
     @Override
@@ -92,6 +97,32 @@ public sealed interface Command {
     @Override
     public void obey(Session session) {
       session.drag(camera, x, y);
+    }
+  }
+
+  /**
+   * A camera looks another way, in all simulations.
+   *
+   * @param heading degrees, 0 is +y and 90 is +x
+   */
+  record Turn(int camera, double heading) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.turn(camera, heading);
+    }
+  }
+
+  /**
+   * A camera more, in all simulations: the targets go on, learning begins anew.
+   *
+   * @param like the camera that has its kind and heading
+   * @param x metres, within the field
+   * @param y metres, within the field
+   */
+  record Add(int like, double x, double y) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.add(like, x, y);
     }
   }
 
@@ -127,6 +158,8 @@ public sealed interface Command {
         throw new InputException("null, expected a command");
       }
       return command;
+    } catch (InvalidNullException e) {
+      throw new InputException(e.getPropertyName() + " is null, expected a value", e);
     } catch (JsonProcessingException e) {
       throw new InputException("no command: " + e.getOriginalMessage(), e);
     } catch (java.io.IOException e) {
@@ -134,7 +167,7 @@ public sealed interface Command {
     }
   }
 
-  /** How commands are read: nothing is left out, added or converted. */
+  /** How commands are read: nothing is left out, added or converted; a threshold may be null. */
   final class Json {
     private static final ObjectMapper STRICT =
         JsonMapper.builder()
@@ -144,6 +177,9 @@ public sealed interface Command {
             .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
             .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
             .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+            .defaultSetterInfo(JsonSetter.Value.forValueNulls(Nulls.FAIL))
+            .withConfigOverride(
+                Double.class, type -> type.setSetterInfo(JsonSetter.Value.forValueNulls(Nulls.SET)))
             .build();
 
     private Json() {}

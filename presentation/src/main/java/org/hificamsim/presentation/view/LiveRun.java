@@ -1,14 +1,13 @@
 package org.hificamsim.presentation.view;
 
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
@@ -21,14 +20,10 @@ import org.hificamsim.runs.Overrides;
  * give equal steps. Not for several threads.
  */
 public final class LiveRun {
-  /** A camera that has been dragged; metres. */
-  private record Place(double x, double y) {}
-
   private final Catalogue catalogue;
-  private final Scenario scenario;
+  private final EditedScenario scenario;
   private final String firstName;
   private final DetectionSpec first;
-  private final Map<Integer, Place> dragged = new TreeMap<>();
   private final List<Choice> choices = new ArrayList<>();
   private List<LiveSide> sides = new ArrayList<>();
   private long seed;
@@ -40,7 +35,7 @@ public final class LiveRun {
    */
   public LiveRun(Catalogue catalogue, Scenario scenario, Choice choice, long seed) {
     this.catalogue = catalogue;
-    this.scenario = scenario;
+    this.scenario = new EditedScenario(scenario);
     this.firstName = choice.detection();
     this.first = DetectionSpec.parse(firstName, catalogue::detection);
     choices.add(choice);
@@ -58,25 +53,23 @@ public final class LiveRun {
   }
 
   /**
-   * Begins anew with the same choices, dragged cameras where they were dragged to.
+   * Begins anew with the same choices, cameras where they were put.
    *
    * @param newSeed of targets and policies
    */
   public void restart(long newSeed) {
     List<LiveSide> begun = new ArrayList<>();
     for (Choice choice : choices) {
-      World world = new World(scenario, catalogue.movements(), newSeed);
-      place(world);
-      begun.add(side(world, choice, newSeed, 0));
+      begun.add(side(world(newSeed, 0), choice, newSeed, 0));
     }
     sides = begun;
     seed = newSeed;
     next = 0;
   }
 
-  /** Has cameras begin where the scenario says, from the next restart on. */
-  public void forgetDragged() {
-    dragged.clear();
+  /** Has cameras begin as the scenario says, from the next restart on. */
+  public void forgetEdits() {
+    scenario.forget();
   }
 
   /**
@@ -85,17 +78,46 @@ public final class LiveRun {
    * @throws InputException when there is no such camera online, or the place is not in the field
    */
   public void drag(int camera, double x, double y) {
+    scenario.move(online(camera), x, y);
+    sides.forEach(side -> side.world().moveCamera(camera, x, y));
+  }
+
+  /**
+   * Turns a camera in every simulation; seen from the next step on.
+   *
+   * @param heading degrees, 0 is +y and 90 is +x
+   * @throws InputException when there is no such camera online
+   */
+  public void turn(int camera, double heading) {
+    scenario.turn(online(camera), heading);
+    sides.forEach(side -> side.world().turnCamera(camera, Math.toRadians(heading)));
+  }
+
+  /**
+   * Adds a camera to every simulation, as if it had been there from the start: the targets go on,
+   * learning begins anew. It comes after the cameras of the start. The next step tells where every
+   * camera is.
+   *
+   * @param like number of the camera that has its kind and heading
+   * @throws InputException when there is no such camera online, or the place is not in the field
+   */
+  public void add(int like, double x, double y) {
+    scenario.add(online(like), x, y);
+    World before = sides.get(0).world();
+    List<LiveSide> begun = new ArrayList<>();
+    for (Choice choice : choices) {
+      begun.add(side(worldAs(before), choice, seed, next));
+    }
+    sides = begun;
+  }
+
+  /** The name of a camera that is online. */
+  private String online(int camera) {
     Cameras cameras = sides.get(0).world().cameras();
     if (camera < 0 || camera >= cameras.count() || !cameras.online(camera)) {
       throw new InputException("camera is %s, expected one that is online".formatted(camera));
     }
-    Field field = scenario.field();
-    if (!field.contains(x, y) || Double.isNaN(x) || Double.isNaN(y)) {
-      throw new InputException(
-          "x is %s and y is %s, expected a place in the field".formatted(x, y));
-    }
-    dragged.put(camera, new Place(x, y));
-    sides.forEach(side -> side.world().moveCamera(camera, x, y));
+    return cameras.name(camera);
   }
 
   /**
@@ -118,12 +140,7 @@ public final class LiveRun {
    */
   public void compare(boolean on) {
     if (on && sides.size() == 1) {
-      World world = new World(scenario, catalogue.movements(), seed);
-      for (long step = 0; step < next; step++) {
-        world.fireEvents(step);
-        world.moveTargets();
-      }
-      standAs(sides.get(0).world().cameras(), world);
+      World world = worldAs(sides.get(0).world());
       sides.add(side(world, choices.get(0), seed, next));
       choices.add(choices.get(0));
     } else if (!on && sides.size() == 2) {
@@ -133,27 +150,38 @@ public final class LiveRun {
     sides.forEach(LiveSide::tellPosesAgain);
   }
 
-  private void place(World world) {
-    dragged.forEach(
-        (camera, place) -> {
-          if (world.cameras().online(camera)) {
-            world.moveCamera(camera, place.x(), place.y());
-          }
-        });
+  /** A new world that has been through so many steps. */
+  private World world(long ofSeed, long steps) {
+    World world = new World(scenario.now(), catalogue.movements(), ofSeed);
+    for (long step = 0; step < steps; step++) {
+      world.fireEvents(step);
+      world.moveTargets();
+    }
+    return world;
   }
 
-  private static void standAs(Cameras first, World world) {
-    for (int camera = 0; camera < first.count(); camera++) {
-      if (first.online(camera)) {
-        world.moveCamera(camera, first.x(camera), first.y(camera));
+  /** A new world of the same step, with cameras where they are in another one. */
+  private World worldAs(World other) {
+    World world = world(seed, next);
+    Map<String, Integer> numbers = new HashMap<>();
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      numbers.put(world.cameras().name(camera), camera);
+    }
+    Cameras cameras = other.cameras();
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      if (cameras.online(camera)) {
+        int number = numbers.get(cameras.name(camera));
+        world.moveCamera(number, cameras.x(camera), cameras.y(camera));
+        world.turnCamera(number, cameras.heading(camera));
       }
     }
+    return world;
   }
 
   private LiveSide side(World world, Choice choice, long ofSeed, long at) {
     Detection detection =
         Overrides.ofDetection(Optional.ofNullable(choice.threshold()), Optional.empty())
-            .detection(spec(choice.detection()), scenario);
+            .detection(spec(choice.detection()), scenario.now());
     return new LiveSide(world, catalogue, detection, choice.policy(), ofSeed, at);
   }
 
@@ -177,7 +205,8 @@ public final class LiveRun {
     return seed;
   }
 
+  /** The scenario with its cameras as they were put. */
   Scenario scenario() {
-    return scenario;
+    return scenario.now();
   }
 }

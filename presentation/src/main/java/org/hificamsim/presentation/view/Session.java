@@ -4,10 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
-import java.util.concurrent.RejectedExecutionException;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.RunFault;
@@ -61,7 +62,7 @@ public final class Session implements AutoCloseable {
   private final int kept;
   private final StepBuffer history;
   private final Thread thread = new Thread(this::work, "simulation");
-  private volatile boolean closed;
+  private final CompletableFuture<Object> end = new CompletableFuture<>();
   private boolean running;
   private int perSecond = 10;
   private long due;
@@ -81,13 +82,39 @@ public final class Session implements AutoCloseable {
    * Has a command done.
    *
    * @return completes when it has been done; exceptionally with an {@link InputException} when a
-   *     value is wrong
+   *     value is wrong, with {@link SessionEnded} when nothing is done any more
    */
-  public CompletableFuture<Void> submit(Command command) {
-    if (closed) {
-      throw new RejectedExecutionException("the session has ended");
+  public CompletableFuture<Object> submit(Command command) {
+    return inTurn(
+        () -> {
+          command.obey(this);
+          return null;
+        });
+  }
+
+  /** The scenario with its cameras as commands have put them, as XML. */
+  CompletableFuture<Object> scenario() {
+    return inTurn(() -> ScenarioWriter.write(run.scenario()));
+  }
+
+  private CompletableFuture<Object> inTurn(Supplier<Object> task) {
+    CompletableFuture<Object> done = new CompletableFuture<>();
+    queue.add(() -> attempt(task, done));
+    return CompletableFuture.anyOf(done, end);
+  }
+
+  /** Any other error leaves nobody knows what behind: it ends the session. */
+  private static void attempt(Supplier<Object> task, CompletableFuture<Object> done) {
+    try {
+      done.complete(task.get());
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      done.completeExceptionally(e);
     }
-    return CompletableFuture.runAsync(() -> command.obey(this), queue::add);
+  }
+
+  /** Completes with {@link SessionEnded}, whose cause is the error that has broken it, if any. */
+  CompletableFuture<Object> end() {
+    return end;
   }
 
   /** Tells somebody all that there is, and from then on whatever happens. */
@@ -113,17 +140,23 @@ public final class Session implements AutoCloseable {
 
   private void work() {
     try {
-      while (!closed) {
-        long wait = running ? due - System.nanoTime() : Long.MAX_VALUE;
-        Runnable task = queue.poll(Math.max(0, wait), TimeUnit.NANOSECONDS);
-        if (task != null) {
-          task.run();
-        } else if (running) {
-          stepByTheClock();
-        }
+      while (!end.isDone()) {
+        next();
       }
     } catch (InterruptedException e) {
-      closed = true;
+      close();
+    } catch (Error e) {
+      end.completeExceptionally(new SessionEnded(e));
+    }
+  }
+
+  private void next() throws InterruptedException {
+    long wait = running ? due - System.nanoTime() : Long.MAX_VALUE;
+    Runnable task = queue.poll(Math.max(0, wait), TimeUnit.NANOSECONDS);
+    if (task != null) {
+      task.run();
+    } else if (running) {
+      stepByTheClock();
     }
   }
 
@@ -178,7 +211,7 @@ public final class Session implements AutoCloseable {
 
   void restart(long seed, boolean keepCameras) {
     if (!keepCameras) {
-      run.forgetDragged();
+      run.forgetEdits();
     }
     run.restart(seed);
     beginAnew();
@@ -191,6 +224,15 @@ public final class Session implements AutoCloseable {
 
   void drag(int camera, double x, double y) {
     run.drag(camera, x, y);
+  }
+
+  void turn(int camera, double heading) {
+    run.turn(camera, heading);
+  }
+
+  void add(int like, double x, double y) {
+    run.add(like, x, y);
+    beginAnew();
   }
 
   void choose(int side, Choice choice) {
@@ -239,7 +281,7 @@ public final class Session implements AutoCloseable {
   /** Ends the thread; no command is done any more. */
   @Override
   public void close() {
-    closed = true;
+    end.completeExceptionally(new SessionEnded());
     thread.interrupt();
   }
 }

@@ -1,6 +1,5 @@
 package org.hificamsim.presentation.view;
 
-import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import java.io.IOException;
@@ -10,17 +9,17 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.charset.StandardCharsets;
 import java.time.Duration;
-import java.util.Map;
-import java.util.concurrent.CompletionException;
-import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.Future;
+import java.util.concurrent.SynchronousQueue;
+import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.runs.RunFault;
 
 /**
  * The page of a session, its steps as server-sent events, and its commands, on the loopback device
@@ -29,34 +28,39 @@ import org.hificamsim.core.Place;
 public final class ViewServer implements AutoCloseable {
   private static final int MAX_BODY = 4096;
   private static final int MAX_PAGES = 8;
-  private static final int THREADS = 2 * MAX_PAGES + 4;
+
+  /** Each request that is under way has a thread: one that never ends must not keep others out. */
+  private static final int MAX_REQUESTS = 256;
+
+  private static final long IDLE_THREAD = 10;
   private static final int WAITING_CONNECTIONS = 32;
   private static final long MAX_COMMAND = 60;
+
+  /** Milliseconds that answers have to get through when the server closes. */
+  private static final long LAST_ANSWERS = 500;
 
   /** At most so many events a second, each with the steps since the one before. */
   private static final long BETWEEN_EVENTS = 25;
 
-  private static final Map<String, String> HEADERS =
-      Map.of(
-          "Cache-Control", "no-store",
-          "Referrer-Policy", "no-referrer",
-          "X-Content-Type-Options", "nosniff",
-          "Cross-Origin-Resource-Policy", "same-origin",
-          "Cross-Origin-Opener-Policy", "same-origin",
-          "Content-Security-Policy", "frame-ancestors 'none'");
-
   static {
-    System.setProperty("sun.net.httpserver.maxReqTime", "20"); // seconds, for a whole request
+    System.setProperty("sun.net.httpserver.maxReqTime", "5"); // seconds, for a whole request
     System.setProperty("sun.net.httpserver.nodelay", "true");
   }
 
   private final Session session;
   private final byte[] page;
   private final HttpServer server;
-  private final ExecutorService threads = Executors.newFixedThreadPool(THREADS, ViewServer::daemon);
+  private final ExecutorService threads =
+      new ThreadPoolExecutor(
+          0,
+          MAX_REQUESTS,
+          IDLE_THREAD,
+          TimeUnit.SECONDS,
+          new SynchronousQueue<>(), // one request more is not answered
+          ViewServer::daemon);
   private final Guard guard;
   private final OpenPages pages;
-  private final CountDownLatch ended = new CountDownLatch(1);
+  private final CompletableFuture<Object> closed = new CompletableFuture<>();
 
   /**
    * Opens the port.
@@ -71,7 +75,7 @@ public final class ViewServer implements AutoCloseable {
     this.page = html.getBytes(StandardCharsets.UTF_8);
     this.server = open(port);
     this.guard = new Guard(server.getAddress().getPort());
-    this.pages = new OpenPages(MAX_PAGES, grace, ended::countDown);
+    this.pages = new OpenPages(MAX_PAGES, grace, () -> closed.complete(null));
     server.setExecutor(threads);
     server.createContext("/", this::handle);
     server.start();
@@ -94,25 +98,42 @@ public final class ViewServer implements AutoCloseable {
     return "http://127.0.0.1:" + server.getAddress().getPort() + "/" + guard.token() + "/";
   }
 
-  /** Waits until the page has been closed. */
+  /**
+   * Waits until the page has been closed.
+   *
+   * @throws Error what broke the simulation, if that ended it
+   */
   public void awaitEnd() throws InterruptedException {
-    ended.await();
+    try {
+      CompletableFuture.anyOf(closed, session.end()).get();
+    } catch (ExecutionException e) {
+      if (e.getCause().getCause() instanceof Error error) {
+        throw error;
+      }
+    }
   }
 
+  /** Whatever happens, the exchange is closed last: nothing can be sent after that. */
   private void handle(HttpExchange exchange) {
     try (exchange) {
+      answerOrTell(exchange);
+    } catch (IOException e) {
+      // whoever asked has gone
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void answerOrTell(HttpExchange exchange) throws IOException, InterruptedException {
+    try {
       String objection = guard.objection(exchange);
       if (objection != null) {
-        answer(exchange, 403, "text/plain", "refused: " + objection);
+        Reply.line(exchange, 403, "refused: " + objection);
       } else {
         answer(exchange);
       }
-    } catch (IOException e) {
-      // whoever asked has gone
-    } catch (InterruptedException | RejectedExecutionException e) {
-      Thread.currentThread().interrupt();
-    } catch (RuntimeException e) {
-      quietly(exchange, 500, "internal error");
+    } catch (RuntimeException | Error e) {
+      Reply.lineIfPossible(exchange, 500, Place.printable(RunFault.describe(e)));
     }
   }
 
@@ -120,13 +141,11 @@ public final class ViewServer implements AutoCloseable {
     String path = exchange.getRequestURI().getRawPath().substring(guard.token().length() + 1);
     String request = exchange.getRequestMethod() + " " + path;
     switch (request) {
-      case "GET /" -> {
-        exchange.getResponseHeaders().set("Content-Type", "text/html; charset=utf-8");
-        send(exchange, 200, page);
-      }
+      case "GET /" -> Reply.send(exchange, 200, "text/html", page);
       case "GET /events" -> events(exchange);
+      case "GET /scenario.xml" -> scenario(exchange);
       case "POST /command" -> command(exchange);
-      default -> answer(exchange, 404, "text/plain", "nothing here");
+      default -> Reply.line(exchange, 404, "nothing here");
     }
   }
 
@@ -134,43 +153,60 @@ public final class ViewServer implements AutoCloseable {
     byte[] body = exchange.getRequestBody().readNBytes(MAX_BODY + 1);
     String type = exchange.getRequestHeaders().getFirst("Content-Type");
     if (body.length > MAX_BODY) {
-      answer(exchange, 413, "text/plain", "more than " + MAX_BODY + " bytes");
+      Reply.line(exchange, 413, "more than " + MAX_BODY + " bytes");
     } else if (!"application/json".equals(type)) {
-      answer(exchange, 415, "text/plain", "expected application/json");
+      Reply.line(exchange, 415, "expected application/json");
     } else {
-      try {
-        obey(Command.read(body));
-        exchange.sendResponseHeaders(204, -1);
-      } catch (InputException e) {
-        answer(exchange, 400, "text/plain", Place.printable(e.getMessage()));
-      }
+      obey(exchange, body);
     }
   }
 
-  private void obey(Command command) throws InterruptedException {
+  private void obey(HttpExchange exchange, byte[] body) throws IOException, InterruptedException {
     try {
-      session.submit(command).get(MAX_COMMAND, TimeUnit.SECONDS);
-    } catch (ExecutionException | CompletionException e) {
-      if (e.getCause() instanceof InputException wrong) {
-        throw wrong;
-      }
-      throw new IllegalStateException(e);
-    } catch (TimeoutException e) {
-      throw new InputException("the step before takes longer than a minute", e);
+      await(session.submit(Command.read(body)));
+      exchange.sendResponseHeaders(204, -1);
+    } catch (InputException e) {
+      Reply.line(exchange, 400, Place.printable(e.getMessage()));
+    } catch (ExecutionException e) {
+      tell(exchange, e.getCause());
     }
+  }
+
+  private void scenario(HttpExchange exchange) throws IOException, InterruptedException {
+    try {
+      String xml = (String) await(session.scenario());
+      exchange.getResponseHeaders().set("Content-Disposition", "attachment");
+      Reply.send(exchange, 200, "application/xml", xml.getBytes(StandardCharsets.UTF_8));
+    } catch (ExecutionException e) {
+      tell(exchange, e.getCause());
+    }
+  }
+
+  private static Object await(Future<Object> answer)
+      throws InterruptedException, ExecutionException {
+    try {
+      return answer.get(MAX_COMMAND, TimeUnit.SECONDS);
+    } catch (TimeoutException e) {
+      throw new ExecutionException(
+          new InputException("the step before takes longer than a minute", e));
+    }
+  }
+
+  private static void tell(HttpExchange exchange, Throwable fault) throws IOException {
+    int status = fault instanceof InputException ? 400 : fault instanceof SessionEnded ? 503 : 500;
+    String text = status == 500 ? RunFault.describe(fault) : fault.getMessage();
+    Reply.line(exchange, status, Place.printable(text));
   }
 
   private void events(HttpExchange exchange) throws IOException, InterruptedException {
     EventStream stream = new EventStream(session.kept());
     if (!pages.opened(stream)) {
-      answer(exchange, 503, "text/plain", "too many pages are open");
+      Reply.line(exchange, 503, "too many pages are open");
       return;
     }
     try {
       session.watch(stream);
-      exchange.getResponseHeaders().set("Content-Type", "text/event-stream");
-      harden(exchange.getResponseHeaders());
-      exchange.sendResponseHeaders(200, 0);
+      Reply.begin(exchange, 200, "text/event-stream", 0);
       OutputStream out = exchange.getResponseBody();
       for (String text = stream.take(); text != null; text = stream.take()) {
         out.write(text.getBytes(StandardCharsets.UTF_8));
@@ -183,42 +219,24 @@ public final class ViewServer implements AutoCloseable {
     }
   }
 
-  private static void answer(HttpExchange exchange, int status, String type, String text)
-      throws IOException {
-    exchange.getResponseHeaders().set("Content-Type", type + "; charset=utf-8");
-    send(exchange, status, (text + "\n").getBytes(StandardCharsets.UTF_8));
-  }
-
-  private static void send(HttpExchange exchange, int status, byte[] body) throws IOException {
-    harden(exchange.getResponseHeaders());
-    exchange.sendResponseHeaders(status, body.length);
-    exchange.getResponseBody().write(body);
-  }
-
-  private static void quietly(HttpExchange exchange, int status, String text) {
-    try {
-      answer(exchange, status, "text/plain", text);
-    } catch (IOException e) {
-      // the answer was under way already, or nobody waits for it
-    }
-  }
-
-  private static void harden(Headers headers) {
-    HEADERS.forEach(headers::set);
-  }
-
   private static Thread daemon(Runnable task) {
     Thread thread = new Thread(task, "view");
     thread.setDaemon(true);
     return thread;
   }
 
-  /** Ends the streams and closes the port. */
+  /** Ends the streams, lets answers that are under way get through, and closes the port. */
   @Override
   public void close() {
     pages.close();
+    threads.shutdown();
+    try {
+      threads.awaitTermination(LAST_ANSWERS, TimeUnit.MILLISECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
     server.stop(0);
     threads.shutdownNow();
-    ended.countDown();
+    closed.complete(null);
   }
 }

@@ -1,5 +1,6 @@
 // What the chosen camera does and knows: a bar of its estimate for each zoom level.
 import { el, decimals, metres, say } from './dom.js';
+import { PoseForm } from './pose-form.js';
 
 const MEANING = {
   Q: 'Q of the state the camera is in. ',
@@ -7,17 +8,21 @@ const MEANING = {
 };
 
 export class AgentPanel {
-  constructor(run) {
+  /**
+   * @param edit what {@link PoseForm} needs; nothing where cameras cannot be moved
+   */
+  constructor(run, edit) {
     this.run = run;
     this.camera = 0;
+    this.form = edit && new PoseForm(edit);
     this.counted = Boolean(run.estimated) && run.estimated !== 'Q';
     this.title = el('h2', {}, '');
     this.facts = el('p', {class: 'facts'});
     this.head = el('tr', {}, ...['level', 'radius', 'detects at'].map(text => el('th', {scope: 'col'}, text)),
-      el('th', {scope: 'col', class: 'wide'}, run.estimated || ''), this.counted ? el('th', {scope: 'col'}, 'times used') : null);
+      run.estimated ? el('th', {scope: 'col', class: 'wide'}, run.estimated) : null, this.counted ? el('th', {scope: 'col'}, 'times used') : null);
     this.body = el('tbody');
     this.note = el('p', {class: 'note'});
-    this.element = el('section', {class: 'agent', 'aria-label': 'the chosen camera'}, this.title, this.facts,
+    this.element = el('section', {class: 'agent', 'aria-label': 'the chosen camera'}, this.title, this.facts, this.form?.element,
       el('table', {}, el('thead', {}, this.head), this.body), this.note);
     if (run.setup.cameras.length) this.select(0);
   }
@@ -40,6 +45,7 @@ export class AgentPanel {
     const online = run.online[camera][frame];
     say(this.facts, `x ${metres(pose.x)}, y ${metres(pose.y)}` +
       (online ? `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets` : '; not online'));
+    this.form?.show(camera, pose);
     if (pose !== this.pose) this.describe(pose);
     this.rows.forEach((row, i) => row.element.classList.toggle('now', Boolean(online) && i === level));
     if (run.estimated) this.estimates(frame);
@@ -71,16 +77,24 @@ export class AgentPanel {
 
   remark() {
     const {policy, targetSize, onAxis} = this.run.setup;
-    const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.`;
+    const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.${this.lens()}`;
     if (!this.run.estimated) return `${policy} keeps no estimates of its levels. ${range}`;
     return (MEANING[this.run.estimated] || '') + range;
+  }
+
+  /** The focal length by level and the mount height, as the settings have them. */
+  lens() {
+    const {focal_lengths: lengths = [], mount_height: height} = this.run.lens ?? {};
+    const levels = this.run.setup.cameras[this.camera].pose.levels.length;
+    const focal = lengths.length === levels ? ` Focal length by level, from 0: ${lengths.map(length => decimals(1000 * length, 1)).join(', ')} mm.` : '';
+    return focal + (height ? ` Mounted ${decimals(height, 3)} m over the targets.` : '');
   }
 }
 
 function levelRow(level, estimated, counted) {
   const row = {radius: el('td'), range: el('td'), bar: el('i', {class: 'bar'}), value: el('span'), count: el('td')};
   row.element = el('tr', {data: {level}}, el('th', {scope: 'row'}, String(level)), row.radius, row.range,
-    el('td', {class: 'wide'}, ...(estimated ? [row.bar, row.value] : [])), counted ? row.count : null);
+    estimated ? el('td', {class: 'wide'}, row.bar, row.value) : null, counted ? row.count : null);
   row.value.dataset.name = 'estimate';
   return row;
 }

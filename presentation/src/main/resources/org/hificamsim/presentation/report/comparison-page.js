@@ -4,7 +4,8 @@ import { inflate } from './inflate.js';
 import { movingMean } from './smooth.js';
 import { rowsOf, sortable } from './table.js';
 
-const FAVOURITES = ['proportion_of_optimal', 'performance'];
+/** The metrics that a comparison begins with: the first one that is not 0 or missing everywhere. */
+const FAVOURITES = ['proportion_of_optimal', 'performance', 'covered_k', 'mean_k', 'covered_1', 'covered_0'];
 const SHORT = 4;
 
 /** The page; `data` is what ComparisonReport wrote. */
@@ -52,7 +53,7 @@ function badges({summary, settings}) {
 function comparison({summary, colours}) {
   const rows = rowsOf(summary);
   const metrics = distinct(rows, 'metric');
-  const pick = choice('metric', metrics, FAVOURITES.find(name => metrics.includes(name)) || metrics[0], () => fill());
+  const pick = choice('metric', metrics, FAVOURITES.find(name => tells(rows, name)) || metrics[0], () => fill());
   const scenarios = choice('scenario', ['all', ...distinct(rows, 'scenario')], 'all', () => fill());
   const place = el('div', {class: 'scroll'});
 
@@ -62,7 +63,17 @@ function comparison({summary, colours}) {
   }
 
   fill();
-  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), shortened(summary), place);
+  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), blank(rows, pick.value), shortened(summary), place);
+}
+
+/** Whether some case has another value than 0. */
+const tells = (rows, metric) => rows.some(row => row.metric === metric && Number(row.mean) !== 0);
+
+/** Says why the first metric is another one, where k_min is 0 throughout. */
+function blank(rows, chosen) {
+  if (!rows.some(row => row.metric === 'performance') || tells(rows, 'performance')) return null;
+  return el('p', {class: 'notice'}, 'All k_min are 0: at every step of every run there was a target that no camera covered. ' +
+    `Performance is 0 and a proportion of the optimum is not defined, so the table begins with ${chosen}.`);
 }
 
 function summaryColumns(rows, colours) {

@@ -65,18 +65,8 @@ export class Controls {
     this.playButton.setAttribute('aria-label', label);
   }
 
-  /** Keys anywhere on the page, but for those that a focused control has its own use for. */
   listen() {
-    document.addEventListener('keydown', event => {
-      const tag = event.target.tagName;
-      if (event.ctrlKey || event.altKey || event.metaKey || tag === 'SELECT' || tag === 'TEXTAREA') return;
-      if (tag === 'INPUT' && event.target.type !== 'range') return;
-      if (event.key === ' ' && (tag === 'BUTTON' || tag === 'SUMMARY')) return;
-      const action = this.action(event);
-      if (!action) return;
-      action();
-      event.preventDefault();
-    });
+    onKeys(event => this.action(event));
   }
 
   action({key, shiftKey}) {
@@ -93,6 +83,23 @@ export class Controls {
       '-': () => playhead.faster(-1),
     }[key];
   }
+}
+
+/**
+ * Keys anywhere on the page, but for those that a focused control has its own use for.
+ * @param actionOf what an event asks for: a function, or nothing
+ */
+export function onKeys(actionOf) {
+  document.addEventListener('keydown', event => {
+    const tag = event.target.tagName;
+    if (event.ctrlKey || event.altKey || event.metaKey || tag === 'SELECT' || tag === 'TEXTAREA') return;
+    if (tag === 'INPUT' && event.target.type !== 'range') return;
+    if (event.key === ' ' && (tag === 'BUTTON' || tag === 'SUMMARY')) return;
+    const action = actionOf(event);
+    if (!action) return;
+    action();
+    event.preventDefault();
+  });
 }
 
 /** An icon, drawn: fonts lack some of them. */

@@ -9,16 +9,16 @@ export class Player {
   /**
    * @param run recorded or growing
    * @param playhead may be shared with other players
-   * @param options `middle`: an element between the field and the timeline; `drag(camera, x, y)`: cameras can be moved;
+   * @param options `middle`: an element between the field and the timeline; `edit`: cameras can be moved, as {@link PoseForm} says;
    *   `ceiling()`: how far the axis of k_min reaches at least
    */
   constructor(run, playhead, options = {}) {
     this.run = run;
     this.playhead = playhead;
-    const on = {select: camera => this.select(camera), drag: options.drag, ceiling: options.ceiling};
+    const on = {select: camera => this.select(camera), drag: options.edit?.move, ceiling: options.ceiling};
     this.field = new FieldView(run, on);
     this.readout = new Readout(run);
-    this.agent = new AgentPanel(run);
+    this.agent = new AgentPanel(run, options.edit);
     this.timeline = new Timeline(playhead, on);
     this.element = el('div', {class: 'player'}, this.field.element,
       el('div', {class: 'side'}, this.readout.element, this.agent.element), options.middle, this.timeline.element);

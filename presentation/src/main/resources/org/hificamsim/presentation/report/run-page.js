@@ -9,12 +9,13 @@ import { Player } from './player.js';
 /** The page; `data` is what RunReport wrote. */
 export async function runPage(root, data) {
   const {setup, runs, repeat} = data.replay;
-  const place = el('div');
+  const place = el('div', {class: 'single'});
   root.append(header(data, index => open(index)), place, details(data));
   let controls;
 
   async function open(index) {
     const run = await unpack(setup, runs[index]);
+    run.lens = data.summary.settings;
     const playhead = new Playhead(run.count, run.every);
     controls = new Controls(playhead, run);
     const player = new Player(run, playhead, {middle: controls.element});
@@ -22,6 +23,8 @@ export async function runPage(root, data) {
     window.hificamsim = {run, playhead, player};
     playhead.show(run.frameAt(Number(location.hash.slice(1)) || 0)); // report.html#120 opens at step 120
     root.dataset.ready = String(index);
+    if (!run.highest) place.prepend(el('p', {class: 'notice'},
+      'k_min is 0 at every step shown: there was always a target that no camera covered. The shares of targets by number of cameras say more.'));
     if (run.every > 1) place.prepend(el('p', {class: 'notice'},
       `${thinned(run, run.every)}, and the last, so that the file stays small. steps.csv has them all.`));
   }
@@ -49,18 +52,20 @@ function chooser(runs, repeat, open) {
 
 /** The whole run in numbers, and how to do it again. */
 function details({summary, command, version}) {
-  const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) =>
-    el('tr', {}, el('th', {scope: 'row'}, name), el('td', {data: {name: `summary-${name}`}}, decimals(mean, 4)),
-      el('td', {}, low === high ? '' : `${decimals(low, 4)} to ${decimals(high, 4)}`)));
-  const settings = Object.entries(summary.settings).map(([name, value]) =>
-    el('tr', {}, el('th', {scope: 'row'}, name), el('td', {}, Array.isArray(value) ? value.join(' ') : String(value))));
+  const repeated = summary.repeat > 1;
+  const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) => row(name,
+    el('td', {data: {name: `summary-${name}`}}, decimals(mean, 4)),
+    repeated ? el('td', {}, low === high ? '' : `${decimals(low, 4)} to ${decimals(high, 4)}`) : null));
+  const settings = Object.entries(summary.settings).map(([name, value]) => row(name, el('td', {}, Array.isArray(value) ? value.join(' ') : String(value ?? '–'))));
   return el('section', {class: 'details'},
-    table('Whole run', ['', summary.repeat > 1 ? 'mean of the repeats' : '', summary.repeat > 1 ? '95 % interval' : ''], rows),
-    table('Settings', ['', ''], settings),
+    table('Whole run', ['figure', ...(repeated ? ['mean of the repeats', '95 % interval'] : ['value'])], rows),
+    table('Settings', ['setting', 'value'], settings),
     el('div', {}, el('h2', {}, 'Made with'), el('pre', {tabindex: 0}, command), el('p', {class: 'note'}, `HiFi-CamSim ${version}`)));
 }
 
+const row = (name, ...cells) => el('tr', {}, el('th', {scope: 'row'}, name), ...cells);
+
 function table(title, columns, rows) {
-  return el('div', {}, el('h2', {}, title), el('table', {},
+  return el('div', {tabindex: 0}, el('h2', {}, title), el('table', {},
     el('thead', {}, el('tr', {}, ...columns.map(column => el('th', {scope: 'col'}, column)))), el('tbody', {}, ...rows)));
 }

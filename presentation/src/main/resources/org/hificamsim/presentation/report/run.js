@@ -58,12 +58,12 @@ export class Run {
     for (const all of [this.estimates, this.counts]) all.forEach(levels => levels.forEach(list => list.fill(NaN)));
   }
 
-  /** Shows a camera elsewhere from the last frame on, until the simulation says where it is. */
-  preview(camera, x, y) {
+  /** Shows a camera in another pose from the last frame on, until the simulation says what it is. */
+  preview(camera, change) {
     const poses = this.poses[camera];
     const last = poses[poses.length - 1];
     if (last.preview) poses.pop();
-    poses.push({step: this.step[this.count - 1] ?? -1, pose: {...last.pose, x, y}, preview: true});
+    poses.push({step: this.step[this.count - 1] ?? -1, pose: {...last.pose, ...change}, preview: true});
   }
 
   /** Leaves out every other frame, but not the last one. */

@@ -1,13 +1,21 @@
 // The live page: one or two simulations of the same targets, stepped by the command that serves it.
 import { el, decimals, say } from './dom.js';
 import { Run, thinned } from './run.js';
-import { Controls } from './controls.js';
+import { Controls, onKeys } from './controls.js';
 import { Player } from './player.js';
 import { LivePlayhead } from './live-playhead.js';
 import { ChoiceForm } from './choice.js';
+import { degrees, tidy } from './pose-form.js';
 
 const MAX_FRAMES = 8000;
 const RECENT = 100;
+const NUDGE = 0.01; // of the field's longer side
+const TURN = 3; // degrees
+const APART = 5; // nudges between a camera and the one that is added
+
+/** Keys that move the chosen camera: to the right and up, in nudges; and those that turn it, clockwise. */
+const MOVES = {KeyW: [0, 1], KeyA: [-1, 0], KeyS: [0, -1], KeyD: [1, 0]};
+const TURNS = {KeyQ: -TURN, KeyE: TURN};
 
 /** The page; `data` is what LivePage wrote. */
 export async function viewPage(root, data) {
@@ -28,19 +36,24 @@ class LiveView {
     this.twice = el('button', {type: 'button', id: 'compare', onclick: () => this.send({command: 'compare', on: this.runs.length < 2})});
     this.fault = el('p', {class: 'notice', role: 'alert', hidden: true});
     this.thinned = el('p', {class: 'notice', hidden: true});
-    this.place = el('div');
-    root.append(this.header(), this.fault, this.thinned, this.place);
+    this.said = el('p', {class: 'unseen', role: 'status'});
+    this.pending = new Map();
+    this.place = el('div', {class: 'live-view'});
+    root.append(this.header(), this.fault, this.thinned, this.said, this.place);
     this.playhead = new LivePlayhead(command => this.send(command));
     this.controls = new Controls(this.playhead, {count: 0, steps: 0, step: []});
     this.controls.listen();
+    onKeys(event => this.keyed(event));
   }
 
   header() {
     return el('header', {class: 'live'}, el('h1', {}, this.data.scenario, el('small', {}, 'live')),
       el('p', {class: 'badges'}, this.twice,
         el('button', {type: 'button', id: 'restart', onclick: () => this.restart()}, 'restart'),
-        el('label', {}, 'with seed ', this.seed), el('label', {}, this.keep, ' keep moved cameras')),
-      el('p', {class: 'note'}, 'Drag a camera: it moves with the next step. Another model, threshold or policy: the targets go on, learning begins anew.'));
+        el('label', {}, 'with seed ', this.seed), el('label', {}, this.keep, ' keep moved cameras'),
+        el('a', {href: 'scenario.xml', id: 'save', class: 'button', download: `${this.data.scenario}-edited.xml`}, 'save scenario')),
+      el('p', {class: 'note'}, 'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten times as far). ' +
+        'After a new model, policy or camera the targets go on, and learning begins anew.'));
   }
 
   restart() {
@@ -76,6 +89,7 @@ class LiveView {
   /** Other simulations, or other choices for the ones that go on. */
   setup({fresh, sides}) {
     if (fresh) {
+      this.chooseAdded(sides[0].setup);
       this.runs = sides.map(({setup, estimated}) => new Run(setup, estimated));
       this.playhead.count = 0;
       this.playhead.frame = 0;
@@ -95,16 +109,16 @@ class LiveView {
     this.controls.run = this.runs[0];
     this.playhead.subscribe(frame => this.controls.show(frame));
     if (fresh) this.forms = this.runs.map((run, side) => this.form(run, side));
-    const drag = (camera, x, y) => this.drag(camera, x, y);
+    const edit = {move: (camera, x, y) => this.move(camera, x, y), turn: (camera, heading) => this.turn(camera, heading), add: camera => this.add(camera)};
     const ceiling = () => Math.max(...this.runs.map(run => run.highest));
-    this.players = this.runs.map(run => new Player(run, this.playhead, {drag, ceiling, middle: pair ? null : this.controls.element}));
+    this.players = this.runs.map(run => new Player(run, this.playhead, {edit, ceiling, middle: pair ? null : this.controls.element}));
     this.selectTogether();
     if (fresh) this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));
     this.columns.forEach((column, i) => {
       column.querySelector('.player')?.remove();
       column.append(this.players[i].element);
     });
-    if (fresh) this.place.replaceChildren(pair ? this.controls.element : '', el('div', {class: pair ? 'pair' : ''}, ...this.columns));
+    if (fresh) this.place.replaceChildren(pair ? this.controls.element : '', el('div', {class: pair ? 'pair' : 'single'}, ...this.columns));
     say(this.twice, pair ? 'one model only' : 'second model beside it');
     this.refresh();
   }
@@ -128,7 +142,7 @@ class LiveView {
       own.forEach(select => select(camera));
     };
     this.players.forEach(player => (player.select = all));
-    if (this.camera < this.runs[0].setup.cameras.length) all(this.camera);
+    all(this.camera in this.runs[0].setup.cameras ? this.camera : this.players[0].agent.camera);
   }
 
   push(steps) {
@@ -164,26 +178,80 @@ class LiveView {
     this.started = true;
   }
 
-  /** Shows the camera there at once; the simulations get the latest place, one command at a time. */
-  drag(camera, toX, toY) {
-    const {minX, maxX, minY, maxY} = this.runs[0].setup.field;
-    const x = Math.min(Math.max(toX, minX), maxX);
-    const y = Math.min(Math.max(toY, minY), maxY);
-    this.playhead.show(this.playhead.count - 1);
-    this.runs.forEach(run => run.preview(camera, x, y));
-    this.players.forEach(player => player.show(this.playhead.frame));
-    this.dragged = {command: 'drag', camera, x, y};
-    if (!this.dragging) this.sendDragged();
+  /** A camera that has just been added is the chosen one; any other stays what it was. */
+  chooseAdded({cameras}) {
+    const before = this.runs[0]?.setup.cameras.map(({name}) => name);
+    if (!before) return;
+    const added = cameras.findIndex(({name}) => !before.includes(name));
+    this.camera = added >= 0 ? added : cameras.findIndex(({name}) => name === before[this.camera]);
   }
 
-  async sendDragged() {
-    this.dragging = true;
-    while (this.dragged) {
-      const latest = this.dragged;
-      this.dragged = null;
+  /** The last pose of a camera that is known, with what has been asked for since. */
+  pose(camera) {
+    return this.runs[0].poses[camera].at(-1).pose;
+  }
+
+  /** What a key asks for: the chosen camera elsewhere or turned. */
+  keyed({code, shiftKey}) {
+    const {camera} = this;
+    if (!(camera in (this.runs[0]?.poses ?? []))) return null;
+    const pose = this.pose(camera);
+    const by = shiftKey ? 10 : 1;
+    if (code in TURNS) return () => this.turn(camera, degrees(pose.heading) + by * TURNS[code]);
+    if (!(code in MOVES)) return null;
+    const [right, up] = MOVES[code].map(nudges => by * nudges * this.nudge());
+    return () => this.move(camera, pose.x + right, pose.y + up);
+  }
+
+  nudge() {
+    const {minX, maxX, minY, maxY} = this.runs[0].setup.field;
+    return NUDGE * Math.max(maxX - minX, maxY - minY);
+  }
+
+  /** A place in the field, to the millimetre, as near as there is one. */
+  inField(x, y) {
+    const {minX, maxX, minY, maxY} = this.runs[0].setup.field;
+    return {x: Math.min(Math.max(tidy(x), minX), maxX), y: Math.min(Math.max(tidy(y), minY), maxY)};
+  }
+
+  move(camera, toX, toY) {
+    const place = this.inField(toX, toY);
+    this.preview(camera, place);
+    this.edit({command: 'drag', camera, ...place});
+  }
+
+  turn(camera, heading) {
+    this.preview(camera, {heading: (heading * Math.PI) / 180});
+    this.edit({command: 'turn', camera, heading});
+  }
+
+  /** A camera more, beside this one, on the side where there is room. */
+  add(camera) {
+    const {x, y} = this.pose(camera);
+    const {minX, maxX} = this.runs[0].setup.field;
+    const apart = APART * this.nudge();
+    this.send({command: 'add', like: camera, ...this.inField(x + (x + apart > maxX && x - apart >= minX ? -apart : apart), y)});
+  }
+
+  /** Shows the camera so at once, and says it. */
+  preview(camera, change) {
+    this.playhead.show(this.playhead.count - 1);
+    this.runs.forEach(run => run.preview(camera, change));
+    this.players.forEach(player => player.show(this.playhead.frame));
+    const {x, y, heading} = this.pose(camera);
+    say(this.said, `camera ${this.runs[0].setup.cameras[camera].name}: x ${decimals(x, 3)} m, y ${decimals(y, 3)} m, heading ${decimals(degrees(heading), 1)} degrees`);
+  }
+
+  /** The simulations get the latest of each kind for each camera, one command at a time. */
+  async edit(command) {
+    this.pending.set(`${command.command} ${command.camera}`, command);
+    if (this.editing) return;
+    this.editing = true;
+    for (const [key, latest] of this.pending) {
+      this.pending.delete(key);
       await this.send(latest);
     }
-    this.dragging = false;
+    this.editing = false;
   }
 }
 

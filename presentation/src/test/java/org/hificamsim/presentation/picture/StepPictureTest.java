@@ -16,6 +16,8 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.metadata.IIOMetadataNode;
@@ -23,6 +25,7 @@ import javax.imageio.stream.ImageInputStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.plot.FigureFile;
@@ -44,15 +47,19 @@ class StepPictureTest {
 
   @BeforeAll
   static void record(@TempDir Path folder) throws IOException {
-    Catalogue catalogue = Catalogue.load();
     Path file =
         Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "cluster-random.xml");
+    run = recorded(ScenarioReader.read(file, any -> true, warning -> {}), 300, folder);
+  }
+
+  private static RunFrames recorded(Scenario scenario, int steps, Path folder) throws IOException {
+    Catalogue catalogue = Catalogue.load();
     RunPlan plan =
         new RunPlan(
-            ScenarioReader.read(file, catalogue.movements()::knows, warning -> {}),
+            scenario,
             Detection.of(catalogue.detection("hifi:orb-lin")),
             "epsilon-greedy",
-            300,
+            steps,
             0,
             1);
     World world = new World(plan.scenario(), catalogue.movements(), 0);
@@ -63,8 +70,44 @@ class StepPictureTest {
       recorder.write(out);
     }
     Replay replay = Replay.read(folder);
-    run = new RunFrames(replay.setup(), replay.recording(folder, 0));
+    return new RunFrames(replay.setup(), replay.recording(folder, 0));
   }
+
+  @Test
+  void whatIsFarBeyondThePictureIsNotPainted(@TempDir Path folder) throws IOException {
+    RunFrames far =
+        recorded(
+            ScenarioReader.read(
+                Files.writeString(folder.resolve("far.xml"), FAR), any -> true, warning -> {}),
+            30,
+            folder);
+    ByteArrayOutputStream svg = new ByteArrayOutputStream();
+    FigureFile.svg(svg, new StepPicture(far, 29));
+    Matcher ends =
+        Pattern.compile("<line[^>]*>")
+            .matcher(svg.toString(java.nio.charset.StandardCharsets.UTF_8));
+    int lines = 0;
+    while (ends.find()) {
+      lines++;
+      Pattern.compile("\\b[xy][12]=\"([^\"]*)\"")
+          .matcher(ends.group())
+          .results()
+          .forEach(
+              end -> assertTrue(Math.abs(Double.parseDouble(end.group(1))) < 4000, ends.group()));
+    }
+    assertTrue(lines > 10, lines + " lines");
+  }
+
+  /**
+   * A target that is a hundred thousand kilometres further at each step, and one that passes by.
+   */
+  private static final String FAR =
+      """
+      <root><simulation min_x="-10" max_x="10" min_y="-10" max_y="10"><cameras><zoom>2 4</zoom>
+      <camera name="A" x="0" y="0" heading="0" viewing_angle="60" range="4"/></cameras><objects>
+      <object_with_waypoints features="0.1" speed="100000000"><waypoint x="-1000000000" y="3"/>
+      <waypoint x="1000000000" y="5"/></object_with_waypoints></objects></simulation></root>
+      """;
 
   @Test
   void everyTargetStandsWhereItIsInTheColourOfItsCoverage() {

@@ -1,11 +1,14 @@
 package org.hificamsim.presentation.view;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertDoesNotThrow;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
@@ -13,12 +16,16 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -27,6 +34,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LiveRunTest {
   private static final Choice CHOICE = new Choice("hifi:orb-lin", null, "epsilon-greedy");
   private final Catalogue catalogue = Catalogue.load();
+
+  @TempDir private Path folder;
 
   private LiveRun live(String scenario, long seed) {
     return new LiveRun(catalogue, Scenarios.read(scenario), CHOICE, seed);
@@ -111,7 +120,7 @@ class LiveRunTest {
     }
     live.restart(0);
     assertEquals(0.25, live.step().sides().get(0).moves().get(1).pose().x());
-    live.forgetDragged();
+    live.forgetEdits();
     live.restart(0);
     assertNotEquals(0.25, live.step().sides().get(0).moves().get(1).pose().x());
   }
@@ -132,6 +141,67 @@ class LiveRunTest {
     assertEquals(
         ReplayJson.of(moves.get(2).pose()),
         ReplayJson.of(live.step().sides().get(0).moves().get(2).pose()));
+  }
+
+  @Test
+  void aTurnedCameraLooksThereInBothAlsoInOneThatComesLaterAndAfterARestart() {
+    LiveRun live = live("lattice-random", 0);
+    steps(live, 2);
+    live.turn(1, 30);
+    assertEquals(Math.toRadians(30), live.step().sides().get(0).moves().get(0).pose().heading());
+    live.compare(true);
+    LiveStep both = live.step();
+    assertEquals(Math.toRadians(30), both.sides().get(1).moves().get(1).pose().heading());
+    live.restart(0);
+    assertEquals(Math.toRadians(30), live.step().sides().get(0).moves().get(1).pose().heading());
+    assertThrows(InputException.class, () -> live.turn(1, Double.NaN));
+    assertThrows(InputException.class, () -> live.turn(99, 0));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"cluster-random", "tutorial-camsim"})
+  void anAddedCameraIsThereAsFromTheStartAndTheTargetsGoOn(String name) {
+    LiveRun live = live(name, 4);
+    LiveRun same = live(name, 4);
+    steps(live, 30);
+    steps(same, 30);
+    int starts = live.scenario().cameras().size();
+    live.drag(0, 1, 2);
+    live.add(0, 3, -4);
+    List<CameraSpec> cameras = live.scenario().cameras();
+    assertEquals("added-1", cameras.get(starts).name());
+    assertEquals(1, cameras.get(0).x());
+    assertEquals(3, cameras.get(starts).x());
+    assertEquals(-4, cameras.get(starts).y());
+    assertEquals(cameras.get(0).range(), cameras.get(starts).range());
+    for (int step = 30; step < 200; step++) {
+      Frame frame = frame(live.step(), 0);
+      assertArrayEquals(frame(same.step(), 0).x(), frame.x());
+      assertEquals(step, frame.step());
+      assertTrue(frame.online()[starts]);
+    }
+    live.add(starts, 0, 0);
+    assertEquals("added-2", live.scenario().cameras().get(starts + 1).name());
+    live.forgetEdits();
+    live.restart(4);
+    assertEquals(starts, live.scenario().cameras().size());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"cluster-scripted", "tutorial-camsim"})
+  void theEditedScenarioIsReadBackAndRunsAsItDidHere(String name) {
+    LiveRun live = live(name, 7);
+    live.drag(1, 0.125, -0.5);
+    live.turn(1, 77.5);
+    live.add(0, 2, 2);
+    Path file = folder.resolve("edited.xml");
+    assertDoesNotThrow(() -> Files.writeString(file, ScenarioWriter.write(live.scenario())));
+    Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
+    LiveRun other = new LiveRun(catalogue, read, CHOICE, 7);
+    live.restart(7);
+    for (int step = 0; step < 60; step++) {
+      assertEquals(ReplayJson.of(live.step()), ReplayJson.of(other.step()));
+    }
   }
 
   @Test

@@ -180,9 +180,19 @@ class ViewServerTest {
         "{\"command\":\"speed\",\"perSecond\":0} | perSecond is 0, expected a whole number from 1",
         "{\"command\":\"speed\",\"perSecond\":1,\"perSecond\":2} | Duplicate",
         "{\"command\":\"step\",\"steps\":1001} | steps is 1001",
+        "{\"command\":null} | command",
+        "{\"command\":\"choose\",\"side\":0,\"detection\":null,\"threshold\":null,\"policy\":\"sarsa\"}"
+            + " | detection is null",
+        "{\"command\":\"choose\",\"side\":0,\"detection\":\"geometric\",\"threshold\":null,\"policy\":null}"
+            + " | policy is null",
+        "{\"command\":\"restart\",\"seed\":null,\"keepCameras\":true} | seed",
         "{\"command\":\"drag\",\"camera\":0,\"x\":NaN,\"y\":0} | NaN",
         "{\"command\":\"drag\",\"camera\":99,\"x\":0,\"y\":0} | camera is 99",
         "{\"command\":\"drag\",\"camera\":0,\"x\":1e300,\"y\":0} | expected a place in the field",
+        "{\"command\":\"turn\",\"camera\":0,\"heading\":1e999} | heading is Infinity, expected"
+            + " degrees",
+        "{\"command\":\"add\",\"like\":99,\"x\":0,\"y\":0} | camera is 99",
+        "{\"command\":\"add\",\"like\":0,\"x\":0,\"y\":1e9} | expected a place in the field",
         "{\"command\":\"compare\",\"on\":1} | on",
         "{\"command\":\"choose\",\"side\":3,\"detection\":\"geometric\",\"threshold\":null,\"policy\":\"zoom-out\"}"
             + " | side is 3",
@@ -248,6 +258,20 @@ class ViewServerTest {
       send(post("{\"command\":\"step\",\"steps\":1}"));
       assertEquals(31, page.stepsUntil(31));
     }
+  }
+
+  @Test
+  void theScenarioIsHandedOutWithItsCamerasAsTheyWerePut() throws Exception {
+    send(post("{\"command\":\"drag\",\"camera\":0,\"x\":0.5,\"y\":-0.25}"));
+    assertEquals(
+        204, send(post("{\"command\":\"turn\",\"camera\":0,\"heading\":12}")).statusCode());
+    assertEquals(204, send(post("{\"command\":\"add\",\"like\":0,\"x\":1,\"y\":2}")).statusCode());
+    HttpResponse<String> scenario = get(address.resolve("scenario.xml"));
+    assertEquals(200, scenario.statusCode());
+    assertEquals("attachment", scenario.headers().firstValue("Content-Disposition").orElseThrow());
+    String body = scenario.body();
+    assertTrue(body.contains("name=\"Cam_01\" x=\"0.5\" y=\"-0.25\" heading=\"12.0\""), body);
+    assertTrue(body.contains("name=\"added-1\" x=\"1.0\" y=\"2.0\" heading=\"12.0\""), body);
   }
 
   @Test

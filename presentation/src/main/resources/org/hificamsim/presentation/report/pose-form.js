@@ -1,0 +1,48 @@
+// Where the chosen camera stands and which way it looks, to be typed or stepped; and a camera more.
+import { el, decimals } from './dom.js';
+
+const QUARTER = 90;
+
+/** A heading in degrees, from 0 to 360; radians in. */
+export const degrees = heading => tidy((((heading * 2 * QUARTER) / Math.PI) % (4 * QUARTER) + 4 * QUARTER) % (4 * QUARTER));
+
+/** To a thousandth: a millimetre, for metres. */
+export const tidy = number => Math.round(number * 1000) / 1000;
+
+export class PoseForm {
+  /**
+   * @param edit `move(camera, x, y)` in metres, `turn(camera, degrees)`, `add(camera)`
+   */
+  constructor(edit) {
+    this.x = field('x', 'm', () => this.move());
+    this.y = field('y', 'm', () => this.move());
+    this.heading = field('heading', '°', () => this.known(this.heading) && edit.turn(this.camera, Number(this.heading.value)));
+    this.edit = edit;
+    this.element = el('div', {class: 'pose', role: 'group', 'aria-label': 'the chosen camera’s place and heading'},
+      ...[this.x, this.y, this.heading].map(input => input.label),
+      el('button', {type: 'button', class: 'add', onclick: () => edit.add(this.camera)}, 'add a camera like it'));
+  }
+
+  move() {
+    if (this.known(this.x) && this.known(this.y)) this.edit.move(this.camera, Number(this.x.value), Number(this.y.value));
+  }
+
+  known(input) {
+    return input.value.trim() !== '' && Number.isFinite(Number(input.value));
+  }
+
+  /** Shows a camera's pose, but for the field that somebody is filling in. */
+  show(camera, pose) {
+    const values = [[this.x, pose.x], [this.y, pose.y], [this.heading, degrees(pose.heading)]];
+    for (const [input, value] of values) {
+      if (input !== document.activeElement || camera !== this.camera) input.value = decimals(value, 3);
+    }
+    this.camera = camera;
+  }
+}
+
+function field(name, unit, onchange) {
+  const input = el('input', {type: 'number', step: 'any', name, onchange});
+  input.label = el('label', {}, `${name} `, input, ` ${unit}`);
+  return input;
+}

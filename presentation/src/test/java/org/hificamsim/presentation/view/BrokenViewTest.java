@@ -1,0 +1,155 @@
+package org.hificamsim.presentation.view;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.TimeUnit;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What the server does when others hold it up, and when the simulation breaks. */
+@Timeout(60)
+class BrokenViewTest {
+  /** Far less than a half-sent request may take. */
+  private static final Duration SOON = Duration.ofSeconds(4);
+
+  private static final int MANY = 100;
+
+  private final HttpClient client = HttpClient.newHttpClient();
+  private final List<Socket> sockets = new ArrayList<>();
+  private Session session;
+  private ViewServer server;
+  private URI address;
+
+  @BeforeEach
+  void start() throws IOException {
+    Catalogue catalogue = Catalogue.load();
+    catalogue.policies().register("exhausting", "no memory after step 3", Exhausting::new);
+    catalogue.policies().register("unready", "cannot be made", () -> missing());
+    Choice choice = new Choice("geometric", null, "exhausting");
+    session = new Session(new LiveRun(catalogue, Scenarios.read("cluster-random"), choice, 0));
+    server = new ViewServer(session, "<p>the page</p>", 0, Duration.ofSeconds(1));
+    address = URI.create(server.address());
+  }
+
+  private static ZoomPolicy missing() {
+    throw new IllegalStateException("a part is missing");
+  }
+
+  @AfterEach
+  void stop() throws IOException {
+    for (Socket socket : sockets) {
+      socket.close();
+    }
+    server.close();
+    session.close();
+  }
+
+  @Test
+  void halfSentRequestsKeepNobodyWaitingAndAreGivenUp() throws Exception {
+    for (int i = 0; i < MANY; i++) {
+      sockets.add(halfSent());
+    }
+    assertEquals(200, send(HttpRequest.newBuilder(address)).statusCode());
+    assertEquals(204, command("pause").statusCode());
+    sockets.get(0).setSoTimeout(15_000);
+    InputStream answer = sockets.get(0).getInputStream();
+    assertEquals(-1, answer.read());
+  }
+
+  private Socket halfSent() throws IOException {
+    Socket socket = new Socket(InetAddress.getLoopbackAddress(), address.getPort());
+    socket.getOutputStream().write("GET /none HTTP/1.1\r\nHo".getBytes(StandardCharsets.UTF_8));
+    return socket;
+  }
+
+  @Test
+  void aCommandThatFailsIsAnsweredAndTheSessionGoesOn() throws Exception {
+    HttpResponse<String> answer =
+        command(
+            "choose\",\"side\":0,\"detection\":\"geometric\",\"threshold\":null,\"policy\":\"unready");
+    assertEquals(500, answer.statusCode());
+    assertTrue(answer.body().contains("a part is missing"), answer.body());
+    assertEquals(1, answer.body().lines().count(), answer.body());
+    assertEquals(204, command("pause").statusCode());
+  }
+
+  @Test
+  void anErrorInAStepEndsTheSessionAndAnswersEveryCommandAtOnce() throws Exception {
+    HttpResponse<String> answer = steps(10);
+    assertEquals(503, answer.statusCode());
+    assertEquals("the session has ended: OutOfMemoryError: in a test\n", answer.body());
+    assertEquals(503, steps(1).statusCode());
+    OutOfMemoryError told = assertThrows(OutOfMemoryError.class, () -> server.awaitEnd());
+    assertEquals("in a test", told.getMessage());
+  }
+
+  @Test
+  void anErrorBetweenCommandsEndsTheSessionToo() throws Exception {
+    assertEquals(204, command("run").statusCode());
+    assertThrows(OutOfMemoryError.class, () -> server.awaitEnd());
+    assertEquals(503, command("pause").statusCode());
+  }
+
+  @Test
+  void noCommandWaitsForASessionThatIsClosed() {
+    session.close();
+    assertThrows(
+        ExecutionException.class,
+        () -> session.submit(new Command.Pause()).get(SOON.toSeconds(), TimeUnit.SECONDS));
+  }
+
+  private HttpResponse<String> steps(int steps) throws Exception {
+    return post("{\"command\":\"step\",\"steps\":" + steps + "}");
+  }
+
+  private HttpResponse<String> command(String name) throws Exception {
+    return post("{\"command\":\"" + name + "\"}");
+  }
+
+  private HttpResponse<String> post(String body) throws Exception {
+    return send(
+        HttpRequest.newBuilder(address.resolve("command"))
+            .header("Content-Type", "application/json")
+            .header("Origin", "http://127.0.0.1:" + address.getPort())
+            .POST(HttpRequest.BodyPublishers.ofString(body)));
+  }
+
+  private HttpResponse<String> send(HttpRequest.Builder request) throws Exception {
+    return client.send(request.timeout(SOON).build(), HttpResponse.BodyHandlers.ofString());
+  }
+
+  /** A policy that runs out of memory. */
+  private static final class Exhausting implements ZoomPolicy {
+    @Override
+    public String name() {
+      return "exhausting";
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] levels) {
+      if (network.step() > 3) {
+        throw new OutOfMemoryError("in a test");
+      }
+    }
+  }
+}
