@@ -76,10 +76,17 @@ public final class Main {
             .setParameterExceptionHandler((fault, words) -> usage(fault))
             .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command));
     try {
-      return line.execute(args);
+      int exit = line.execute(args);
+      return exit == 0 && out.checkError() ? unprinted(line) : exit;
     } catch (OutOfMemoryError | StackOverflowError | LinkageError | ServiceConfigurationError e) {
       return failure(e, line);
     }
+  }
+
+  /** A full device, or a pipe that nobody reads. */
+  private static int unprinted(CommandLine line) {
+    print(line, "standard output cannot be written, expected a place with room for it");
+    return FAILURE;
   }
 
   /** The defaults of all options. */

@@ -65,6 +65,9 @@ final class RunCommand implements Callable<Integer> {
       description = "A step listener from a jar on the class path; may be repeated.")
   private List<String> listeners = new ArrayList<>();
 
+  @Option(names = "--json", description = "Print summary.json rather than a table.")
+  private boolean json;
+
   @Mixin private Screen screen;
 
   @Override
@@ -94,7 +97,11 @@ final class RunCommand implements Callable<Integer> {
       if (replay.isPresent()) {
         report(folder);
       }
-      SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
+      if (json) {
+        screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
+      } else {
+        SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
+      }
     }
     return 0;
   }
