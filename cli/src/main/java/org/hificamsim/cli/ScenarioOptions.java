@@ -51,6 +51,12 @@ final class ScenarioOptions {
     return overrides().detection(spec, scenario.threshold());
   }
 
+  /** Warns where the cameras' viewing angles and focal lengths contradict each other. */
+  void warnAboutLens(Path file, Scenario scenario, Detection detection, PrintWriter err) {
+    DetectionHints.lens(scenario, detection)
+        .ifPresent(line -> warnings.on(err).accept(file + ": " + line));
+  }
+
   /** The threshold that was asked for; null for none. */
   Double threshold() {
     return overrides().threshold().orElse(null);

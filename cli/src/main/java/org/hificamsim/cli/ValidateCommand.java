@@ -7,10 +7,14 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -28,6 +32,12 @@ final class ValidateCommand implements Callable<Integer> {
 
   @Mixin private Warnings warnings;
 
+  @Option(
+      names = "--detection",
+      paramLabel = "NAME|FILE.json[@T]",
+      description = "The detection model whose reach and lens are checked.")
+  private String detection;
+
   @Option(names = "--json", description = "Print what is found as JSON.")
   private boolean json;
 
@@ -36,9 +46,10 @@ final class ValidateCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     Catalogue catalogue = Catalogue.load();
+    DetectionSpec model = DetectionSpec.parse(detection, catalogue::detection);
     List<Checked> all = new ArrayList<>();
     for (Path file : files) {
-      Checked one = check(file, catalogue);
+      Checked one = check(file, model, catalogue);
       all.add(warnings.strict() ? one.strict() : one);
       tell(all.get(all.size() - 1));
     }
@@ -52,7 +63,7 @@ final class ValidateCommand implements Callable<Integer> {
     one.print(json ? new PrintWriter(Writer.nullWriter()) : out(), spec.commandLine().getErr());
   }
 
-  private static Checked check(Path file, Catalogue catalogue) {
+  private static Checked check(Path file, DetectionSpec model, Catalogue catalogue) {
     List<String> warned = new ArrayList<>();
     List<String> errors = new ArrayList<>();
     Optional<Scenario> scenario =
@@ -62,7 +73,15 @@ final class ValidateCommand implements Callable<Integer> {
             NetworkSettings.DEFAULT.check(),
             warned::add,
             fault -> errors.add(fault.getMessage()));
+    scenario.ifPresent(one -> warnAboutDetection(file, one, model, warned));
     return new Checked(file, scenario, errors, warned);
+  }
+
+  private static void warnAboutDetection(
+      Path file, Scenario scenario, DetectionSpec model, List<String> warned) {
+    Detection used = Overrides.NONE.detection(model, scenario.threshold());
+    Stream.of(DetectionHints.smallReach(scenario, used), DetectionHints.lens(scenario, used))
+        .forEach(hint -> hint.ifPresent(line -> warned.add(file + ": " + line)));
   }
 
   private PrintWriter out() {

@@ -1,6 +1,5 @@
 package org.hificamsim.hifi;
 
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
@@ -25,7 +24,7 @@ public record HiFiDetection(
     Optics optics,
     double defaultThreshold,
     Provenance provenance)
-    implements DetectionModel {
+    implements OpticalDetection {
   @Override
   public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
     return g.confidence(f.pip(size, distance, optics.focalLength(zoom)));
