@@ -93,7 +93,7 @@ class ValidateAndListTest {
       "error: " + bad + ":2:69: <simulation> threshold is '2', expected a number from 0 to 1",
       "error: " + bad + ":5:24: <camera> x is '99', expected a number inside the field",
       "error: " + bad + ":9:52: <object> speed is 'fast', expected a number",
-      "error: " + bad + ":12:9: <event> has no duration, expected a whole number"
+      "error: " + bad + ":13:7: <event> has no duration, expected a whole number"
     };
     List<String> lines = validate.err().lines().toList();
     assertEquals(starts.length, lines.size(), validate.err());

@@ -23,11 +23,13 @@ public record Lens(Optics optics, Scenario scenario) {
   }
 
   /**
-   * The focal length of each zoom level, metres, from the narrowest; where cameras have their own
-   * ranges, each that occurs.
+   * The focal length of each radius of the zoom list, metres, from the narrowest; none where each
+   * camera has its own range.
    */
   public List<Double> focalLengths() {
-    return World.zoomLevels(scenario).stream().map(optics::focalLength).distinct().toList();
+    return scenario.inCoverageDialect()
+        ? World.zoomLevels(scenario).stream().map(optics::focalLength).distinct().toList()
+        : List.of();
   }
 
   /**

@@ -52,7 +52,10 @@ public final class SettingsFile {
     lens(json, plan);
   }
 
-  /** What the model looks through, metres; a model without optics has no focal lengths. */
+  /**
+   * What the model looks through, metres: a focal length for each of the zooms, none for a model
+   * without optics.
+   */
   private static void lens(JsonGenerator json, RunPlan plan) throws IOException {
     Optional<Lens> lens = Lens.of(plan.detection(), plan.scenario());
     OptionalDouble height = lens.map(Lens::mountHeight).orElse(plan.scenario().mountHeight());
