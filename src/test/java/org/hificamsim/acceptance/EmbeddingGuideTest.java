@@ -71,6 +71,28 @@ class EmbeddingGuideTest {
     assertTrue(said.contains("performance " + performance(folder)), said);
   }
 
+  @Test
+  void aPolicyOfOnesOwnIsTestedWithThePublishedContract(@TempDir Path folder) throws Exception {
+    assumeTrue(GRADLE_HOME != null, "not started by Gradle");
+    copy(EXAMPLES.resolve("own-policy"), folder);
+    Process process =
+        new ProcessBuilder(
+                Path.of(GRADLE_HOME, "bin", "gradle").toString(),
+                "--no-daemon",
+                "--offline",
+                "--quiet",
+                "-Dmaven.repo.local=" + REPOSITORY.toRealPath(),
+                "contract")
+            .directory(folder.toFile())
+            .redirectErrorStream(true)
+            .start();
+    process.getOutputStream().close();
+    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(0, process.waitFor(), said);
+    assertTrue(said.contains("allocatesNothingPerStep"), said);
+    assertTrue(said.contains("0 tests failed"), said);
+  }
+
   /** What the command line makes of the same run. */
   private static String performance(Path folder) throws IOException {
     Cli run =

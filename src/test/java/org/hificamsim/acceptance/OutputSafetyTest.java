@@ -3,8 +3,14 @@ package org.hificamsim.acceptance;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.File;
+import java.io.FilterWriter;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.io.UncheckedIOException;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,17 +20,70 @@ import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
+import org.hificamsim.cli.Main;
 import org.hificamsim.core.file.OutputFolder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Commands that are interrupted, share a folder, or find links and files of others in it. */
 class OutputSafetyTest {
   private static final Path SCENARIO = Cli.scenario("ring-random");
 
   @TempDir Path folder;
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "--help",
+        "--version",
+        "help run",
+        "generate-completion",
+        "list detections",
+        "list policies",
+        "list scenarios",
+        "validate SCENARIO",
+        "run SCENARIO --steps 5 --out DIR",
+        "compare SCENARIO --steps 5 --repeat 1 --out DIR",
+        "camsim SCENARIO -t 5 -o DIR/o.csv",
+        "generate DIR/g.xml --cameras 2"
+      })
+  void whatCannotBePrintedIsAnErrorInOneLineAndExitCode1(String command) {
+    String[] words =
+        command.replace("SCENARIO", SCENARIO + "").replace("DIR", folder + "").split(" ");
+    Writer full =
+        new FilterWriter(Writer.nullWriter()) {
+          @Override
+          public void write(String text, int from, int length) throws IOException {
+            throw new IOException("No space left on device");
+          }
+        };
+    StringWriter err = new StringWriter();
+    assertEquals(1, Main.execute(new PrintWriter(full, true), new PrintWriter(err, true), words));
+    assertEquals(
+        "error: standard output cannot be written, expected a place with room for it",
+        err.toString().lines().filter(line -> line.startsWith("error")).findFirst().orElse(""));
+  }
+
+  @Test
+  void aFullDeviceIsSuchAPlace() throws Exception {
+    Process process =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-Dhificamsim.root=" + Cli.ROOT,
+                "-cp",
+                System.getProperty("java.class.path"),
+                "org.hificamsim.cli.Main",
+                "validate",
+                SCENARIO.toString())
+            .redirectOutput(new File("/dev/full"))
+            .start();
+    String err = new String(process.getErrorStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(1, process.waitFor(), err);
+    assertEquals(1, err.lines().count(), err);
+  }
 
   @ParameterizedTest
   @CsvSource({

@@ -3,9 +3,12 @@ package org.hificamsim.acceptance;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.core.Reference;
@@ -20,14 +23,18 @@ class ValidateAndListTest {
   @TempDir Path folder;
 
   @Test
-  void everyScenarioOfTheProjectIsValidWithoutAWarningButForTheNetwork() throws IOException {
+  void everyScenarioOfTheProjectIsValidWithoutAWarningButForSectorsThatNoLensHas()
+      throws IOException {
     try (Stream<Path> files = Files.list(Cli.ROOT.resolve("scenarios"))) {
       for (Path file : files.filter(path -> path.toString().endsWith(".xml")).sorted().toList()) {
         Cli validate = Cli.run("validate", file);
         assertEquals(0, validate.exit(), validate.err());
         assertTrue(validate.out().startsWith(file + ": ok, "), validate.out());
         assertTrue(
-            validate.err().lines().allMatch(line -> line.contains("CamSim's network")),
+            validate
+                .err()
+                .lines()
+                .allMatch(line -> line.contains("/tutorial-") && line.contains("(Eq 3.1)")),
             validate.err());
       }
     }
@@ -51,6 +58,139 @@ class ValidateAndListTest {
     assertEquals(2, validate.exit());
     assertEquals(2, validate.out().lines().count());
     assertTrue(validate.err().startsWith("error: " + bad + ":1:1: "), validate.err());
+  }
+
+  /** And a sixth that follows from one of them: no camera named a. */
+  private static final String FIVE_FAULTS =
+      """
+      <root>
+        <simulation min_x="0" max_x="9" min_y="0" max_y="9" order="never" threshold="2">
+          <cameras>
+            <zoom>1 2</zoom>
+            <camera name="a" x="99" y="1" heading="0" viewing_angle="90" range="1"/>
+            <camera name="b" x="1" y="1" heading="0" viewing_angle="90" range="1" lens="7"/>
+          </cameras>
+          <objects>
+            <object features="1" x="1" y="1" heading="0" speed="fast"/>
+            <object features="2" x="1" y="1" heading="0" speed="1"/>
+          </objects>
+          <events>
+            <event timestep="1" participant="camera" event="error" name="a"/>
+          </events>
+        </simulation>
+      </root>
+      """;
+
+  @Test
+  void allFaultsOfAFileAreToldThatDoNotFollowFromOthers() throws IOException {
+    Path bad = Files.writeString(folder.resolve("bad.xml"), FIVE_FAULTS);
+    Cli validate = Cli.run("validate", bad);
+    assertEquals(2, validate.exit());
+    assertEquals("", validate.out());
+    String[] starts = {
+      "warning: " + bad + ":6:77: unknown attribute lens",
+      "error: " + bad + ":2:55: <simulation> order is 'never', expected one of",
+      "error: " + bad + ":2:69: <simulation> threshold is '2', expected a number from 0 to 1",
+      "error: " + bad + ":5:24: <camera> x is '99', expected a number inside the field",
+      "error: " + bad + ":9:52: <object> speed is 'fast', expected a number",
+      "error: " + bad + ":13:7: <event> has no duration, expected a whole number"
+    };
+    List<String> lines = validate.err().lines().toList();
+    assertEquals(starts.length, lines.size(), validate.err());
+    for (int i = 0; i < starts.length; i++) {
+      assertTrue(lines.get(i).startsWith(starts[i]), lines.get(i));
+    }
+  }
+
+  @Test
+  void runTellsTheFirstFaultAlone() throws IOException {
+    Path bad = Files.writeString(folder.resolve("bad.xml"), FIVE_FAULTS);
+    Cli run = Cli.run("run", bad);
+    assertEquals(2, run.exit());
+    assertEquals(1, run.err().lines().count(), run.err());
+  }
+
+  @Test
+  void ofVeryManyFaultsOneHundredAreTold() throws IOException {
+    String camera = "<camera name=\"\" x=\"99\"/>\n";
+    Path bad =
+        Files.writeString(
+            folder.resolve("bad.xml"),
+            "<root><simulation min_x='0' max_x='9' min_y='0' max_y='9'/>"
+                + camera.repeat(250)
+                + "</root>");
+    List<String> lines = Cli.run("validate", bad).err().lines().toList();
+    assertEquals(101, lines.size());
+    assertEquals("error: " + bad + ": 150 more, expected none", lines.get(100));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"validate", "run --steps 5 --out", "compare --steps 5 --repeat 1 --out"})
+  void strictTakesWarningsAsErrors(String words) throws IOException {
+    Path out = folder.resolve("out");
+    Path odd =
+        Files.writeString(
+            folder.resolve("odd.xml"),
+            Files.readString(Cli.scenario("ring-random"))
+                .replace("<simulation ", "<simulation lens='7' "));
+    String[] command = (words + (words.endsWith("out") ? " " + out : "")).split(" ");
+    List<Object> all = new ArrayList<>(List.of((Object[]) command));
+    all.add(odd);
+    Cli lenient = Cli.run(all.toArray());
+    assertEquals(0, lenient.exit(), lenient.err());
+    assertTrue(lenient.err().startsWith("warning: " + odd + ":"), lenient.err());
+    all.add("--strict");
+    Cli strict = Cli.run(all.toArray());
+    assertEquals(2, strict.exit());
+    assertEquals("", strict.out());
+    assertEquals(
+        "error: "
+            + lenient.err().lines().findFirst().orElseThrow().substring("warning: ".length())
+            + "; expected no warning, with --strict",
+        strict.err().strip());
+  }
+
+  @Test
+  void validateAsJsonHasEveryFileWithItsRemarks() throws IOException {
+    Path bad = Files.writeString(folder.resolve("bad.xml"), FIVE_FAULTS);
+    Cli validate = Cli.run("validate", "--json", bad, Cli.scenario("ring-random"));
+    assertEquals(2, validate.exit());
+    JsonNode files = new ObjectMapper().readTree(validate.out());
+    assertEquals(2, files.size());
+    JsonNode first = files.get(0);
+    assertEquals(bad.toString(), first.get("file").asText());
+    assertEquals(false, first.get("valid").asBoolean());
+    assertEquals(5, first.get("errors").size());
+    assertEquals(2, first.get("errors").get(0).get("line").asInt());
+    assertEquals(55, first.get("errors").get(0).get("column").asInt());
+    assertTrue(first.get("errors").get(0).get("message").asText().startsWith("<simulation> order"));
+    assertEquals(6, first.get("warnings").get(0).get("line").asInt());
+    assertEquals(true, files.get(1).get("valid").asBoolean());
+    assertTrue(files.get(1).get("description").asText().contains("8 cameras"), validate.out());
+  }
+
+  @Test
+  void listAsJsonHasWhatTheListHas() throws IOException {
+    JsonNode models = new ObjectMapper().readTree(Cli.run("list", "detections", "--json").out());
+    assertEquals(Cli.run("list", "detections").out().lines().count(), models.size());
+    assertTrue(models.get(0).get("threshold").isNumber());
+    JsonNode policies = new ObjectMapper().readTree(Cli.run("list", "--json", "policies").out());
+    JsonNode greedy =
+        policies.findParents("name").stream()
+            .filter(one -> one.get("name").asText().equals("epsilon-greedy"))
+            .findFirst()
+            .orElseThrow();
+    assertEquals("epsilon", greedy.get("options").get(0).get("key").asText());
+    assertEquals("0.1", greedy.get("options").get(0).get("defaultValue").asText());
+    JsonNode scenarios = new ObjectMapper().readTree(Cli.run("list", "scenarios", "--json").out());
+    assertTrue(scenarios.findValuesAsText("file").toString().contains("ring-random.xml"));
+  }
+
+  @Test
+  void runAsJsonPrintsItsSummary() throws IOException {
+    Cli run = Cli.run("run", Cli.scenario("ring-random"), "--steps", 5, "--json", "--out", folder);
+    assertEquals(0, run.exit(), run.err());
+    assertEquals(Files.readString(folder.resolve("summary.json")), run.out());
   }
 
   @ParameterizedTest
@@ -101,7 +241,7 @@ class ValidateAndListTest {
         "list detction | unknown command 'detction', expected one of detections, policies,"
             + " scenarios",
         "profile | expected lab, measure, fit",
-        "run --stepz 3 | Unknown option: '--stepz', maybe --steps",
+        "run --stepz 3 | Unknown option: '--stepz', maybe --strict or --steps",
       })
   void aMisspelledWordIsToldWhatWasMeant(String words, String expected) {
     Cli wrong = Cli.run((Object[]) words.split(" "));

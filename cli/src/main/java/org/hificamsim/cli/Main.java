@@ -5,6 +5,8 @@ import java.io.InputStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Properties;
 import java.util.Set;
@@ -22,6 +24,7 @@ import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.PropertiesDefaultProvider;
 import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.TypeConversionException;
 import picocli.CommandLine.UnmatchedArgumentException;
 
 /**
@@ -55,6 +58,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
 public final class Main {
   static final int BAD_INPUT = 2;
   private static final int FAILURE = 1;
+  private static final int PART = 400; // characters of a line's start and end
 
   /** Runs one command and exits with its code. */
   public static void main(String[] args) {
@@ -72,13 +76,21 @@ public final class Main {
             .setErr(err)
             .setDefaultValueProvider(new PropertiesDefaultProvider(defaults()))
             .setCaseInsensitiveEnumValuesAllowed(true)
+            .registerConverter(Path.class, Main::path)
             .setParameterExceptionHandler((fault, words) -> usage(fault))
             .setExecutionExceptionHandler((fault, command, parsed) -> failure(fault, command));
     try {
-      return line.execute(args);
+      int exit = line.execute(args);
+      return exit == 0 && out.checkError() ? unprinted(line) : exit;
     } catch (Error e) {
       return failure(e, line);
     }
+  }
+
+  /** A full device, or a pipe that nobody reads. */
+  private static int unprinted(CommandLine line) {
+    print(line, "standard output cannot be written, expected a place with room for it");
+    return FAILURE;
   }
 
   /** The defaults of all options. */
@@ -97,6 +109,15 @@ public final class Main {
     String name = command.getCommandSpec().qualifiedName();
     print(command, oneLine(message(fault)) + "; see " + name + " --help");
     return BAD_INPUT;
+  }
+
+  private static Path path(String text) {
+    try {
+      return Path.of(text);
+    } catch (InvalidPathException e) {
+      throw new TypeConversionException(
+          "'%s' is no file's name (%s)".formatted(text, e.getReason()));
+    }
   }
 
   /** What is wrong, with what there is, or what was probably meant. */
@@ -143,8 +164,16 @@ public final class Main {
   }
 
   private static void print(CommandLine command, String message) {
-    command.getErr().println("error: " + Place.printable(message));
+    command.getErr().println("error: " + Place.printable(shortened(message)));
     command.getErr().flush();
+  }
+
+  /** Without the middle where it is long: at the end stands what was expected. */
+  private static String shortened(String message) {
+    int length = message.length();
+    return length <= 2 * PART
+        ? message
+        : message.substring(0, PART) + "..." + message.substring(length - PART);
   }
 
   private static String oneLine(String message) {

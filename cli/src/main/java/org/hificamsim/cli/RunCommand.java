@@ -12,6 +12,7 @@ import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.scenario.Scenario;
@@ -65,6 +66,9 @@ final class RunCommand implements Callable<Integer> {
       description = "A step listener from a jar on the class path; may be repeated.")
   private List<String> listeners = new ArrayList<>();
 
+  @Option(names = "--json", description = "Print summary.json rather than a table.")
+  private boolean json;
+
   @Mixin private Screen screen;
 
   @Override
@@ -94,7 +98,11 @@ final class RunCommand implements Callable<Integer> {
       if (replay.isPresent()) {
         report(folder);
       }
-      SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
+      if (json) {
+        screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
+      } else {
+        SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
+      }
     }
     return 0;
   }
@@ -120,8 +128,9 @@ final class RunCommand implements Callable<Integer> {
   private RunPlan plan(Catalogue catalogue) {
     DetectionSpec detection = models.detection(catalogue);
     Scenario scenario = scenarioOptions.read(file, catalogue, screen.err());
-    return repeats.plan(
-        scenario, scenarioOptions.detection(detection, scenario), models.policy().orElseThrow());
+    Detection used = scenarioOptions.detection(detection, scenario);
+    scenarioOptions.warnAboutLens(file, scenario, used, screen.err());
+    return repeats.plan(scenario, used, models.policy().orElseThrow());
   }
 
   private List<RunResult> execute(

@@ -4,9 +4,9 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.Place;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
@@ -24,6 +24,8 @@ import picocli.CommandLine.Option;
 final class ScenarioOptions {
   @Mixin private DetectOptions detect;
 
+  @Mixin private Warnings warnings;
+
   @Option(
       names = "--order",
       paramLabel = "coverage|camsim",
@@ -39,12 +41,9 @@ final class ScenarioOptions {
   /** Reads a scenario, with warnings on {@code err}. */
   Scenario read(Path file, Catalogue catalogue, PrintWriter err) {
     Overrides asked = overrides();
-    Scenario scenario =
-        ScenarioReader.read(
-            file,
-            catalogue.movements().names()::contains,
-            warning -> err.println("warning: " + Place.printable(warning)));
-    warnAboutNetwork(file, scenario, err);
+    Consumer<String> warned = warnings.on(err);
+    Scenario scenario = ScenarioReader.read(file, catalogue.movements().names()::contains, warned);
+    warnAboutNetwork(file, scenario, warned);
     return asked.scenario(scenario);
   }
 
@@ -56,6 +55,12 @@ final class ScenarioOptions {
   /** The rule of detection that was asked for. */
   Optional<DetectionRule> rule() {
     return overrides().rule();
+  }
+
+  /** Warns where the cameras' viewing angles and focal lengths contradict each other. */
+  void warnAboutLens(Path file, Scenario scenario, Detection detection, PrintWriter err) {
+    DetectionHints.lens(scenario, detection)
+        .ifPresent(line -> warnings.on(err).accept(file + ": " + line));
   }
 
   /** The threshold that was asked for; null for none. */
@@ -71,11 +76,11 @@ final class ScenarioOptions {
         headings.map(text -> choice(Headings.class, "--headings", text)));
   }
 
-  private static void warnAboutNetwork(Path file, Scenario scenario, PrintWriter err) {
+  private static void warnAboutNetwork(Path file, Scenario scenario, Consumer<String> warned) {
     List<String> parts = NetworkParts.of(scenario);
     if (!parts.isEmpty()) {
-      err.println(
-          "warning: %s: CamSim's network (%s) is kept but not simulated here; 'hificamsim camsim' does"
+      warned.accept(
+          "%s: CamSim's network (%s) is kept but not simulated here; 'hificamsim camsim' does"
               .formatted(file, String.join(", ", parts)));
     }
   }

@@ -48,6 +48,7 @@ final class SummaryTable {
     table.figure("covered by more", Metric.COVERED_K, "%.4f", "");
     table.figure("mean k", Metric.MEAN_K, "%.4f", "cameras per target");
     table.unproven(plan);
+    table.uncovered(plan);
     table.line("k_min over time", Sparkline.of(kMin));
     table.line("files", folder.toString());
     out.flush();
@@ -58,6 +59,13 @@ final class SummaryTable {
     Proof proof = RunResult.proofOf(results);
     if (proof.unprovenSteps() > 0) {
       line("not proven", proof.missing((long) plan.steps() * plan.repeats()));
+    }
+  }
+
+  /** Says how far targets are detected where they were never all covered. */
+  private void uncovered(RunPlan plan) {
+    if (Estimate.of(results, Metric.PERFORMANCE).mean() == 0) {
+      line("detected up to", DetectionHints.reach(plan.scenario(), plan.detection()));
     }
   }
 

@@ -1,17 +1,24 @@
 package org.hificamsim.cli;
 
 import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.InputException;
-import org.hificamsim.core.Place;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
@@ -23,33 +30,61 @@ final class ValidateCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
+  @Mixin private Warnings warnings;
+
+  @Option(
+      names = "--detection",
+      paramLabel = "NAME|FILE.json[@T]",
+      description = "The detection model whose reach and lens are checked.")
+  private String detection;
+
+  @Option(names = "--json", description = "Print what is found as JSON.")
+  private boolean json;
+
   @Spec private CommandSpec spec;
 
   @Override
   public Integer call() {
     Catalogue catalogue = Catalogue.load();
-    int exit = 0;
+    DetectionSpec model = DetectionSpec.parse(detection, catalogue::detection);
+    List<Checked> all = new ArrayList<>();
     for (Path file : files) {
-      exit = Math.max(exit, validate(file, catalogue));
+      Checked one = check(file, model, catalogue);
+      all.add(warnings.strict() ? one.strict() : one);
+      tell(all.get(all.size() - 1));
     }
-    return exit;
+    if (json) {
+      Json.print(out(), all.stream().map(Checked::entry).toList());
+    }
+    return all.stream().allMatch(Checked::valid) ? 0 : Main.BAD_INPUT;
   }
 
-  private int validate(Path file, Catalogue catalogue) {
-    PrintWriter out = spec.commandLine().getOut();
-    PrintWriter err = spec.commandLine().getErr();
-    try {
-      Scenario scenario =
-          ScenarioReader.read(
-              file,
-              catalogue.movements().names()::contains,
-              NetworkSettings.DEFAULT.check(),
-              line -> err.println("warning: " + Place.printable(line)));
-      out.println(file + ": ok, " + Descriptions.of(scenario));
-      return 0;
-    } catch (InputException e) {
-      err.println("error: " + Place.printable(e.getMessage()));
-      return Main.BAD_INPUT;
-    }
+  private void tell(Checked one) {
+    one.print(json ? new PrintWriter(Writer.nullWriter()) : out(), spec.commandLine().getErr());
+  }
+
+  private static Checked check(Path file, DetectionSpec model, Catalogue catalogue) {
+    List<String> warned = new ArrayList<>();
+    List<String> errors = new ArrayList<>();
+    Optional<Scenario> scenario =
+        ScenarioReader.check(
+            file,
+            catalogue.movements().names()::contains,
+            NetworkSettings.DEFAULT.check(),
+            warned::add,
+            fault -> errors.add(fault.getMessage()));
+    scenario.ifPresent(one -> warnAboutDetection(file, one, model, warned));
+    return new Checked(file, scenario, errors, warned);
+  }
+
+  private static void warnAboutDetection(
+      Path file, Scenario scenario, DetectionSpec model, List<String> warned) {
+    Detection used = Overrides.NONE.detection(model, scenario.threshold());
+    Stream.of(DetectionHints.smallReach(scenario, used), DetectionHints.lens(scenario, used))
+        .forEach(hint -> hint.ifPresent(line -> warned.add(file + ": " + line)));
+  }
+
+  private PrintWriter out() {
+    return spec.commandLine().getOut();
   }
 }

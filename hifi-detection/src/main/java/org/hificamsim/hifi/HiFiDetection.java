@@ -2,7 +2,6 @@ package org.hificamsim.hifi;
 
 import java.util.Optional;
 import java.util.OptionalDouble;
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.detector.DetectorLine;
@@ -30,7 +29,7 @@ public record HiFiDetection(
     double defaultThreshold,
     OptionalDouble rmse,
     Provenance provenance)
-    implements DetectionModel {
+    implements OpticalDetection {
   /** A model of whose fit no scatter is known. */
   public HiFiDetection(
       String name,

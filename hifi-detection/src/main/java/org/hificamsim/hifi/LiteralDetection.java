@@ -1,6 +1,5 @@
 package org.hificamsim.hifi;
 
-import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.optics.Optics;
@@ -17,7 +16,7 @@ import org.hificamsim.hifi.optics.Optics;
  */
 public record LiteralDetection(
     String name, LinearAbstraction sum, Optics optics, double defaultThreshold)
-    implements DetectionModel {
+    implements OpticalDetection {
   @Override
   public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
     return sum.negativeLogPip(size, distance, optics.focalLength(zoom));

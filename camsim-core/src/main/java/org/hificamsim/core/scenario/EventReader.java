@@ -12,18 +12,23 @@ final class EventReader {
   private final CameraReader cameras;
   private final TargetReader targets;
   private final Consumer<String> warnings;
+  private final Faults faults;
 
-  EventReader(CameraReader cameras, TargetReader targets, Consumer<String> warnings) {
+  EventReader(
+      CameraReader cameras, TargetReader targets, Consumer<String> warnings, Faults faults) {
     this.cameras = cameras;
     this.targets = targets;
     this.warnings = warnings;
+    this.faults = faults;
   }
 
   List<ScenarioEvent> events(List<XmlElement> elements) {
     Set<String> start = cameras.names();
-    List<Placed> placed = elements.stream().map(this::event).toList();
-    checkTargets(placed);
-    checkCameras(placed, start);
+    List<Placed> placed = faults.each(elements, this::event);
+    if (faults.none()) { // else who is missing in the story may be one of those with a fault
+      checkTargets(placed);
+      checkCameras(placed, start);
+    }
     return placed.stream().map(Placed::event).toList();
   }
 
@@ -88,35 +93,39 @@ final class EventReader {
 
   private void checkTargets(List<Placed> placed) {
     Set<Double> present = targets.present();
-    for (Placed one : inTime(placed)) {
-      if (one.event() instanceof ScenarioEvent.AddTarget add
-          && !present.add(add.target().features())) {
-        throw one.invalidName("features that no object present has");
-      }
-      if (one.event() instanceof ScenarioEvent.RemoveTarget remove
-          && !present.remove(remove.features())) {
-        warnings.accept(
-            one.element().place("name")
-                + ": no object "
-                + remove.features()
-                + " is there at step "
-                + remove.step()
-                + ", nothing is removed");
-      }
+    inTime(placed).forEach(one -> faults.check(() -> checkTarget(one, present)));
+  }
+
+  private void checkTarget(Placed one, Set<Double> present) {
+    if (one.event() instanceof ScenarioEvent.AddTarget add
+        && !present.add(add.target().features())) {
+      throw one.invalidName("features that no object present has");
+    }
+    if (one.event() instanceof ScenarioEvent.RemoveTarget remove
+        && !present.remove(remove.features())) {
+      warnings.accept(
+          one.element().place("name")
+              + ": no object "
+              + remove.features()
+              + " is there at step "
+              + remove.step()
+              + ", nothing is removed");
     }
   }
 
   private void checkCameras(List<Placed> placed, Set<String> online) {
-    for (Placed one : inTime(placed)) {
-      if (one.event() instanceof ScenarioEvent.AddCamera add) {
-        online.add(add.camera().name());
-      } else if (one.event() instanceof ScenarioEvent.ChangeCamera change) {
-        checkCamera(one, change.camera(), online);
-      } else if (one.event() instanceof ScenarioEvent.FailCamera fail) {
-        checkCamera(one, fail.camera(), online);
-        if (fail.duration() != 0) {
-          online.remove(fail.camera());
-        }
+    inTime(placed).forEach(one -> faults.check(() -> checkCamera(one, online)));
+  }
+
+  private void checkCamera(Placed one, Set<String> online) {
+    if (one.event() instanceof ScenarioEvent.AddCamera add) {
+      online.add(add.camera().name());
+    } else if (one.event() instanceof ScenarioEvent.ChangeCamera change) {
+      checkCamera(one, change.camera(), online);
+    } else if (one.event() instanceof ScenarioEvent.FailCamera fail) {
+      checkCamera(one, fail.camera(), online);
+      if (fail.duration() != 0) {
+        online.remove(fail.camera());
       }
     }
   }

@@ -10,7 +10,9 @@ import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionRule;
 
 /**
@@ -46,14 +48,20 @@ public final class ScenarioReader {
   private final Predicate<String> movements;
   private final AgentCheck agents;
   private final Consumer<String> warnings;
+  private final Faults faults;
 
   private ScenarioReader(
-      Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
+      Path path,
+      Predicate<String> movements,
+      AgentCheck agents,
+      Consumer<String> warnings,
+      Faults faults) {
     this.path = path;
     this.root = XmlParser.parse(path);
     this.movements = movements;
     this.agents = agents;
     this.warnings = warnings;
+    this.faults = faults;
   }
 
   /**
@@ -76,7 +84,27 @@ public final class ScenarioReader {
    */
   public static Scenario read(
       Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
-    return new ScenarioReader(path, movements, agents, warnings).scenario();
+    return new ScenarioReader(path, movements, agents, warnings, Faults.thrown()).scenario();
+  }
+
+  /**
+   * Reads one file and tells all faults that do not follow from others: reading goes on after a
+   * camera, object, event or attribute of the simulation that is wrong, though not after broken XML
+   * or without a field.
+   *
+   * @param faults takes each fault
+   * @return the scenario; empty where there was a fault
+   */
+  public static Optional<Scenario> check(
+      Path path,
+      Predicate<String> movements,
+      AgentCheck agents,
+      Consumer<String> warnings,
+      Consumer<InputException> faults) {
+    Faults told = Faults.told(faults);
+    Optional<Scenario> scenario =
+        told.of(() -> new ScenarioReader(path, movements, agents, warnings, told).scenario());
+    return scenario.filter(one -> told.none());
   }
 
   private Scenario scenario() {
@@ -87,27 +115,32 @@ public final class ScenarioReader {
     XmlElement simulation = simulation();
     Attributes attributes = new Attributes(simulation);
     Field field = field(simulation, attributes);
-    List<Double> zooms = new ZoomListReader(root).zooms();
+    boolean zooming = !root.all("zoom").isEmpty();
+    StepOrder order = zooming ? StepOrder.COVERAGE : StepOrder.CAMSIM;
+    order = or(order, standard -> attributes.choice("order", standard));
+    Headings headings = or(Headings.DEGREES, standard -> attributes.choice("headings", standard));
+    OptionalDouble threshold = number(attributes, "threshold", Range.PROPORTION);
+    Optional<DetectionRule> detect =
+        or(Optional.empty(), none -> detect(attributes, threshold.isPresent()));
+    OptionalDouble mountHeight = number(attributes, "mount_height", Range.POSITIVE_LENGTH);
+    List<Double> zooms = or(List.of(), none -> new ZoomListReader(root).zooms());
     CameraReader cameraReader = new CameraReader(field, agents, warnings);
-    TargetReader targetReader = new TargetReader(field, !zooms.isEmpty(), movements, warnings);
-    List<CameraSpec> cameras = root.all("camera").stream().map(cameraReader::camera).toList();
+    TargetReader targetReader = new TargetReader(field, zooming, movements, warnings);
+    List<CameraSpec> cameras = faults.each(root.all("camera"), cameraReader::camera);
     List<TargetSpec> targets = targets(targetReader);
     List<ScenarioEvent> events =
-        new EventReader(cameraReader, targetReader, warnings).events(root.all("event"));
-    requireSome(simulation, cameras, targets, events);
-    OptionalDouble threshold = attributes.optionalNumber("threshold", Range.PROPORTION);
-    Optional<DetectionRule> detect = attributes.optional("detect", DetectionRule::parse);
-    if (threshold.isPresent() && detect.filter(rule -> !rule.certain()).isPresent()) {
-      throw attributes.invalid("threshold", "none beside detect=\"" + detect.get().text() + "\"");
+        new EventReader(cameraReader, targetReader, warnings, faults).events(root.all("event"));
+    if (faults.none()) {
+      requireSome(simulation, cameras, targets, events);
     }
     return new Scenario(
         name(),
         field,
-        attributes.choice("order", zooms.isEmpty() ? StepOrder.CAMSIM : StepOrder.COVERAGE),
-        attributes.choice("headings", Headings.DEGREES),
+        order,
+        headings,
         threshold,
         detect,
-        attributes.optionalNumber("mount_height", Range.POSITIVE_LENGTH),
+        mountHeight,
         zooms,
         cameras,
         targets,
@@ -116,10 +149,27 @@ public final class ScenarioReader {
         attributes.leftOver(warnings));
   }
 
+  private <T> T or(T standard, UnaryOperator<T> reader) {
+    return faults.of(() -> reader.apply(standard)).orElse(standard);
+  }
+
+  private OptionalDouble number(Attributes attributes, String name, Range range) {
+    return or(OptionalDouble.empty(), none -> attributes.optionalNumber(name, range));
+  }
+
+  /** A rule of chance has a threshold of its own. */
+  private static Optional<DetectionRule> detect(Attributes attributes, boolean hasThreshold) {
+    Optional<DetectionRule> detect = attributes.optional("detect", DetectionRule::parse);
+    if (hasThreshold && detect.isPresent() && !detect.get().certain()) {
+      throw attributes.invalid("threshold", "none beside detect=\"" + detect.get().text() + "\"");
+    }
+    return detect;
+  }
+
   private List<TargetSpec> targets(TargetReader reader) {
     return Stream.concat(
-            root.all("object").stream().map(reader::object),
-            root.all("object_with_waypoints").stream().map(reader::objectWithWaypoints))
+            faults.each(root.all("object"), reader::object).stream(),
+            faults.each(root.all("object_with_waypoints"), reader::objectWithWaypoints).stream())
         .toList();
   }
 

@@ -3,6 +3,7 @@ package org.hificamsim.core.scenario;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringReader;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -83,21 +84,35 @@ final class XmlParser extends DefaultHandler {
       throw new InputException(start + ": no such file, expected a scenario file (XML)", e);
     } catch (IOException e) {
       throw new InputException(
-          start
-              + ": cannot be read ("
-              + e.getClass().getSimpleName()
-              + "), expected a scenario file (XML)",
-          e);
+          start + ": cannot be read (" + reason(e) + "), expected a scenario file (XML)", e);
     }
   }
 
+  private static String reason(IOException e) {
+    return e instanceof FileSystemException fault && fault.getReason() != null
+        ? fault.getReason()
+        : e.getClass().getSimpleName();
+  }
+
   private XmlElement parse(String content) {
+    XMLReader reader = configured();
     try {
-      reader().parse(new InputSource(new StringReader(content)));
+      reader.parse(new InputSource(new StringReader(content)));
       return root;
     } catch (SAXParseException e) {
       throw new InputException(fault(e).getMessage(), e);
-    } catch (SAXException | ParserConfigurationException | IOException e) {
+    } catch (SAXException e) { // the JDK's parser loses its way, as after <!DOCTYPE> inside <root>
+      throw new InputException(
+          fault(new SAXParseException(e.getMessage(), locator)).getMessage(), e);
+    } catch (IOException e) {
+      throw new IllegalStateException("a text is read without a fault", e);
+    }
+  }
+
+  private XMLReader configured() {
+    try {
+      return reader();
+    } catch (SAXException | ParserConfigurationException e) {
       throw new IllegalStateException("the JDK's own XML parser knows these settings", e);
     }
   }
@@ -182,7 +197,8 @@ final class XmlParser extends DefaultHandler {
       return text.tag(e.getLineNumber(), e.getColumnNumber())
           .error("a document type declaration (<!DOCTYPE), expected a scenario without one");
     }
-    Place place = new Place(file, e.getLineNumber(), e.getColumnNumber());
+    int line = Math.max(1, e.getLineNumber()); // -1 where there is nothing at all
+    Place place = new Place(file, line, Math.max(1, e.getColumnNumber()));
     if (words.contains(CUT_OFF) && !open.isEmpty()) {
       String name = open.getLast().name();
       return place.error("the file ends inside <" + name + ">, expected </" + name + ">");

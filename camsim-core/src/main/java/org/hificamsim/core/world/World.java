@@ -1,11 +1,13 @@
 package org.hificamsim.core.world;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
@@ -55,6 +57,20 @@ public final class World {
     defineAll(registry);
     scenario.cameras().forEach(camera -> addCamera());
     scenario.targets().forEach(target -> addTarget());
+  }
+
+  /** The zoom levels of the scenario's cameras at the start, each once, in the file's order. */
+  public static List<ZoomLevel> zoomLevels(Scenario scenario) {
+    ZoomLevels levels = new ZoomLevels(scenario);
+    return scenario.cameras().stream()
+        .flatMap(camera -> Arrays.stream(levels.of(camera)))
+        .distinct()
+        .toList();
+  }
+
+  /** The zoom levels of one camera of a scenario at the start, from the narrowest. */
+  public static List<ZoomLevel> zoomLevels(Scenario scenario, CameraSpec camera) {
+    return List.of(new ZoomLevels(scenario).of(camera));
   }
 
   /** The scenario that this world was made from. */
@@ -219,9 +235,7 @@ public final class World {
     for (int camera = 0; camera < cameraSpecs.size(); camera++) {
       CameraSpec spec = cameraSpecs.get(camera);
       cameraNumbers.putIfAbsent(spec.name(), camera);
-      double range = ZoomLevels.clampedRange(spec.range());
-      double angle = Math.toRadians(spec.viewingAngle());
-      cameras.define(camera, spec.name(), zoomLevels.of(range, angle));
+      cameras.define(camera, spec.name(), zoomLevels.of(spec));
     }
     for (int target = 0; target < targetSpecs.size(); target++) {
       TargetSpec spec = targetSpecs.get(target);

@@ -4,6 +4,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 
 /** Makes a camera's zoom levels from a scenario's zoom list, or from the camera's range alone. */
@@ -25,6 +26,11 @@ final class ZoomLevels {
   /** CamSim's rule for the range of a camera that is created (behaviour 6.3). */
   static double clampedRange(double range) {
     return range >= MAX_RANGE ? CLAMPED : range;
+  }
+
+  /** The levels of a camera as the scenario gives it; cameras of a kind share them. */
+  ZoomLevel[] of(CameraSpec camera) {
+    return of(clampedRange(camera.range()), Math.toRadians(camera.viewingAngle()));
   }
 
   /**

@@ -56,7 +56,7 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
     try (Reader reader = Files.newBufferedReader(path, StandardCharsets.UTF_8)) {
       properties.load(reader);
     } catch (IOException | IllegalArgumentException e) {
-      throw new InputException(path + ": cannot be read as a properties file: " + e, e);
+      throw new InputException(path + ": cannot be read, expected a properties file: " + e, e);
     }
     Options options =
         properties.isEmpty()

@@ -9,6 +9,7 @@ import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamReadFeature;
 import com.fasterxml.jackson.core.io.JsonEOFException;
 import com.fasterxml.jackson.core.json.JsonReadFeature;
+import java.io.CharConversionException;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
@@ -49,6 +50,9 @@ public final class JsonFile {
   public static JsonObject parse(String file, byte[] bytes) {
     try (JsonParser parser = FACTORY.createParser(bytes)) {
       return new JsonFile(file, parser).whole();
+    } catch (CharConversionException e) {
+      throw new InputException(
+          new Place(file, 1, 1) + ": no text, expected a JSON object in UTF-8", e);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -72,7 +76,7 @@ public final class JsonFile {
       throw value.place().error("the file holds " + value.shown() + ", expected an object in {}");
     }
     if (parser.nextToken() != null) {
-      throw place().error("'" + parser.getText() + "' after the end, expected nothing more");
+      throw place().error(value().shown() + " after the end, expected nothing more");
     }
     return object;
   }
@@ -120,6 +124,6 @@ public final class JsonFile {
   private static String problem(JsonProcessingException e) {
     return e instanceof JsonEOFException
         ? "the file ends too early, expected the rest of what was opened"
-        : "no valid JSON: " + e.getOriginalMessage();
+        : "no valid JSON, expected one object in {}, each property once: " + e.getOriginalMessage();
   }
 }

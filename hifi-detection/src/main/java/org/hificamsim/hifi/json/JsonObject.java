@@ -158,7 +158,9 @@ public final class JsonObject implements JsonValue {
    */
   public InputException error(String key, String expectation) {
     JsonValue value = properties.get(key).value();
-    return value.place().error(key + " is " + value.shown() + ", " + expectation);
+    return value
+        .place()
+        .error(JsonValue.shortened(key) + " is " + value.shown() + ", " + expectation);
   }
 
   /** What a form makes of this object; refuses properties that it did not ask for. */
@@ -172,7 +174,9 @@ public final class JsonObject implements JsonValue {
     if (!declared.contains(key)) {
       throw property
           .place()
-          .error("unknown property '" + key + "', expected one of " + String.join(", ", declared));
+          .error(
+              "unknown property '%s', expected one of %s"
+                  .formatted(JsonValue.shortened(key), String.join(", ", declared)));
     }
   }
 

@@ -38,7 +38,8 @@ sealed interface JsonValue
   /** True, false or null. */
   record Word(Place place, String shown) implements JsonValue {}
 
-  private static String shortened(String text) {
+  /** The text, or its start where it is long. */
+  static String shortened(String text) {
     return text.length() <= 60 ? text : text.substring(0, 60) + "...";
   }
 }

@@ -21,6 +21,11 @@ public record Optics(double sensorWidth, double longestFocalLength) {
     return mountHeight * StrictMath.tan(angleOfView(focalLength) / 2);
   }
 
+  /** The mount height at which this focal length gives this radius: Eqs 3.1, 3.2 solved. */
+  public double mountHeight(double radius, double focalLength) {
+    return 2 * focalLength * radius / sensorWidth;
+  }
+
   /** The focal length that gives this radius, above 0, from this height: Eqs 3.1, 3.2 solved. */
   public double focalLength(double radius, double mountHeight) {
     return mountHeight * sensorWidth / (2 * radius);

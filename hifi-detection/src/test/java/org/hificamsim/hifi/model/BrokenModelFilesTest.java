@@ -10,6 +10,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Random;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
@@ -80,6 +83,7 @@ class BrokenModelFilesTest {
         arguments("\"threshold\": 0.05", "\"threshold\": \"low\"", "8:16", "threshold is 'low'"),
         arguments("\"q\": \"m\"", "\"q\": \"mm\"", "9:18", "q is 'mm', expected one of m"),
         arguments("\"q\": \"m\", ", "", "9:12", "'q' is missing"),
+        arguments("\"source\": \"a test\"", "\"" + "k".repeat(999) + "\": 5", "10:", "kkk... is 5"),
         arguments("\"a test\"", "5", "10:28", "source is 5, expected a text"),
         arguments("{\"source\": \"a test\"}", "[]", "10:17", "provenance is a list of 0"),
         arguments("\"threshold\"", "\"" + "k".repeat(9999) + "\"", "8:3", "unknown property 'kkk"),
@@ -118,6 +122,39 @@ class BrokenModelFilesTest {
   void bytesThatAreNoTextAreRefused() throws IOException {
     fault(new byte[] {0, 1, 2, 3});
     fault(MODEL.replace("a test", "\u00e9").getBytes(StandardCharsets.ISO_8859_1));
+    fault(new byte[] {0, 0, (byte) 0xff, (byte) 0xfe, 1, 2, 3, 4});
+    fault(new byte[] {0, 0, 0, 'x', 0, 0x77, 0, 0});
+    fault(new byte[] {'x', 0, 0, 0, 1, 1, 1});
+  }
+
+  @Test
+  void bytesAtRandomAreRefused() throws IOException {
+    Random random = new Random(1);
+    byte[] bytes = new byte[64];
+    for (int i = 0; i < 2000; i++) {
+      random.nextBytes(bytes);
+      Arrays.fill(bytes, 0, i % 4, (byte) 0); // how UTF-16 and UTF-32 start
+      fault(bytes);
+    }
+  }
+
+  /** Each value of the model in turn is replaced by one of each other kind. */
+  @Test
+  void everyValueOfAnotherKindIsRefused() throws IOException {
+    Matcher value = Pattern.compile("(?<=: )(\"[^\"]*\"|-?[0-9.]+)").matcher(MODEL);
+    String[] others = {
+      "[]", "[[1]]", "{\"x\": {}}", "false", "nul", "NaN", "1e400", "'a'", "\"\\q\""
+    };
+    int refused = 0;
+    while (value.find()) {
+      for (String other : others) {
+        StringBuilder broken = new StringBuilder(MODEL);
+        broken.replace(value.start(), value.end(), other);
+        fault(broken.toString().getBytes(StandardCharsets.UTF_8));
+        refused++;
+      }
+    }
+    assertEquals(17 * others.length, refused);
   }
 
   @Test
@@ -140,6 +177,7 @@ class BrokenModelFilesTest {
     assertTrue(message.matches("\\Q" + file + "\\E:\\d+:\\d+: .*"), message);
     assertEquals(1, message.lines().count(), message);
     assertTrue(message.length() < 600, message);
+    assertTrue(message.contains(", expected "), message);
     return message;
   }
 }

@@ -37,7 +37,8 @@ final class CameraFile {
     } catch (NoSuchFileException e) {
       throw new InputException(file + ": no such file, expected the camera's sensor and pixels", e);
     } catch (IOException e) {
-      throw new InputException(file + ": cannot be read: " + e.getMessage(), e);
+      throw new InputException(
+          file + ": cannot be read, expected a JSON file: " + e.getMessage(), e);
     }
   }
 }

@@ -80,7 +80,8 @@ final class CocoPatches {
       }
       return Files.readAllBytes(file);
     } catch (IOException e) {
-      throw new InputException(file + ": cannot be read: " + e.getMessage(), e);
+      throw new InputException(
+          file + ": cannot be read, expected a JSON file: " + e.getMessage(), e);
     }
   }
 }

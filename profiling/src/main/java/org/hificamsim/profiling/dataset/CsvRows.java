@@ -8,6 +8,7 @@ import com.fasterxml.jackson.dataformat.csv.CsvSchema;
 import java.io.IOException;
 import java.io.Reader;
 import java.io.UncheckedIOException;
+import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
@@ -107,9 +108,11 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
       throw new InputException(name + ": no such file, expected a data set's table", e);
     } catch (JsonProcessingException e) {
       throw new Place(name, e.getLocation().getLineNr(), e.getLocation().getColumnNr())
-          .error("no valid CSV: " + e.getOriginalMessage());
+          .error("no valid CSV, expected cells between commas: " + e.getOriginalMessage());
+    } catch (CharacterCodingException e) {
+      throw new InputException(name + ":1:1: no text, expected a table in UTF-8", e);
     } catch (IOException | UncheckedIOException e) {
-      throw new InputException(name + ": cannot be read as UTF-8 text: " + e.getMessage(), e);
+      throw new InputException(name + ": cannot be read, expected a table: " + e.getMessage(), e);
     }
   }
 

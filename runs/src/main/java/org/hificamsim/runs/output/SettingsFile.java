@@ -3,9 +3,12 @@ package org.hificamsim.runs.output;
 import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.runs.Lens;
 import org.hificamsim.runs.RunPlan;
 
 /** Every setting of a plan, as result files name them. */
@@ -49,5 +52,25 @@ public final class SettingsFile {
     }
     json.writeEndArray();
     json.writeNumberField("cameras", scenario.cameras().size());
+    lens(json, plan);
+  }
+
+  /**
+   * What the model looks through, metres: a focal length for each of the zooms, none for a model
+   * without optics.
+   */
+  private static void lens(JsonGenerator json, RunPlan plan) throws IOException {
+    Optional<Lens> lens = Lens.of(plan.detection(), plan.scenario());
+    OptionalDouble height = lens.map(Lens::mountHeight).orElse(plan.scenario().mountHeight());
+    if (height.isPresent()) {
+      json.writeNumberField("mount_height", height.getAsDouble());
+    } else {
+      json.writeNullField("mount_height");
+    }
+    json.writeArrayFieldStart("focal_lengths");
+    for (double focalLength : lens.map(Lens::focalLengths).orElse(List.of())) {
+      json.writeNumber(focalLength);
+    }
+    json.writeEndArray();
   }
 }

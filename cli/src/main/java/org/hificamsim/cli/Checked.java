@@ -1,0 +1,59 @@
+package org.hificamsim.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.scenario.Scenario;
+
+/**
+ * What {@code validate} finds out about one file.
+ *
+ * @param scenario empty where there are errors
+ * @param errors lines with their place
+ * @param warnings lines with their place, most of them
+ */
+record Checked(Path file, Optional<Scenario> scenario, List<String> errors, List<String> warnings) {
+  private static final int MOST = 100;
+
+  /** The same for programs. */
+  record Entry(
+      String file, boolean valid, String description, List<Remark> errors, List<Remark> warnings) {}
+
+  boolean valid() {
+    return errors.isEmpty();
+  }
+
+  /** The same with warnings as errors. */
+  Checked strict() {
+    List<String> all = new ArrayList<>(warnings.stream().map(Warnings::asError).toList());
+    all.addAll(errors);
+    return new Checked(file, scenario, all, List.of());
+  }
+
+  void print(PrintWriter out, PrintWriter err) {
+    lines(err, "warning: ", warnings);
+    lines(err, "error: ", errors);
+    if (valid()) {
+      out.println(file + ": ok, " + Descriptions.of(scenario.orElseThrow()));
+    }
+  }
+
+  private void lines(PrintWriter err, String start, List<String> lines) {
+    lines.stream().limit(MOST).forEach(line -> err.println(start + Place.printable(line)));
+    if (lines.size() > MOST) {
+      err.println(start + file + ": " + (lines.size() - MOST) + " more, expected none");
+    }
+  }
+
+  Entry entry() {
+    return new Entry(
+        file.toString(),
+        valid(),
+        scenario.map(Descriptions::of).orElse(""),
+        errors.stream().map(line -> Remark.of(file, line)).toList(),
+        warnings.stream().map(line -> Remark.of(file, line)).toList());
+  }
+}

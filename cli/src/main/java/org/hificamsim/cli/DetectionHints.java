@@ -1,0 +1,104 @@
+package org.hificamsim.cli;
+
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
+import org.hificamsim.runs.Lens;
+import org.hificamsim.runs.Reach;
+
+/** What a detection model makes of a scenario's cameras, in words. */
+final class DetectionHints {
+  private static final int MOST_LEVELS = 10;
+  private static final double SMALL_PART = 0.5;
+  private static final double TOLERANCE = 1.1;
+
+  private DetectionHints() {}
+
+  /** How far a target is detected at each zoom level. */
+  static String reach(Scenario scenario, Detection detection) {
+    List<Reach> all = Reach.of(scenario, detection);
+    String levels =
+        all.stream()
+            .limit(MOST_LEVELS)
+            .map(one -> plain(one.detected()) + " of " + plain(one.radius()))
+            .collect(Collectors.joining(", "));
+    return levels
+        + (all.size() > MOST_LEVELS ? ", ..." : "")
+        + " m (a target of "
+        + plain(Reach.largestTarget(scenario))
+        + " m)";
+  }
+
+  /** A warning where a target is detected in the near part of the field of view alone. */
+  static Optional<String> smallReach(Scenario scenario, Detection detection) {
+    List<Reach> all = Reach.of(scenario, detection);
+    return all.isEmpty() || all.stream().anyMatch(DetectionHints::isLarge)
+        ? Optional.empty()
+        : Optional.of(
+            "'%s' detects up to %s: under half of the reach at every zoom level; expected smaller radii, larger targets, a lower threshold or another model"
+                .formatted(detection.name(), reach(scenario, detection)));
+  }
+
+  private static boolean isLarge(Reach one) {
+    return one.detected() >= SMALL_PART * one.radius();
+  }
+
+  /** A warning where cameras cannot have both their viewing angle and their focal lengths. */
+  static Optional<String> lens(Scenario scenario, Detection detection) {
+    return Lens.of(detection, scenario).flatMap(lens -> contradiction(scenario, lens));
+  }
+
+  private static Optional<String> contradiction(Scenario scenario, Lens lens) {
+    List<CameraSpec> wrong =
+        scenario.cameras().stream().filter(camera -> contradicts(camera, scenario, lens)).toList();
+    return wrong.stream()
+        .findFirst()
+        .map(
+            camera ->
+                "camera '%s'%s sees %s degrees (viewing_angle), but its focal length gives %s (Eq 3.1); expected a mount_height that makes them agree%s, or viewing_angle 360"
+                    .formatted(
+                        camera.name(),
+                        wrong.size() == 1 ? "" : " (one of " + wrong.size() + ")",
+                        plain(camera.viewingAngle()),
+                        angles(levels(camera, scenario), lens),
+                        agreeing(camera, scenario)));
+  }
+
+  private static boolean contradicts(CameraSpec camera, Scenario scenario, Lens lens) {
+    List<ZoomLevel> levels = levels(camera, scenario);
+    double narrowest = lens.angleOfView(levels.get(0));
+    double widest = lens.angleOfView(levels.get(levels.size() - 1));
+    double angle = camera.viewingAngle();
+    return angle < 360 && (angle < narrowest / TOLERANCE || angle > widest * TOLERANCE);
+  }
+
+  private static String angles(List<ZoomLevel> levels, Lens lens) {
+    String narrowest = plain(lens.angleOfView(levels.get(0)));
+    String widest = plain(lens.angleOfView(levels.get(levels.size() - 1)));
+    return narrowest.equals(widest) ? narrowest : narrowest + " to " + widest;
+  }
+
+  /** The height at which the widest radius has the viewing angle (Eq 3.2). */
+  private static String agreeing(CameraSpec camera, Scenario scenario) {
+    List<ZoomLevel> levels = levels(camera, scenario);
+    double radius = levels.get(levels.size() - 1).radius();
+    double height = radius / Math.tan(Math.toRadians(camera.viewingAngle()) / 2);
+    return camera.viewingAngle() < 180 && radius > 0 ? ", such as " + plain(height) : "";
+  }
+
+  private static List<ZoomLevel> levels(CameraSpec camera, Scenario scenario) {
+    return World.zoomLevels(scenario, camera);
+  }
+
+  /** Three significant digits. */
+  private static String plain(double value) {
+    return new BigDecimal(value).round(new MathContext(3)).stripTrailingZeros().toPlainString();
+  }
+}

@@ -1,0 +1,62 @@
+package org.hificamsim.runs;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.core.detection.DetectedDistances;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.world.World;
+
+/**
+ * How far a camera detects a target straight ahead at one zoom level.
+ *
+ * @param radius of the field of view, metres
+ * @param detected the farthest distance at which the target is detected, metres; 0 where it is
+ *     detected nowhere
+ */
+public record Reach(double radius, double detected) {
+  /** The reach at each zoom level of a scenario's cameras, each once, for its largest target. */
+  public static List<Reach> of(Scenario scenario, Detection detection) {
+    double size = largestTarget(scenario);
+    return World.zoomLevels(scenario).stream()
+        .map(zoom -> new Reach(zoom.radius(), detected(detection, size, zoom)))
+        .distinct()
+        .toList();
+  }
+
+  /** The edge of the largest target that a scenario has at any time, metres. */
+  public static double largestTarget(Scenario scenario) {
+    Stream<TargetSpec> added =
+        scenario.events().stream()
+            .filter(ScenarioEvent.AddTarget.class::isInstance)
+            .map(event -> ((ScenarioEvent.AddTarget) event).target());
+    return Stream.concat(scenario.targets().stream(), added)
+        .mapToDouble(TargetSpec::size)
+        .max()
+        .orElse(TargetSpec.DEFAULT_SIZE);
+  }
+
+  private static double detected(Detection detection, double size, ZoomLevel zoom) {
+    DetectedDistances distances =
+        DetectedDistances.of(new Ahead(detection.model()), size, zoom, detection.threshold());
+    int last = distances.intervals() - 1;
+    return last < 0 ? 0 : Math.sqrt(distances.to(last));
+  }
+
+  /** A model whose targets are all straight ahead. */
+  private record Ahead(DetectionModel model) implements DetectionModel {
+    @Override
+    public String name() {
+      return model.name();
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return model.confidence(size, distance, 0, zoom);
+    }
+  }
+}

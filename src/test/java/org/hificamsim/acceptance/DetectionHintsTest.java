@@ -1,0 +1,128 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What commands say of a scenario that a detection model can hardly see, or not with its lens. */
+class DetectionHintsTest {
+
+  @TempDir Path folder;
+
+  @Test
+  void compareSaysWhyNothingIsCovered() throws IOException {
+    Cli compare = compare(carPark(20));
+    assertEquals(0, compare.exit(), compare.err());
+    assertTrue(compare.out().contains("no step had every target covered"), compare.out());
+    assertTrue(compare.out().contains("covered by none [95%]"), compare.out());
+    assertTrue(compare.out().contains("mean k [95%]"), compare.out());
+    assertTrue(compare.out().contains("car-park, hifi:orb-lin: detected up to "), compare.out());
+    assertTrue(compare.out().contains("car-park, camsim-range: detected up to "), compare.out());
+  }
+
+  @Test
+  void compareSaysNothingOfTheKindWhereSomethingIsCovered() {
+    Cli compare = compare(Cli.scenario("ring-random"));
+    assertEquals(0, compare.exit(), compare.err());
+    assertFalse(compare.out().contains("detected up to"), compare.out());
+  }
+
+  @Test
+  void runSaysHowFarTargetsAreDetectedWhereNothingIsCovered() throws IOException {
+    Cli run = Cli.run("run", carPark(20), "--steps", 5, "--out", folder.resolve("out"));
+    assertEquals(0, run.exit(), run.err());
+    assertTrue(run.out().contains("detected up to   "), run.out());
+    assertTrue(run.out().contains(" of 20, "), run.out());
+    Cli covered =
+        Cli.run("run", Cli.scenario("ring-random"), "--steps", 50, "--out", folder.resolve("r"));
+    assertFalse(covered.out().contains("detected up to"), covered.out());
+  }
+
+  @Test
+  void validateWarnsOfAModelThatSeesASmallPartOfTheReach() throws IOException {
+    Path file = carPark(20);
+    Cli hifi = Cli.run("validate", file);
+    assertEquals(0, hifi.exit());
+    assertTrue(
+        hifi.err().startsWith("warning: " + file + ": 'hifi:orb-lin' detects up to "), hifi.err());
+    assertTrue(hifi.err().contains("under half of the reach at every zoom level"), hifi.err());
+    assertEquals("", Cli.run("validate", file, "--detection", "camsim-visibility").err());
+    assertEquals(2, Cli.run("validate", file, "--strict").exit());
+    assertEquals("", Cli.run("validate", carPark(2.5)).err());
+  }
+
+  @Test
+  void aViewingAngleThatTheFocalLengthsDoNotGiveIsAWarning() throws IOException {
+    Path file = Cli.scenario("tutorial-two-cameras");
+    String warning =
+        "warning: "
+            + file
+            + ": camera 'East' sees 120 degrees (viewing_angle), but its focal length gives 15 to"
+            + " 43.1 (Eq 3.1); expected a mount_height that makes them agree, such as 4.33, or"
+            + " viewing_angle 360";
+    assertEquals(warning, Cli.run("validate", file).err().strip());
+    Path out = folder.resolve("out");
+    assertEquals(warning, Cli.run("run", file, "--steps", 5, "--out", out).err().strip());
+    assertEquals(2, Cli.run("run", file, "--steps", 5, "--out", out, "--strict").exit());
+    Cli plain = Cli.run("run", file, "--steps", 5, "--out", out, "--detection", "camsim-range");
+    assertEquals("", plain.err());
+  }
+
+  @Test
+  void theHeightThatTheWarningAsksForEndsIt() throws IOException {
+    String text = Files.readString(Cli.scenario("tutorial-two-cameras"));
+    Path file = folder.resolve("lower.xml");
+    Files.writeString(file, text.replace("mount_height=\"19\"", "mount_height=\"4.33\""));
+    assertEquals("", Cli.run("validate", file, "--detection", "hifi:orb-power").err());
+  }
+
+  @Test
+  void settingsTellTheLens() throws IOException {
+    Path out = folder.resolve("out");
+    Cli.run("run", Cli.scenario("ring-random"), "--steps", 5, "--out", out);
+    JsonNode settings = new ObjectMapper().readTree(out.resolve("summary.json").toFile());
+    assertEquals(2 * 0.085 * 2.5 / 0.0224, settings.get("mount_height").asDouble(), 1e-12);
+    assertEquals(5, settings.get("focal_lengths").size());
+    assertEquals(0.085, settings.get("focal_lengths").get(0).asDouble());
+    assertEquals(0.085 / 3, settings.get("focal_lengths").get(4).asDouble(), 1e-15);
+  }
+
+  @Test
+  void aModelWithoutALensHasNoFocalLengths() throws IOException {
+    Path out = folder.resolve("out");
+    Cli.run(
+        "run", Cli.scenario("ring-random"), "--detection", "geometric", "--steps", 5, "--out", out);
+    JsonNode settings = new ObjectMapper().readTree(out.resolve("summary.json").toFile());
+    assertTrue(settings.get("mount_height").isNull());
+    assertEquals(0, settings.get("focal_lengths").size());
+  }
+
+  private Cli compare(Path file) {
+    Object[] words = {"compare", file, "--steps", 20, "--repeat", 2, "--out", folder.resolve("c")};
+    return Cli.run(words);
+  }
+
+  /** Two cameras and two targets far apart, with radii of 1, 1.5 and 2 times the first. */
+  private Path carPark(double radius) throws IOException {
+    String zooms = radius + " " + 1.5 * radius + " " + 2 * radius;
+    String text =
+        """
+        <root><simulation min_x="0" max_x="200" min_y="0" max_y="120"><zoom>%s</zoom>
+        <camera name="a" x="10" y="60" heading="0" viewing_angle="360" range="9"/>
+        <camera name="b" x="90" y="60" heading="0" viewing_angle="360" range="9"/>
+        <object features="1" x="190" y="5" heading="0" speed="0"/>
+        <object features="2" x="190" y="115" heading="0" speed="0"/>
+        </simulation></root>
+        """
+            .formatted(zooms);
+    return Files.writeString(folder.resolve("car-park.xml"), text);
+  }
+}

@@ -1,0 +1,77 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Pattern;
+
+/** A right file and how it is broken. */
+record FuzzCase(FuzzKind kind, Path seed, List<FuzzEdit> edits) {
+  private static final Duration LONGEST = Duration.ofSeconds(60);
+  private static final Path FOUND = Cli.ROOT.resolve("build/fuzz");
+  private static final Pattern PLACE = Pattern.compile("error: [^:]*:(\\d+:\\d+:)? .*");
+  private static final int LONGEST_LINE = 1000;
+
+  /**
+   * Fails unless the content is taken, or refused as it should be; a content that fails is kept.
+   */
+  void check() {
+    byte[] content = content();
+    try {
+      check(kind, content);
+    } catch (AssertionError | RuntimeException e) {
+      throw new AssertionError("kept for the corpus as " + keep(content), e);
+    }
+  }
+
+  /** Taken (0), or refused (2) in error lines that say where and what was expected. */
+  static void check(FuzzKind kind, byte[] content) {
+    Cli read = assertTimeoutPreemptively(LONGEST, () -> kind.read(content));
+    assertTrue(read.exit() == 0 || read.exit() == 2, read.exit() + ": " + read.err());
+    assertFalse(read.err().contains("Exception") || read.err().contains("\tat "), read.err());
+    List<String> errors = read.err().lines().filter(line -> !line.startsWith("warning: ")).toList();
+    assertTrue(read.exit() == 0 || !errors.isEmpty(), "refused without a word");
+    errors.forEach(line -> checkLine(kind, line));
+  }
+
+  private static void checkLine(FuzzKind kind, String line) {
+    assertTrue(line.startsWith("error: "), line);
+    assertTrue(line.length() < LONGEST_LINE, line);
+    boolean usage = kind == FuzzKind.COMMAND && line.endsWith(" --help");
+    assertTrue(usage || line.contains("expected"), line);
+    assertTrue(!kind.hasPlaces() || PLACE.matcher(line).matches(), line);
+  }
+
+  private byte[] content() {
+    try {
+      String text =
+          Files.readString(seed, StandardCharsets.ISO_8859_1); // a character for each byte
+      for (FuzzEdit edit : edits) {
+        text = edit.apply(text);
+      }
+      return text.getBytes(StandardCharsets.ISO_8859_1);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Path keep(byte[] content) {
+    try {
+      String name =
+          String.format(Locale.ROOT, "%s-%08x", seed.getFileName(), List.of(edits).hashCode());
+      Path folder = Files.createDirectories(FOUND.resolve(kind.name().toLowerCase(Locale.ROOT)));
+      return Files.write(folder.resolve(name), content);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,58 @@
+package org.hificamsim.acceptance;
+
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A change to a text that once was right.
+ *
+ * @param at where, as a share of the text, in [0, 1)
+ * @param length how much, of 1 to 40 characters
+ * @param piece what is put in, for the kinds that put something in
+ */
+record FuzzEdit(Kind kind, double at, int length, String piece) {
+  private static final Pattern NUMBER = Pattern.compile("-?\\d+(\\.\\d+)?");
+  private static final Pattern WORD = Pattern.compile("[A-Za-z_]+");
+
+  /** The ways of breaking a text. */
+  enum Kind {
+    DELETE,
+    REPEAT,
+    INSERT,
+    NUMBER,
+    WORD,
+    FLIP,
+    CUT
+  }
+
+  /** The changed text. */
+  String apply(String text) {
+    int from = (int) (at * text.length());
+    int to = Math.min(text.length(), from + length);
+    String start = text.substring(0, from);
+    String middle = text.substring(from, to);
+    String end = text.substring(to);
+    return switch (kind) {
+      case DELETE -> start + end;
+      case REPEAT -> start + middle.repeat(1 + length) + end;
+      case INSERT -> start + piece + middle + end;
+      case NUMBER -> replaced(NUMBER, text, from);
+      case WORD -> replaced(WORD, text, from);
+      case FLIP -> start + flipped(middle) + end;
+      case CUT -> start;
+    };
+  }
+
+  private String replaced(Pattern what, String text, int from) {
+    Matcher found = what.matcher(text);
+    return found.find(from)
+        ? text.substring(0, found.start()) + piece + text.substring(found.end())
+        : text;
+  }
+
+  private String flipped(String text) {
+    return text.isEmpty()
+        ? text
+        : (char) (text.charAt(0) ^ (1 << (length % 8))) + text.substring(1);
+  }
+}
