@@ -9,11 +9,16 @@ import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.AggregateFiles;
+import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.compare.MarlEvalFile;
+import org.hificamsim.runs.compare.Yardsticks;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -40,6 +45,11 @@ final class CompareCommand implements Callable<Integer> {
       description = "Zoom policies with their options, P:key=value,key=value,Q.")
   private String policies;
 
+  @Option(
+      names = "--marl-eval",
+      description = "Write marl-eval.json too: all runs, as marl-eval reads them.")
+  private boolean marlEval;
+
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
@@ -49,12 +59,23 @@ final class CompareCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    return new BatchRun(screen, batch, catalogue)
+    List<RunPlan> plans = plans(catalogue);
+    return new BatchRun(screen, batch, catalogue, Yardsticks.OPTIMUM_AND_BEST_FIXED)
         .execute(
-            plans(catalogue),
+            plans,
             ComparisonRun::execute,
-            ComparisonFigures::write,
+            (folder, results) -> extras(folder, results.subList(0, plans.size()), results),
             ComparisonTable::print);
+  }
+
+  /** Writes what stands beside the tables, of the cases that were asked for and the optima. */
+  private void extras(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
+      throws IOException {
+    AggregateFiles.write(folder, asked);
+    ComparisonFigures.write(folder, all);
+    if (marlEval) {
+      MarlEvalFile.write(folder, asked);
+    }
   }
 
   private List<RunPlan> plans(Catalogue catalogue) {

@@ -8,7 +8,10 @@ import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.runs.compare.CaseResult;
 
-/** The pictures of a comparison: k_min over time, proportions of the optimum, shares covered. */
+/**
+ * The pictures of a comparison: k_min over time, proportions of the optimum, shares covered,
+ * profiles.
+ */
 public final class ComparisonFigures {
   private ComparisonFigures() {}
 
@@ -26,6 +29,9 @@ public final class ComparisonFigures {
     }
     FigureFile.write(folder, "proportion", ProportionFigure.of(cases));
     FigureFile.write(folder, "coverage", coverage(cases));
+    if (cases.stream().anyMatch(one -> !one.isOptimum())) {
+      FigureFile.write(folder, "profile", ProfileFigure.of(cases));
+    }
   }
 
   private static Figure coverage(List<CaseResult> cases) {

@@ -37,7 +37,11 @@ final class FigurePainter {
     graphics.drawString(figure.title(), Figure.MARGIN, Figure.MARGIN + 14);
     graphics.setColor(NOTE_COLOR);
     graphics.setFont(Fonts.TEXT);
-    graphics.drawString(figure.note(), Figure.MARGIN, Figure.MARGIN + Figure.HEADING + 10);
+    int y = Figure.MARGIN + Figure.HEADING + 10;
+    for (String line : figure.noteLines()) {
+      graphics.drawString(line, Figure.MARGIN, y);
+      y += Figure.NOTE;
+    }
   }
 
   private void legend() {

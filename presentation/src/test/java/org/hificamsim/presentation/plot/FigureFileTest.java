@@ -8,6 +8,7 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
@@ -77,6 +78,25 @@ class FigureFileTest {
     Figure tall = new Figure(wide.title(), wide.note(), wide.legend(), wide.panels(), 1, 300, 200);
     assertEquals(wide.height() + 200, tall.height());
     assertEquals(wide.width() - 300, tall.width());
+  }
+
+  @Test
+  void aNoteThatIsTooLongGoesOnInAnotherLine() throws IOException {
+    Figure one = figure();
+    String note = "Means over seeds with 95% bootstrap intervals; ".repeat(4).strip();
+    Figure two =
+        new Figure(one.title(), note, one.legend(), one.panels().subList(0, 1), 1, 300, 200);
+    assertTrue(two.noteLines().size() > 2, two.noteLines().toString());
+    assertEquals(note, String.join(" ", two.noteLines()));
+    for (String line : two.noteLines()) {
+      assertTrue(Fonts.width(line, Fonts.TEXT) <= two.width() - 2 * Figure.MARGIN, line);
+    }
+    Figure noNote = new Figure(one.title(), "", one.legend(), two.panels(), 1, 300, 200);
+    assertEquals(noNote.height() + two.noteLines().size() * Figure.NOTE, two.height());
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    FigureFile.svg(out, two);
+    String svg = out.toString(StandardCharsets.UTF_8);
+    two.noteLines().forEach(line -> assertTrue(svg.contains(line), line));
   }
 
   private static byte[] png() throws IOException {

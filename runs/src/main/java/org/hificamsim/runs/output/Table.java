@@ -3,7 +3,7 @@ package org.hificamsim.runs.output;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
 
 /** Every table of results: its file, and its columns, which {@code docs/data.md} explains. */
@@ -14,12 +14,19 @@ public enum Table {
   RESULTS(
       "results.csv",
       "scenario,detection,policy,seed,performance,proportion_of_optimal,"
-          + "covered_0,covered_1,covered_k"),
+          + "covered_0,covered_1,covered_k",
+      "optimum"),
   METRICS("metrics.csv", "scenario,detection,policy,seed,metric,value"),
   SUMMARY(
       "summary.csv",
       "scenario,detection,policy,metric,runs,mean,low,high,"
           + "difference_to,difference,difference_low,difference_high"),
+  AGGREGATE("aggregate.csv", "detection,policy,statistic,scenarios,runs,value,low,high"),
+  PROFILE("profile.csv", "detection,policy,tau,share,low,high"),
+  PAIRS(
+      "pairs.csv",
+      "scenario,detection,policy,other,metric,runs,difference,low,high,p_value,p_holm"),
+  IMPROVEMENT("improvement.csv", "detection,policy,other,scenarios,probability,low,high"),
   STEPS("steps.csv.gz", "scenario,detection,policy,step,k_min"),
   VERDICTS(
       "verdicts.csv",
@@ -34,11 +41,21 @@ public enum Table {
           + "difference,low,high,finding");
 
   private final String file;
+  private final String first;
   private final String columns;
 
   Table(String file, String columns) {
+    this(file, columns, "");
+  }
+
+  /**
+   * @param first the columns of every version, which come first
+   * @param added those that older files lack
+   */
+  Table(String file, String first, String added) {
     this.file = file;
-    this.columns = columns;
+    this.first = first;
+    this.columns = added.isEmpty() ? first : first + "," + added;
   }
 
   /** The file's name. */
@@ -62,6 +79,6 @@ public enum Table {
    * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
    */
   public TableFile read(Path folder) throws IOException {
-    return TableFile.read(new ResultFolder(folder).file(file), Arrays.asList(columns.split(",")));
+    return TableFile.read(new ResultFolder(folder).file(file), List.of(first.split(",")));
   }
 }
