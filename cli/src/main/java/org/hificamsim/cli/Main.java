@@ -43,6 +43,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       ReportCommand.class,
       ViewCommand.class,
       ValidateCommand.class,
+      OddCommand.class,
       ListCommand.class,
       CamSimCommand.class,
       ProfileCommand.class,
