@@ -276,7 +276,7 @@ class CompareCommandTest {
     assertEquals(names, names(actual));
     assertTrue(names.contains("results.csv") && names.contains("steps.csv.gz"), names.toString());
     for (String name : names) {
-      if (!List.of("manifest.json", "report.html").contains(name)) {
+      if (!List.of("manifest.json", "report.html", "ro-crate-metadata.json").contains(name)) {
         assertArrayEquals(
             Files.readAllBytes(expected.resolve(name)),
             Files.readAllBytes(actual.resolve(name)),

@@ -206,6 +206,40 @@ class CompareStatisticsTest {
   }
 
   @Test
+  void theTablesForAPaperHaveWhatThePrintedOnesHave() throws IOException {
+    Path paper = folder.resolve("paper");
+    Cli cli = run(paper, 3, "zoom-out,one-hop:nodes=50", "--steps", 60, "--latex");
+    List<String> lines = Files.readAllLines(paper.resolve("summary.tex"));
+    assertEquals(
+        2,
+        lines.stream()
+            .filter(
+                line ->
+                    line.equals("\\begin{tabular}{lllrrr}")
+                        || line.equals("\\begin{tabular}{llrr}"))
+            .count());
+    List<String> rows = lines.stream().filter(line -> line.endsWith(" \\\\")).toList();
+    assertEquals(1 + 2 * 2 * 3 + 1 + 2 * 2, rows.size());
+    String row = rows.stream().filter(line -> line.contains("zoom-out")).findFirst().orElseThrow();
+    for (String cell : row.replace(" \\\\", "").split(" & ")) {
+      assertTrue(cli.out().contains(cell), cell);
+    }
+  }
+
+  @Test
+  void picturesForPrintAreAsWideAsAskedFor() throws IOException {
+    Path print = folder.resolve("print");
+    run(print, 2, "zoom-out,sarsa", "--steps", 30, "--figure-width", "88mm");
+    for (String name : List.of("proportion", "profile", "coverage", "k_min-lattice-random")) {
+      String svg = Files.readString(print.resolve(name + ".svg"));
+      assertTrue(svg.contains("width=\"88mm\""), name);
+    }
+    Cli wrong = run(print, 2, "zoom-out", "--figure-width", "3in");
+    assertEquals(2, wrong.exit());
+    assertTrue(wrong.err().contains("--figure-width is '3in', expected "), wrong.err());
+  }
+
+  @Test
   void aFolderFromBeforeTheOptimumHadAColumnStillMakesAPage() throws IOException {
     Path old = folder.resolve("old");
     run(old, 2, "zoom-out", "--steps", 20);

@@ -3,6 +3,7 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
@@ -18,6 +19,8 @@ import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.Shard;
 import org.hificamsim.runs.compare.ShardRun;
 import org.hificamsim.runs.compare.Yardsticks;
+import org.hificamsim.runs.output.CrateFile;
+import org.hificamsim.runs.output.InputFiles;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 
@@ -104,9 +107,13 @@ final class BatchRun {
               folder,
               (files, results) -> {
                 extras.write(files, results);
+                InputFiles.write(files, all);
                 manifest(files, steps);
               });
       Report.write(options.out(), options.out().resolve(ResultFolder.REPORT));
+      List<String> written = new ArrayList<>(folder.written());
+      written.add(ResultFolder.REPORT);
+      CrateFile.write(options.out(), written, all);
       return cases;
     }
   }

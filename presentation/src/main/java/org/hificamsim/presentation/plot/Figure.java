@@ -49,7 +49,18 @@ public record Figure(
 
   /** Where the panels begin. */
   int top() {
-    return MARGIN + HEADING + NOTE * noteLines().size() + LEGEND * LegendLayout.of(this).rows();
+    return noteTop() + NOTE * noteLines().size() + LEGEND * LegendLayout.of(this).rows();
+  }
+
+  /** Where the note begins. */
+  int noteTop() {
+    return MARGIN + HEADING * titleLines().size();
+  }
+
+  /** The title, line by line; of an empty one, the room for it. */
+  List<String> titleLines() {
+    List<String> lines = Lines.of(title, Fonts.TITLE, width() - 2 * MARGIN);
+    return lines.isEmpty() ? List.of("") : lines;
   }
 
   /** The note, line by line. */

@@ -55,7 +55,7 @@ public final class ComparisonRun {
       List<CaseResult> results = comparison.run(yardsticks.with(plans), journal);
       List<CaseResult> all = results.subList(0, Yardsticks.withOptimum(plans).size());
       extras.write(folder, all);
-      folder.commit(List.of(ResultFolder.REPORT));
+      folder.commit(List.of(ResultFolder.REPORT, ResultFolder.CRATE));
       journal.finish();
       return all;
     }
