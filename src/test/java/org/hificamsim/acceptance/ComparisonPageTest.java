@@ -144,7 +144,7 @@ class ComparisonPageTest {
   void drawsThePicturesAndTheCurvesAndAsksNobody() {
     open();
     browser.until("return [...document.images].every(i => i.complete && i.naturalWidth > 100)");
-    assertEquals(4, browser.findAll("img").size());
+    assertEquals(5, browser.findAll("img").size());
     assertEquals(1, browser.findAll(".lines canvas").size());
     assertEquals(7, browser.findAll(".lines .u-legend .u-series").size());
     assertEquals(List.of(address()), browser.requests());

@@ -123,9 +123,12 @@ class OutputSafetyTest {
     assertEquals(0, report.exit(), report.err());
     assertEquals(
         List.of(
+            "detection-hifi-orb-lin.json",
             "manifest.json",
             "replay.json",
             "report.html",
+            "ro-crate-metadata.json",
+            "scenario-ring-random.xml",
             "steps.csv",
             "summary.json",
             "targets.csv",

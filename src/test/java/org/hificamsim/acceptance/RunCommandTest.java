@@ -88,7 +88,13 @@ class RunCommandTest {
     Cli.run("run", LATTICE, "--steps", 10, "--out", folder);
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(
-          List.of("manifest.json", "steps.csv", "summary.json"),
+          List.of(
+              "detection-hifi-orb-lin.json",
+              "manifest.json",
+              "ro-crate-metadata.json",
+              "scenario-lattice-random.xml",
+              "steps.csv",
+              "summary.json"),
           files.map(file -> file.getFileName().toString()).sorted().toList());
     }
     String manifest = Files.readString(folder.resolve("manifest.json"));

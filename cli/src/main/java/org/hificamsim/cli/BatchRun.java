@@ -3,6 +3,7 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.time.Instant;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.BiConsumer;
@@ -17,6 +18,9 @@ import org.hificamsim.runs.compare.ComparisonRun;
 import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.Shard;
 import org.hificamsim.runs.compare.ShardRun;
+import org.hificamsim.runs.compare.Yardsticks;
+import org.hificamsim.runs.output.CrateFile;
+import org.hificamsim.runs.output.InputFiles;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.ResultFolder;
 
@@ -37,12 +41,22 @@ final class BatchRun {
   private final Screen screen;
   private final BatchOptions options;
   private final Catalogue catalogue;
+  private final Yardsticks yardsticks;
   private final Instant started = Instant.now();
 
+  /** Runs with the optimum beside them. */
   BatchRun(Screen screen, BatchOptions options, Catalogue catalogue) {
+    this(screen, options, catalogue, Yardsticks.OPTIMUM);
+  }
+
+  /**
+   * @param yardsticks what is run beside the command's plans
+   */
+  BatchRun(Screen screen, BatchOptions options, Catalogue catalogue, Yardsticks yardsticks) {
     this.screen = screen;
     this.options = options;
     this.catalogue = catalogue;
+    this.yardsticks = yardsticks;
   }
 
   /**
@@ -62,7 +76,7 @@ final class BatchRun {
       throws IOException {
     plans.forEach(new RunExecutor(catalogue)::check);
     Optional<Shard> shard = options.shard();
-    List<RunPlan> all = Comparison.withOptimum(plans);
+    List<RunPlan> all = yardsticks.with(plans);
     RunEngine engine = options.engine(catalogue, all);
     if (shard.isPresent()) {
       part(shard.get(), engine, all);
@@ -88,14 +102,18 @@ final class BatchRun {
       Comparison comparison = new Comparison(engine, progress::advance);
       List<CaseResult> cases =
           writing.execute(
-              new ComparisonRun(comparison, options.resume()),
+              new ComparisonRun(comparison, yardsticks, options.resume()),
               plans,
               folder,
               (files, results) -> {
                 extras.write(files, results);
+                InputFiles.write(files, all);
                 manifest(files, steps);
               });
       Report.write(options.out(), options.out().resolve(ResultFolder.REPORT));
+      List<String> written = new ArrayList<>(folder.written());
+      written.add(ResultFolder.REPORT);
+      CrateFile.write(options.out(), written, all);
       return cases;
     }
   }

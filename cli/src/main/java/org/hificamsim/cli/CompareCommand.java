@@ -5,15 +5,23 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
+import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.AggregateFiles;
+import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.compare.LatexFile;
+import org.hificamsim.runs.compare.MarlEvalFile;
+import org.hificamsim.runs.compare.Yardsticks;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -41,6 +49,20 @@ final class CompareCommand implements Callable<Integer> {
       description = "Zoom policies with their options, P:key=value,key=value,Q.")
   private String policies;
 
+  @Option(
+      names = "--marl-eval",
+      description = "Write marl-eval.json too: all runs, as marl-eval reads them.")
+  private boolean marlEval;
+
+  @Option(names = "--latex", description = "Write summary.tex too: the tables, for booktabs.")
+  private boolean latex;
+
+  @Option(
+      names = "--figure-width",
+      paramLabel = "MMmm",
+      description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
+  private Optional<String> figureWidth;
+
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
@@ -50,12 +72,29 @@ final class CompareCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    return new BatchRun(screen, batch, catalogue)
+    List<RunPlan> plans = plans(catalogue);
+    Optional<PrintWidth> width = figureWidth.map(PrintWidth::parse);
+    return new BatchRun(screen, batch, catalogue, Yardsticks.OPTIMUM_AND_BEST_FIXED)
         .execute(
-            plans(catalogue),
+            plans,
             ComparisonRun::execute,
-            ComparisonFigures::write,
+            (folder, results) -> {
+              ComparisonFigures.write(folder, results, width);
+              extras(folder, results.subList(0, plans.size()), results);
+            },
             ComparisonTable::print);
+  }
+
+  /** Writes what stands beside the tables of runs. */
+  private void extras(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
+      throws IOException {
+    AggregateFiles.write(folder, asked);
+    if (marlEval) {
+      MarlEvalFile.write(folder, asked);
+    }
+    if (latex) {
+      LatexFile.write(folder, asked, all);
+    }
   }
 
   private List<RunPlan> plans(Catalogue catalogue) {

@@ -1,89 +1,119 @@
 package org.hificamsim.cli;
 
 import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.PolicyScores;
+import org.hificamsim.runs.compare.Sample;
 import org.hificamsim.runs.compare.Score;
+import org.hificamsim.runs.statistics.Aggregate;
 
-/** The table that a comparison prints when it is done. */
+/** The tables that a comparison prints when it is done. */
 final class ComparisonTable {
-  private static final List<Column> COVERAGE =
-      List.of(
-          new Column("covered by none [95%]", "%.4f", Score.of(Metric.COVERED_0)),
-          new Column("covered by one [95%]", "%.4f", Score.of(Metric.COVERED_1)),
-          new Column("covered by more [95%]", "%.4f", Score.of(Metric.COVERED_K)),
-          new Column("mean k [95%]", "%.4f", Score.of(Metric.MEAN_K)));
+  private static final Map<String, Score> COVERAGE = new LinkedHashMap<>();
+
+  static {
+    COVERAGE.put("covered by none [95%]", Score.of(Metric.COVERED_0));
+    COVERAGE.put("covered by one [95%]", Score.of(Metric.COVERED_1));
+    COVERAGE.put("covered by more [95%]", Score.of(Metric.COVERED_K));
+    COVERAGE.put("mean k [95%]", Score.of(Metric.MEAN_K));
+  }
 
   private ComparisonTable() {}
 
-  private record Column(String title, String format, Score score) {
-    String text(CaseResult one) {
-      return ComparisonTable.text(format, Bootstrap.mean(one.figures(score)));
-    }
-  }
-
   static void print(PrintWriter out, List<CaseResult> cases) {
-    List<Column> columns =
-        List.of(
-            new Column("performance [95%]", "%.0f", Score.PERFORMANCE),
-            new Column("of the optimum [95%]", "%.3f", Score.PROPORTION_OF_OPTIMAL));
-    print(out, cases, columns);
-    if (cases.stream().allMatch(ComparisonTable::isZero)) {
-      out.println("no step had every target covered, so performance is 0; shares of targets:");
-      print(out, cases, COVERAGE);
-      reaches(out, cases);
+    cases(out, cases);
+    if (cases.stream().allMatch(one -> one.sample(Score.PERFORMANCE).mean().mean() == 0)) {
+      nothing(out, cases);
+    }
+    List<PolicyScores> policies =
+        PolicyScores.of(cases.stream().filter(one -> !one.isOptimum()).toList());
+    if (policies.stream().anyMatch(one -> one.cases().size() > 1)) {
+      out.println();
+      aggregates(out, policies);
     }
   }
 
-  private static void print(PrintWriter out, List<CaseResult> cases, List<Column> columns) {
-    int scenario = width(cases.stream().map(one -> one.plan().scenario().name()).toList(), 8);
-    int detection = width(cases.stream().map(one -> one.plan().detection().name()).toList(), 9);
-    int policy = width(cases.stream().map(one -> one.plan().policy()).toList(), 6);
-    String names = "%-" + scenario + "s  %-" + detection + "s  %-" + policy + "s";
-    out.printf(Locale.ROOT, names, "scenario", "detection", "policy");
-    columns.forEach(column -> out.printf("  %26s", column.title()));
-    out.println();
+  /** One row per case; of the optimum, the last column is what adapting is worth. */
+  private static void cases(PrintWriter out, List<CaseResult> cases) {
+    boolean fixed = cases.stream().anyMatch(one -> one.runs().get(0).bestFixed().isPresent());
+    Columns table = new Columns(3);
+    table.add("scenario", "detection", "policy", "performance [95%]", "of the optimum [95%]");
+    if (fixed) {
+      table.addToRow("over best-fixed [95%]");
+    }
+    for (CaseResult one : cases) {
+      table.add(
+          one.plan().scenario().name(),
+          one.plan().detection().name(),
+          one.plan().policy(),
+          text("%.0f", one, Score.PERFORMANCE),
+          text("%.3f", one, Score.PROPORTION_OF_OPTIMAL));
+      if (fixed) {
+        table.addToRow(text("%.3f", one, Score.OVER_BEST_FIXED));
+      }
+    }
+    table.print(out);
+  }
+
+  /** What is covered where performance says nothing, and why: how far each detection sees. */
+  private static void nothing(PrintWriter out, List<CaseResult> cases) {
+    out.println("no step had every target covered, so performance is 0; shares of targets:");
+    Columns table = new Columns(3);
+    table.add("scenario", "detection", "policy");
+    COVERAGE.forEach((title, score) -> table.addToRow(title));
     for (CaseResult one : cases) {
       RunPlan plan = one.plan();
-      out.printf(
-          Locale.ROOT, names, plan.scenario().name(), plan.detection().name(), plan.policy());
-      columns.forEach(column -> out.printf("  %26s", column.text(one)));
-      out.println();
+      table.add(plan.scenario().name(), plan.detection().name(), plan.policy());
+      COVERAGE.forEach((title, score) -> table.addToRow(text("%.4f", one, score)));
     }
+    table.print(out);
+    cases.stream().map(one -> reach(one.plan())).distinct().forEach(out::println);
   }
 
-  private static boolean isZero(CaseResult one) {
-    return Bootstrap.mean(one.figures(Score.PERFORMANCE)).mean() == 0;
+  private static String reach(RunPlan plan) {
+    return plan.scenario().name()
+        + ", "
+        + plan.detection().name()
+        + ": detected up to "
+        + DetectionHints.reach(plan.scenario(), plan.detection());
   }
 
-  /** Why nothing is covered: how far each detection sees in each scenario. */
-  private static void reaches(PrintWriter out, List<CaseResult> cases) {
-    cases.stream()
-        .map(one -> one.plan())
-        .map(
-            plan ->
-                plan.scenario().name()
-                    + ", "
-                    + plan.detection().name()
-                    + ": detected up to "
-                    + DetectionHints.reach(plan.scenario(), plan.detection()))
-        .distinct()
-        .forEach(out::println);
+  /** One row per detection and policy, over all scenarios. */
+  private static void aggregates(PrintWriter out, List<PolicyScores> policies) {
+    Columns table = new Columns(2);
+    table.add("detection", "policy", "interquartile mean [95%]", "optimality gap [95%]");
+    for (PolicyScores one : policies) {
+      List<String> row = new ArrayList<>(List.of(one.detection(), one.policy()));
+      row.add(text("%.3f", Aggregate.IQM.estimate(one.scores())));
+      row.add(text("%.3f", Aggregate.OPTIMALITY_GAP.estimate(one.scores())));
+      table.add(row.toArray(new String[0]));
+    }
+    out.println("all scenarios, of the optimum:");
+    table.print(out);
+  }
+
+  /** A figure's mean; with the number of runs that have it, if not all do. */
+  private static String text(String format, CaseResult one, Score score) {
+    Sample sample = one.sample(score);
+    int runs = one.runs().size();
+    String of =
+        sample.size() == 0 || sample.size() == runs ? "" : sample.size() + "/" + runs + ": ";
+    return of + text(format, sample.mean());
   }
 
   private static String text(String format, Estimate estimate) {
-    String pattern = format + " [" + format + ", " + format + "]";
+    String pattern =
+        Double.isNaN(estimate.low()) ? format : format + " [" + format + ", " + format + "]";
     return Double.isNaN(estimate.mean())
         ? "-"
         : String.format(Locale.ROOT, pattern, estimate.mean(), estimate.low(), estimate.high());
-  }
-
-  private static int width(List<String> texts, int least) {
-    return texts.stream().mapToInt(String::length).reduce(least, Math::max);
   }
 }

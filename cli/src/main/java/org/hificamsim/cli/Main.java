@@ -45,6 +45,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       ReportCommand.class,
       ViewCommand.class,
       ValidateCommand.class,
+      OddCommand.class,
       ListCommand.class,
       CamSimCommand.class,
       ProfileCommand.class,

@@ -61,9 +61,10 @@ final class PlotCommand implements Callable<Integer> {
       String label = differ.isEmpty() ? folders.get(i).toString() : join(runs.get(i), differ, " ");
       lines.add(new KMinFigure.Line(label, runs.get(i).means()));
     }
+    int steps = runs.stream().mapToInt(run -> run.means().length).max().orElseThrow();
     return KMinFigure.of(
         "Coverage redundancy over time",
-        join(runs.get(0), same, ", ") + ". " + KMinPanel.NOTE + repeats(runs) + ".",
+        join(runs.get(0), same, ", ") + ". " + KMinPanel.note(steps) + repeats(runs) + ".",
         lines);
   }
 

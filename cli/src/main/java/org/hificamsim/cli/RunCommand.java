@@ -24,6 +24,7 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunFolder;
 import picocli.CommandLine.Command;
@@ -94,10 +95,14 @@ final class RunCommand implements Callable<Integer> {
       if (replay.isPresent()) {
         replay.get().write(output.replay());
       }
+      output.inputs(plan);
       output.commit(plan, results);
+      List<String> written = new ArrayList<>(output.written());
       if (replay.isPresent()) {
         report(folder);
+        written.add(ResultFolder.REPORT);
       }
+      CrateFile.write(folder, written, List.of(plan));
       if (json) {
         screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
       } else {

@@ -35,6 +35,7 @@ public final class OutputFolder implements Closeable {
   private final Path drafts;
   private final FileChannel lock;
   private final Set<String> names = new LinkedHashSet<>();
+  private final Set<String> written = new LinkedHashSet<>();
 
   /**
    * Makes the folder where it is missing.
@@ -148,7 +149,13 @@ public final class OutputFolder implements Closeable {
         Files.deleteIfExists(folder.resolve(name));
       }
     }
+    written.addAll(names);
     names.clear();
+  }
+
+  /** The files that commits have moved into place. */
+  public synchronized List<String> written() {
+    return List.copyOf(written);
   }
 
   /** Removes whatever has not been committed, and lets others use the folder. */

@@ -1,14 +1,20 @@
 package org.hificamsim.presentation.figures;
 
 import java.io.IOException;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.compare.CaseResult;
 
-/** The pictures of a comparison: k_min over time, proportions of the optimum, shares covered. */
+/**
+ * The pictures of a comparison: k_min over time, proportions of the optimum, shares covered,
+ * profiles.
+ */
 public final class ComparisonFigures {
   private ComparisonFigures() {}
 
@@ -16,16 +22,31 @@ public final class ComparisonFigures {
    * Writes all pictures.
    *
    * @param cases every case with the optima
+   * @param width in print; without it, as wide as their panels need on a screen
    */
-  public static void write(OutputFolder folder, List<CaseResult> cases) throws IOException {
-    for (Map.Entry<String, List<CaseResult>> scenario : CaseGroups.byScenario(cases).entrySet()) {
-      FigureFile.write(
-          folder,
-          "k_min-" + scenario.getKey(),
-          OverTime.figure("k_min over time, " + scenario.getKey(), scenario.getValue()));
+  public static void write(OutputFolder folder, List<CaseResult> cases, Optional<PrintWidth> width)
+      throws IOException {
+    for (Map.Entry<String, Figure> figure : figures(cases).entrySet()) {
+      if (width.isPresent()) {
+        FigureFile.write(folder, figure.getKey(), figure.getValue(), width.get());
+      } else {
+        FigureFile.write(folder, figure.getKey(), figure.getValue());
+      }
     }
-    FigureFile.write(folder, "proportion", ProportionFigure.of(cases));
-    FigureFile.write(folder, "coverage", coverage(cases));
+  }
+
+  private static Map<String, Figure> figures(List<CaseResult> cases) {
+    Map<String, Figure> figures = new LinkedHashMap<>();
+    CaseGroups.byScenario(cases)
+        .forEach(
+            (name, group) ->
+                figures.put("k_min-" + name, OverTime.figure("k_min over time, " + name, group)));
+    figures.put("proportion", ProportionFigure.of(cases));
+    figures.put("coverage", coverage(cases));
+    if (cases.stream().anyMatch(one -> !one.isOptimum())) {
+      figures.put("profile", ProfileFigure.of(cases));
+    }
+    return figures;
   }
 
   private static Figure coverage(List<CaseResult> cases) {

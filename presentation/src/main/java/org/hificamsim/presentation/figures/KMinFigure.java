@@ -2,8 +2,10 @@ package org.hificamsim.presentation.figures;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.Lowess;
 
 /** One panel of k_min over time, a line per label. */
 public final class KMinFigure {
@@ -26,11 +28,13 @@ public final class KMinFigure {
         title, note, colors.legend(), List.of(panel.panel().chart()), 1, WIDTH, HEIGHT);
   }
 
-  /** Where a y axis ends that holds all these, a tenth above the largest mean of neighbours. */
+  /** Where a y axis ends that holds all that is drawn of these, and a tenth more. */
   static double ceiling(List<double[]> means) {
     double most =
         means.stream()
-            .flatMapToDouble(values -> Arrays.stream(Curve.of(values).thinned(100).y()))
+            .map(Curve::of)
+            .flatMap(curve -> Stream.of(KMinPanel.drawn(curve), Lowess.smooth(curve)))
+            .flatMapToDouble(curve -> Arrays.stream(curve.y()))
             .max()
             .orElse(1);
     return Math.max(0.2, Math.ceil(most * 1.1 * 5) / 5);

@@ -15,9 +15,6 @@ import org.hificamsim.runs.compare.PartMeans;
  * over it.
  */
 public final class KMinPanel {
-  /** What the note of a figure says of such panels. */
-  public static final String NOTE = "Thick: LOWESS; pale: mean over the runs";
-
   private static final int RAW_POINTS = 250;
 
   private final XyPanel panel;
@@ -27,6 +24,24 @@ public final class KMinPanel {
   public KMinPanel(String title, int steps, double most) {
     this.steps = steps;
     panel = new XyPanel(title, "time (steps)", "k_min (cameras)").x(0, steps).y(0, most);
+  }
+
+  /**
+   * What the note of a figure says of such panels.
+   *
+   * @param steps of the longest run
+   */
+  public static String note(int steps) {
+    if (!Lowess.smooths(steps)) {
+      return "Mean over the runs";
+    }
+    String thinned = steps > RAW_POINTS ? ", in " + RAW_POINTS + " groups of steps" : "";
+    return "Thick: LOWESS; pale: mean over the runs" + thinned;
+  }
+
+  /** The points of a curve that are drawn beneath the smooth one. */
+  static Curve drawn(Curve raw) {
+    return raw.thinned(RAW_POINTS);
   }
 
   /** Leaves out the axes' titles, for figures of many panels whose note tells them. */
@@ -43,7 +58,7 @@ public final class KMinPanel {
 
   /** Adds the mean beneath; call it for all before the first {@link #smooth}. */
   public KMinPanel raw(double[] means, Color color) {
-    panel.faint(Curve.of(means).thinned(RAW_POINTS), color);
+    panel.faint(drawn(Curve.of(means)), color);
     return this;
   }
 
@@ -76,9 +91,14 @@ public final class KMinPanel {
         * Math.sqrt(StatUtils.variance(values) / values.length);
   }
 
-  /** Adds the smooth line. */
+  /** Adds the smooth line; where there are too few points to smooth, a straight one. */
   public KMinPanel smooth(double[] means, Color color) {
-    panel.line(Lowess.smooth(Curve.of(means)), color);
+    Curve curve = Curve.of(means);
+    if (Lowess.smooths(curve.size())) {
+      panel.line(Lowess.smooth(curve), color);
+    } else {
+      panel.straight(curve, color);
+    }
     return this;
   }
 

@@ -49,7 +49,7 @@ public final class OverTime {
   /** What the note of a figure says of such panels. */
   public static String note(List<CaseResult> cases) {
     int runs = cases.get(0).runs().size();
-    return KMinPanel.NOTE
+    return KMinPanel.note(cases.get(0).plan().steps())
         + (runs > 1 ? " (" + runs + " seeds); bands: 95% intervals of that mean." : ".");
   }
 }

@@ -21,11 +21,6 @@ public record Curve(double[] x, double[] y) {
     return x.length;
   }
 
-  /** Two of the points. */
-  Curve piece(int one, int other) {
-    return new Curve(new double[] {x[one], x[other]}, new double[] {y[one], y[other]});
-  }
-
   /**
    * The means of groups of neighbours, as equal in size as can be.
    *

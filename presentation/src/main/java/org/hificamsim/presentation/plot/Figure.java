@@ -7,7 +7,7 @@ import org.knowm.xchart.internal.chartpart.Chart;
 /**
  * A picture: a title, a legend common to all panels, and the panels row by row.
  *
- * @param note what is shown and how, in one line under the title
+ * @param note what is shown and how, under the title, in as many lines as it needs
  * @param columns panels in a row
  * @param panelWidth in points, as papers measure; PNG files have twice as many pixels
  * @param panelHeight in points
@@ -49,7 +49,23 @@ public record Figure(
 
   /** Where the panels begin. */
   int top() {
-    return MARGIN + HEADING + (note.isEmpty() ? 0 : NOTE) + LEGEND * LegendLayout.of(this).rows();
+    return noteTop() + NOTE * noteLines().size() + LEGEND * LegendLayout.of(this).rows();
+  }
+
+  /** Where the note begins. */
+  int noteTop() {
+    return MARGIN + HEADING * titleLines().size();
+  }
+
+  /** The title, line by line; of an empty one, the room for it. */
+  List<String> titleLines() {
+    List<String> lines = Lines.of(title, Fonts.TITLE, width() - 2 * MARGIN);
+    return lines.isEmpty() ? List.of("") : lines;
+  }
+
+  /** The note, line by line. */
+  List<String> noteLines() {
+    return Lines.of(note, Fonts.TEXT, width() - 2 * MARGIN);
   }
 
   private int rows() {

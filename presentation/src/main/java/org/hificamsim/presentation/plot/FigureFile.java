@@ -22,6 +22,7 @@ import org.apache.batik.svggen.SVGGeneratorContext;
 import org.apache.batik.svggen.SVGGraphics2D;
 import org.hificamsim.core.file.OutputFolder;
 import org.w3c.dom.Document;
+import org.w3c.dom.Element;
 
 /** Writes pictures: PNG, for screens, and SVG, for papers. Needs no display. */
 public final class FigureFile {
@@ -46,6 +47,23 @@ public final class FigureFile {
     }
     try (OutputStream out = folder.stream(name + ".svg")) {
       svg(out, figure);
+    }
+  }
+
+  /** Writes {@code name.png} and {@code name.svg} at a width in print. */
+  public static void write(OutputFolder folder, String name, Figure figure, PrintWidth width)
+      throws IOException {
+    Figure print = width.of(figure);
+    try (OutputStream out = folder.stream(name + ".png")) {
+      png(out, print, width.pixels());
+    }
+    try (OutputStream out = folder.stream(name + ".svg")) {
+      SVGGraphics2D graphics = painted(print);
+      Element root = graphics.getRoot();
+      root.setAttribute("viewBox", "0 0 " + print.width() + " " + print.height());
+      root.setAttribute("width", width.millimetres() + "mm");
+      root.setAttribute("height", width.printed(print.height(), print) + "mm");
+      stream(graphics, root, out);
     }
   }
 
@@ -105,14 +123,24 @@ public final class FigureFile {
 
   /** Writes an SVG document. */
   public static void svg(OutputStream out, Picture picture) throws IOException {
+    SVGGraphics2D graphics = painted(picture);
+    stream(graphics, graphics.getRoot(), out);
+  }
+
+  private static SVGGraphics2D painted(Picture picture) {
     SVGGeneratorContext context = SVGGeneratorContext.createDefault(document());
     context.setComment("HiFi-CamSim");
     context.setPrecision(2);
     SVGGraphics2D graphics = new SVGGraphics2D(context, false);
     graphics.setSVGCanvasSize(new Dimension(picture.width(), picture.height()));
     paint(picture, graphics);
+    return graphics;
+  }
+
+  private static void stream(SVGGraphics2D graphics, Element root, OutputStream out)
+      throws IOException {
     StringWriter text = new StringWriter();
-    graphics.stream(text, true);
+    graphics.stream(root, text, true, false);
     out.write(DOCTYPE.matcher(text.toString()).replaceFirst("").getBytes(StandardCharsets.UTF_8));
   }
 

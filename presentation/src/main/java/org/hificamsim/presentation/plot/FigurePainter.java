@@ -8,6 +8,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
+import java.util.List;
 import org.knowm.xchart.internal.chartpart.Chart;
 
 /** Paints a figure: heading, legend, panels. */
@@ -34,10 +35,16 @@ final class FigurePainter {
   private void heading() {
     graphics.setColor(Palette.BLACK);
     graphics.setFont(Fonts.TITLE);
-    graphics.drawString(figure.title(), Figure.MARGIN, Figure.MARGIN + 14);
+    lines(figure.titleLines(), Figure.MARGIN + 14, Figure.HEADING);
     graphics.setColor(NOTE_COLOR);
     graphics.setFont(Fonts.TEXT);
-    graphics.drawString(figure.note(), Figure.MARGIN, Figure.MARGIN + Figure.HEADING + 10);
+    lines(figure.noteLines(), figure.noteTop() + 10, Figure.NOTE);
+  }
+
+  private void lines(List<String> lines, int first, int apart) {
+    for (int i = 0; i < lines.size(); i++) {
+      graphics.drawString(lines.get(i), Figure.MARGIN, first + i * apart);
+    }
   }
 
   private void legend() {

@@ -16,9 +16,14 @@ public final class Lowess {
 
   private Lowess() {}
 
+  /** Whether so many points are smoothed. */
+  public static boolean smooths(int points) {
+    return points >= MIN_POINTS;
+  }
+
   /** The smooth curve; one of fewer than 20 points as it is. */
   public static Curve smooth(Curve curve) {
-    if (curve.size() < MIN_POINTS) {
+    if (!smooths(curve.size())) {
       return curve;
     }
     Curve thin = curve.thinned(MAX_POINTS);

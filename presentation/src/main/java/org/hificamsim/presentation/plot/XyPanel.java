@@ -11,7 +11,10 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** A panel of lines, bands and points, drawn in the order in which they are added. */
 public final class XyPanel {
-  private static final BasicStroke THIN = new BasicStroke(0.8f);
+  /** Pale pieces must not overlap: they would be darker where they meet. */
+  private static final BasicStroke THIN =
+      new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
+
   private static final BasicStroke THICK = stroke(2.4f);
   private static final BasicStroke INTERVAL = stroke(1.6f);
   private static final BasicStroke DASHED =
@@ -90,16 +93,18 @@ public final class XyPanel {
     return this;
   }
 
-  /** Adds a dot with its interval, along x. */
+  /** Adds a dot with its interval, if it has one, along x. */
   public XyPanel dot(Estimate estimate, double y, Color color) {
-    double[] ends = {estimate.low(), estimate.high()};
-    line(new Curve(ends, new double[] {y, y}), color, INTERVAL);
+    if (!Double.isNaN(estimate.low())) {
+      double[] ends = {estimate.low(), estimate.high()};
+      line(new Curve(ends, new double[] {y, y}), color, INTERVAL);
+    }
     return dots(new Curve(new double[] {estimate.mean()}, new double[] {y}), color);
   }
 
   /** Adds a thin pale line: the raw values beneath a smooth one. */
   public XyPanel faint(Curve curve, Color color) {
-    return line(curve, Palette.pale(color, PALE), THIN);
+    return straight(curve, Palette.pale(color, PALE), THIN);
   }
 
   /** Adds a thick line. */
@@ -107,12 +112,9 @@ public final class XyPanel {
     return line(curve, color, THICK);
   }
 
-  /** Adds a line that is straight from point to point. */
+  /** Adds a thick line that is straight from point to point. */
   public XyPanel straight(Curve curve, Color color) {
-    for (int i = 1; i < curve.size(); i++) {
-      line(curve.piece(i - 1, i), color, THICK);
-    }
-    return this;
+    return straight(curve, color, THICK);
   }
 
   /** Adds a dashed line: a reference. */
@@ -159,11 +161,20 @@ public final class XyPanel {
     return chart;
   }
 
+  /** Bent from point to point, as one path: for curves that are smooth themselves. */
   private XyPanel line(Curve curve, Color color, BasicStroke stroke) {
     XYSeries series = add(curve, SeriesMarkers.NONE);
     series.setLineColor(color);
     series.setLineStyle(stroke);
-    series.setSmooth(curve.size() > 2); // one path, where XChart would draw each piece on its own
+    series.setSmooth(curve.size() > 2);
+    return this;
+  }
+
+  /** Straight from point to point: XChart draws each piece on its own. */
+  private XyPanel straight(Curve curve, Color color, BasicStroke stroke) {
+    XYSeries series = add(curve, SeriesMarkers.NONE);
+    series.setLineColor(color);
+    series.setLineStyle(stroke);
     return this;
   }
 

@@ -20,7 +20,15 @@ import org.hificamsim.runs.output.TableFile;
  */
 final class ComparisonReport {
   private static final List<Table> OTHERS =
-      List.of(Table.ADAPTING, Table.VERDICTS, Table.TABLE_8_1, Table.SENSITIVITY, Table.FIT);
+      List.of(
+          Table.ADAPTING,
+          Table.VERDICTS,
+          Table.TABLE_8_1,
+          Table.SENSITIVITY,
+          Table.FIT,
+          Table.AGGREGATE,
+          Table.IMPROVEMENT,
+          Table.PAIRS);
   private static final int MAX_ROWS = 5_000;
   private static final int MAX_SUMMARY_ROWS = 20_000;
 

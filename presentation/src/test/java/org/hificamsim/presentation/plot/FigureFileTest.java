@@ -2,18 +2,25 @@ package org.hificamsim.presentation.plot;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
+import org.w3c.dom.Element;
 
 class FigureFileTest {
   private static Figure figure() {
@@ -77,6 +84,61 @@ class FigureFileTest {
     Figure tall = new Figure(wide.title(), wide.note(), wide.legend(), wide.panels(), 1, 300, 200);
     assertEquals(wide.height() + 200, tall.height());
     assertEquals(wide.width() - 300, tall.width());
+  }
+
+  @Test
+  void aNoteThatIsTooLongGoesOnInAnotherLine() throws IOException {
+    Figure one = figure();
+    String note = "Means over seeds with 95% bootstrap intervals; ".repeat(4).strip();
+    Figure two =
+        new Figure(one.title(), note, one.legend(), one.panels().subList(0, 1), 1, 300, 200);
+    assertTrue(two.noteLines().size() > 2, two.noteLines().toString());
+    assertEquals(note, String.join(" ", two.noteLines()));
+    for (String line : two.noteLines()) {
+      assertTrue(Fonts.width(line, Fonts.TEXT) <= two.width() - 2 * Figure.MARGIN, line);
+    }
+    Figure noNote = new Figure(one.title(), "", one.legend(), two.panels(), 1, 300, 200);
+    assertEquals(noNote.height() + two.noteLines().size() * Figure.NOTE, two.height());
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    FigureFile.svg(out, two);
+    String svg = out.toString(StandardCharsets.UTF_8);
+    two.noteLines().forEach(line -> assertTrue(svg.contains(line), line));
+  }
+
+  @Test
+  void inPrintTextIsReadableAtAnyWidthAndPanelsGoBelowEachOther(@TempDir Path folder)
+      throws Exception {
+    for (int millimetres : new int[] {88, 180}) {
+      try (OutputFolder out = new OutputFolder(folder)) {
+        FigureFile.write(out, "a", figure(), new PrintWidth(millimetres));
+        out.commit(List.of());
+      }
+      Element root =
+          DocumentBuilderFactory.newInstance()
+              .newDocumentBuilder()
+              .parse(folder.resolve("a.svg").toFile())
+              .getDocumentElement();
+      String[] box = root.getAttribute("viewBox").split(" ");
+      double width = Double.parseDouble(box[2]);
+      assertEquals(millimetres + "mm", root.getAttribute("width"));
+      double height = Double.parseDouble(root.getAttribute("height").replace("mm", ""));
+      assertEquals(millimetres / width, height / Double.parseDouble(box[3]), 1e-9);
+      double points = millimetres / 25.4 * 72 / width;
+      assertEquals(8, points * Fonts.TEXT.getSize(), 0.15);
+      assertEquals(7, points * Fonts.TICKS.getSize(), 0.3);
+      BufferedImage image = ImageIO.read(folder.resolve("a.png").toFile());
+      assertEquals(Math.round(millimetres / 25.4 * 300), image.getWidth());
+      assertEquals(millimetres > 100, image.getWidth() > image.getHeight());
+    }
+  }
+
+  @Test
+  void aWidthThatIsNoneIsTold() {
+    for (String width : List.of("88", "88cm", "39mm", "401mm", "wide")) {
+      InputException wrong = assertThrows(InputException.class, () -> PrintWidth.parse(width));
+      assertTrue(wrong.getMessage().startsWith("--figure-width is '" + width + "', expected "));
+    }
+    assertEquals(88, PrintWidth.parse("88mm").millimetres());
   }
 
   private static byte[] png() throws IOException {

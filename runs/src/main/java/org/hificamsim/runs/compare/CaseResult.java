@@ -26,7 +26,15 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
         .filter(Metric::ofChance)
         .map(Score::of)
         .forEach(scores::add);
+    if (runs.get(0).bestFixed().isPresent()) {
+      scores.addAll(isOptimum() ? Score.OF_ADAPTING : List.of(Score.OVER_BEST_FIXED));
+    }
     return scores;
+  }
+
+  /** Whether this is the exact optimum that the others are measured by. */
+  public boolean isOptimum() {
+    return plan.policy().equals(Yardsticks.OPTIMAL);
   }
 
   /** What is proven of all runs together. */
@@ -34,7 +42,12 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
     return RunResult.proofOf(runs.stream().map(ScoredRun::result).toList());
   }
 
-  /** One figure of every run. */
+  /** What is known of a figure. */
+  public Sample sample(Score score) {
+    return new Sample(figures(score));
+  }
+
+  /** One figure of every run, NaN where there is none. */
   public double[] figures(Score score) {
     return runs.stream().mapToDouble(score::of).toArray();
   }

@@ -7,8 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.scenario.Scenario;
+import java.util.OptionalLong;
 import org.hificamsim.runs.RunPlan;
 
 /**
@@ -19,14 +18,6 @@ import org.hificamsim.runs.RunPlan;
  * alone, and sums over runs are sums of whole numbers.
  */
 public final class Comparison {
-  static final String OPTIMAL = "optimal";
-
-  private record Yardstick(Scenario scenario, Detection detection, int steps) {
-    static Yardstick of(RunPlan plan) {
-      return new Yardstick(plan.scenario(), plan.detection(), plan.steps());
-    }
-  }
-
   private final RunEngine engine;
   private final Runnable runFinished;
 
@@ -39,24 +30,10 @@ public final class Comparison {
     this.runFinished = runFinished;
   }
 
-  /** The plans asked for, then the optimum of every scenario and detection where it is missing. */
-  public static List<RunPlan> withOptimum(List<RunPlan> plans) {
-    Map<Yardstick, RunPlan> missing = new LinkedHashMap<>();
-    for (RunPlan plan : plans) {
-      missing.putIfAbsent(Yardstick.of(plan), plan.withPolicy(OPTIMAL));
-    }
-    plans.stream()
-        .filter(plan -> plan.policy().equals(OPTIMAL))
-        .forEach(plan -> missing.remove(Yardstick.of(plan)));
-    List<RunPlan> all = new ArrayList<>(plans);
-    all.addAll(missing.values());
-    return all;
-  }
-
   /**
    * Runs all plans.
    *
-   * @param plans made by {@link #withOptimum}; all with the same seeds
+   * @param plans made by {@link Yardsticks#with}; all with the same seeds
    * @return one result per plan, in their order
    * @throws org.hificamsim.core.InputException when the journal has runs of other inputs that have
    *     the names of these
@@ -106,13 +83,24 @@ public final class Comparison {
   }
 
   private static List<CaseResult> score(List<CaseUnderWay> cases) {
-    Map<Yardstick, CaseUnderWay> optima = new LinkedHashMap<>();
-    for (CaseUnderWay one : cases) {
-      if (one.plan.policy().equals(OPTIMAL)) {
-        optima.put(Yardstick.of(one.plan), one);
-      }
-    }
-    return cases.stream().map(one -> one.scored(optima.get(Yardstick.of(one.plan)))).toList();
+    Map<Yardsticks.Group, CaseUnderWay> optima = byGroup(cases, Yardsticks.OPTIMAL);
+    Map<Yardsticks.Group, CaseUnderWay> fixed = byGroup(cases, Yardsticks.BEST_FIXED);
+    return cases.stream()
+        .map(
+            one -> {
+              Yardsticks.Group group = Yardsticks.Group.of(one.plan);
+              return one.scored(optima.get(group), Optional.ofNullable(fixed.get(group)));
+            })
+        .toList();
+  }
+
+  private static Map<Yardsticks.Group, CaseUnderWay> byGroup(
+      List<CaseUnderWay> cases, String policy) {
+    Map<Yardsticks.Group, CaseUnderWay> found = new LinkedHashMap<>();
+    cases.stream()
+        .filter(one -> one.plan.policy().equals(policy))
+        .forEach(one -> found.put(Yardsticks.Group.of(one.plan), one));
+    return found;
   }
 
   /** A plan whose repeats are being run, by several threads. */
@@ -142,13 +130,14 @@ public final class Comparison {
       outcomes[repeat] = new Outcome(outcome.result().asRun(repeat), new int[0]);
     }
 
-    CaseResult scored(CaseUnderWay optimum) {
+    CaseResult scored(CaseUnderWay optimum, Optional<CaseUnderWay> fixed) {
       List<ScoredRun> runs = new ArrayList<>();
       for (int repeat = 0; repeat < outcomes.length; repeat++) {
         runs.add(
             new ScoredRun(
                 outcomes[repeat].result(),
-                optimum.outcomes[repeat].result().performance(),
+                optimum.performance(repeat),
+                bestFixed(fixed, repeat),
                 settling[repeat]));
       }
       return new CaseResult(
@@ -156,6 +145,16 @@ public final class Comparison {
           runs,
           Arrays.stream(sums).mapToDouble(sum -> sum / (double) runs.size()).toArray(),
           levels);
+    }
+
+    private static OptionalLong bestFixed(Optional<CaseUnderWay> fixed, int repeat) {
+      return fixed.isPresent()
+          ? OptionalLong.of(fixed.get().performance(repeat))
+          : OptionalLong.empty();
+    }
+
+    private long performance(int repeat) {
+      return outcomes[repeat].result().performance();
     }
   }
 }

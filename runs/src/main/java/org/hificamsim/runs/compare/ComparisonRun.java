@@ -12,13 +12,16 @@ import org.hificamsim.runs.output.ResultFolder;
  */
 public final class ComparisonRun {
   private final Comparison comparison;
+  private final Yardsticks yardsticks;
   private final boolean resume;
 
   /**
+   * @param yardsticks what is run beside the plans that are asked for
    * @param resume whether runs that an earlier, killed comparison finished count
    */
-  public ComparisonRun(Comparison comparison, boolean resume) {
+  public ComparisonRun(Comparison comparison, Yardsticks yardsticks, boolean resume) {
     this.comparison = comparison;
+    this.yardsticks = yardsticks;
     this.resume = resume;
   }
 
@@ -49,9 +52,10 @@ public final class ComparisonRun {
   public List<CaseResult> executeWithoutTables(
       List<RunPlan> plans, OutputFolder folder, Extras extras) throws IOException {
     try (Journal journal = Journal.open(folder, Journal.NAME, resume)) {
-      List<CaseResult> all = comparison.run(Comparison.withOptimum(plans), journal);
+      List<CaseResult> results = comparison.run(yardsticks.with(plans), journal);
+      List<CaseResult> all = results.subList(0, Yardsticks.withOptimum(plans).size());
       extras.write(folder, all);
-      folder.commit(List.of(ResultFolder.REPORT));
+      folder.commit(List.of(ResultFolder.REPORT, ResultFolder.CRATE));
       journal.finish();
       return all;
     }

@@ -21,7 +21,7 @@ public final class MergedShards implements RunEngine {
    * Checks that the shards are there, each once and complete.
    *
    * @param folders of {@code --shard} runs
-   * @param plans of the whole sweep, made by {@link Comparison#withOptimum}
+   * @param plans of the whole sweep, made by {@link Yardsticks#with}
    * @throws InputException naming what is missing, comes twice or belongs to another sweep
    */
   public MergedShards(List<Path> folders, List<RunPlan> plans) throws IOException {

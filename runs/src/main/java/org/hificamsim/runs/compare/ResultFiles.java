@@ -48,7 +48,8 @@ final class ResultFiles {
               run.proportionOfOptimal(),
               result.covered0(),
               result.covered1(),
-              result.coveredK());
+              result.coveredK(),
+              run.optimum());
         }
       }
     }
@@ -80,17 +81,18 @@ final class ResultFiles {
 
   private static void summary(CsvTable table, CaseResult one, Score score, CaseResult reference) {
     double[] values = one.figures(score);
-    Estimate mean = Bootstrap.mean(values);
+    Sample sample = new Sample(values);
+    Estimate mean = sample.mean();
     boolean paired = !reference.plan().equals(one.plan());
     Estimate difference =
         paired
-            ? Bootstrap.difference(values, reference.figures(score))
+            ? Sample.ofDifferences(values, reference.figures(score)).mean()
             : new Estimate(Double.NaN, Double.NaN, Double.NaN);
     row(
         table,
         one,
         score.label(),
-        values.length,
+        sample.size(),
         mean.mean(),
         mean.low(),
         mean.high(),

@@ -16,6 +16,9 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
   public static final Score PROPORTION_OF_OPTIMAL =
       new Score("proportion_of_optimal", ScoredRun::proportionOfOptimal);
 
+  public static final Score OVER_BEST_FIXED =
+      new Score("value_of_learning", ScoredRun::overBestFixed);
+
   /** Every figure, in the order of files. */
   public static final List<Score> ALL = all();
 
@@ -24,6 +27,12 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
       List.of(
           new Score("unproven_steps", run -> proof(run).unprovenSteps()),
           new Score("performance_bound", run -> proof(run).bound(run.result().performance())));
+
+  /** Figures of the optimum, where the best fixed configuration was run too. */
+  static final List<Score> OF_ADAPTING =
+      List.of(
+          new Score("best_fixed", run -> run.bestFixed().orElseThrow()),
+          new Score("value_of_adapting", ScoredRun::overBestFixed));
 
   /** The figure of one run. */
   public double of(ScoredRun run) {

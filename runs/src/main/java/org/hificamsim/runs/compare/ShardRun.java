@@ -20,7 +20,7 @@ public final class ShardRun {
   private final List<RunTask> tasks;
 
   /**
-   * @param plans of the whole sweep, made by {@link Comparison#withOptimum}
+   * @param plans of the whole sweep, made by {@link Yardsticks#with}
    */
   public ShardRun(Shard shard, List<RunPlan> plans) {
     this.shard = shard;

@@ -4,10 +4,12 @@ import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
+import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
- * Writes {@code manifest.json}: when, with what, and how long; the one file that differs by run.
+ * Writes {@code manifest.json}: when, with what, and how long. Like {@code ro-crate-metadata.json},
+ * made of it, it differs by run.
  */
 public final class ManifestFile {
   private ManifestFile() {}
@@ -16,6 +18,7 @@ public final class ManifestFile {
   public static void write(OutputFolder folder, List<String> command, Instant started, long steps)
       throws IOException {
     double seconds = Duration.between(started, Instant.now()).toMillis() / 1000.0;
+    Optional<String> commit = SourceCommit.found();
     JsonFile.write(
         folder,
         ResultFolder.MANIFEST,
@@ -30,6 +33,9 @@ public final class ManifestFile {
           json.writeNumberField("seconds", seconds);
           json.writeNumberField("steps", steps);
           json.writeStringField("hificamsim", version());
+          if (commit.isPresent()) {
+            json.writeStringField("commit", commit.get());
+          }
           json.writeStringField("java", System.getProperty("java.vm.version"));
           json.writeStringField(
               "system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));

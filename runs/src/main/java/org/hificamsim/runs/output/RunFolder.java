@@ -23,6 +23,7 @@ public final class RunFolder implements Closeable {
           Table.RUN_ZOOMS.file(),
           Table.RUN_TARGETS.file(),
           ResultFolder.MANIFEST,
+          ResultFolder.CRATE,
           ResultFolder.REPLAY,
           ResultFolder.REPORT);
 
@@ -98,6 +99,16 @@ public final class RunFolder implements Closeable {
   /** Adds {@code manifest.json}. */
   public void manifest(List<String> command, Instant started, long steps) throws IOException {
     ManifestFile.write(folder, command, started, steps);
+  }
+
+  /** Adds the scenario and the detection model. */
+  public void inputs(RunPlan plan) throws IOException {
+    InputFiles.write(folder, List.of(plan));
+  }
+
+  /** The files that are in their place. */
+  public List<String> written() {
+    return folder.written();
   }
 
   /** Adds {@code replay.json}, which the caller fills and closes. */

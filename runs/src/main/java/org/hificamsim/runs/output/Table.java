@@ -3,7 +3,7 @@ package org.hificamsim.runs.output;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
 
 /** Every table of results: its file, and its columns, which {@code docs/data.md} explains. */
@@ -20,12 +20,19 @@ public enum Table {
   RESULTS(
       "results.csv",
       "scenario,detection,policy,seed,performance,proportion_of_optimal,"
-          + "covered_0,covered_1,covered_k"),
+          + "covered_0,covered_1,covered_k",
+      "optimum"),
   METRICS("metrics.csv", "scenario,detection,policy,seed,metric,value"),
   SUMMARY(
       "summary.csv",
       "scenario,detection,policy,metric,runs,mean,low,high,"
           + "difference_to,difference,difference_low,difference_high"),
+  AGGREGATE("aggregate.csv", "detection,policy,statistic,scenarios,runs,value,low,high"),
+  PROFILE("profile.csv", "detection,policy,tau,share,low,high"),
+  PAIRS(
+      "pairs.csv",
+      "scenario,detection,policy,other,metric,runs,difference,low,high,p_value,p_holm"),
+  IMPROVEMENT("improvement.csv", "detection,policy,other,scenarios,probability,low,high"),
   STEPS("steps.csv.gz", "scenario,detection,policy,step,k_min"),
   VERDICTS(
       "verdicts.csv",
@@ -44,20 +51,21 @@ public enum Table {
   FIT("fit.csv", "parameter,value,default,error_hifi,error_camsim");
 
   private final String file;
+  private final String first;
   private final String columns;
-  private final String later;
 
   Table(String file, String columns) {
     this(file, columns, "");
   }
 
   /**
-   * @param later columns that files of earlier versions do not have
+   * @param first the columns of every version, which come first
+   * @param added those that older files lack
    */
-  Table(String file, String columns, String later) {
+  Table(String file, String first, String added) {
     this.file = file;
-    this.columns = columns;
-    this.later = later;
+    this.first = first;
+    this.columns = added.isEmpty() ? first : first + "," + added;
   }
 
   /** The file's name. */
@@ -67,8 +75,7 @@ public enum Table {
 
   /** Starts the table in a folder. */
   public CsvTable create(OutputFolder folder) throws IOException {
-    String all = later.isEmpty() ? columns : columns + "," + later;
-    return new CsvTable(folder.open(file), all.split(","));
+    return new CsvTable(folder.open(file), columns.split(","));
   }
 
   /** Whether a folder has it. */
@@ -82,6 +89,6 @@ public enum Table {
    * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
    */
   public TableFile read(Path folder) throws IOException {
-    return TableFile.read(new ResultFolder(folder).file(file), Arrays.asList(columns.split(",")));
+    return TableFile.read(new ResultFolder(folder).file(file), List.of(first.split(",")));
   }
 }

@@ -1,0 +1,67 @@
+package org.hificamsim.presentation.figures;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import org.hificamsim.presentation.plot.Curve;
+import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.presentation.plot.XyPanel;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.PolicyScores;
+import org.hificamsim.runs.statistics.PerformanceProfile;
+import org.knowm.xchart.XYChart;
+
+/** Performance profiles: the share of runs that reach a proportion of the optimum. */
+final class ProfileFigure {
+  private static final int WIDTH = 430;
+  private static final int HEIGHT = 290;
+
+  private ProfileFigure() {}
+
+  /** The figure of all scenarios together, a panel per detection. */
+  static Figure of(List<CaseResult> cases) {
+    List<CaseResult> shown = cases.stream().filter(one -> !one.isOptimum()).toList();
+    PolicyColors colors = OverTime.colors(shown);
+    List<XYChart> panels = new ArrayList<>();
+    CaseGroups.byDetection(shown)
+        .forEach((name, group) -> panels.add(panel(name, group, colors).chart()));
+    return new Figure(
+        "Performance profile",
+        "Share of all runs whose proportion of the optimum is tau or more; bands: 95% stratified"
+            + " bootstrap intervals, point by point.",
+        colors.legend(),
+        panels,
+        Math.min(2, panels.size()),
+        WIDTH,
+        HEIGHT);
+  }
+
+  private static XyPanel panel(String title, List<CaseResult> cases, PolicyColors colors) {
+    XyPanel panel = new XyPanel(title, "tau (of the optimum)", "share of runs").x(0, 1).y(0, 1);
+    List<PolicyScores> policies =
+        PolicyScores.of(cases).stream().filter(one -> one.scores().runs() > 0).toList();
+    List<PerformanceProfile> profiles =
+        policies.stream().map(one -> PerformanceProfile.of(one.scores())).toList();
+    for (int i = 0; i < profiles.size(); i++) {
+      band(panel, profiles.get(i), colors, policies.get(i).policy());
+    }
+    for (int i = 0; i < profiles.size(); i++) {
+      panel.straight(curve(profiles.get(i), Estimate::mean), colors.of(policies.get(i).policy()));
+    }
+    return panel;
+  }
+
+  private static void band(
+      XyPanel panel, PerformanceProfile profile, PolicyColors colors, String policy) {
+    if (!Double.isNaN(profile.shares()[0].low())) {
+      panel.band(curve(profile, Estimate::low), curve(profile, Estimate::high), colors.of(policy));
+    }
+  }
+
+  private static Curve curve(PerformanceProfile profile, ToDoubleFunction<Estimate> side) {
+    return new Curve(
+        PerformanceProfile.TAUS, Arrays.stream(profile.shares()).mapToDouble(side).toArray());
+  }
+}

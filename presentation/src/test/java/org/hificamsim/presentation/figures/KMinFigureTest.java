@@ -1,0 +1,47 @@
+package org.hificamsim.presentation.figures;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import org.hificamsim.presentation.plot.Curve;
+import org.hificamsim.presentation.plot.Figure;
+import org.junit.jupiter.api.Test;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.XYSeries;
+
+class KMinFigureTest {
+  @Test
+  void theAxisHoldsEveryPointThatIsDrawn() {
+    double[] peak = new double[1000];
+    Arrays.fill(peak, 0.5);
+    Arrays.fill(peak, 400, 405, 2.9);
+    Figure figure = KMinFigure.of("", "", List.of(new KMinFigure.Line("sarsa", peak)));
+    XYChart chart = (XYChart) figure.panels().get(0);
+    for (XYSeries series : chart.getSeriesMap().values()) {
+      double most = Arrays.stream(series.getYData()).max().orElseThrow();
+      assertTrue(most < chart.getStyler().getYAxisMax(), most + " is cut off");
+    }
+    assertEquals(2.9, Arrays.stream(KMinPanel.drawn(Curve.of(peak)).y()).max().orElse(0), 1e-9);
+  }
+
+  @Test
+  void whatIsThinnedOrSmoothedIsSaid() {
+    assertEquals("Mean over the runs", KMinPanel.note(19));
+    assertEquals("Thick: LOWESS; pale: mean over the runs", KMinPanel.note(250));
+    assertTrue(KMinPanel.note(251).contains("in 250 groups of steps"));
+  }
+
+  @Test
+  void nothingButWhatIsSmoothIsBent() {
+    for (int steps : new int[] {5, 1000}) {
+      double[] means = new double[steps];
+      Arrays.setAll(means, i -> i % 2);
+      Figure figure = KMinFigure.of("", "", List.of(new KMinFigure.Line("sarsa", means)));
+      XYChart chart = (XYChart) figure.panels().get(0);
+      List<Boolean> bent = chart.getSeriesMap().values().stream().map(XYSeries::isSmooth).toList();
+      assertEquals(List.of(false, steps >= 20), bent);
+    }
+  }
+}

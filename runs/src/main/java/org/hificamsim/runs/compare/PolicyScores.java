@@ -1,0 +1,42 @@
+package org.hificamsim.runs.compare;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.hificamsim.runs.statistics.Strata;
+
+/**
+ * A policy under a detection, over all scenarios.
+ *
+ * @param cases one per scenario
+ */
+public record PolicyScores(List<CaseResult> cases) {
+  private record Name(String detection, String policy) {}
+
+  /** The policies of cases, in the order of their first appearance. */
+  public static List<PolicyScores> of(List<CaseResult> cases) {
+    Map<Name, List<CaseResult>> groups =
+        cases.stream()
+            .collect(
+                Collectors.groupingBy(
+                    one -> new Name(one.plan().detection().name(), one.plan().policy()),
+                    LinkedHashMap::new,
+                    Collectors.toList()));
+    return groups.values().stream().map(PolicyScores::new).toList();
+  }
+
+  /** The detection's name in files. */
+  public String detection() {
+    return cases.get(0).plan().detection().name();
+  }
+
+  public String policy() {
+    return cases.get(0).plan().policy();
+  }
+
+  /** The proportions of the optimum, by scenario. */
+  public Strata scores() {
+    return new Strata(cases.stream().map(one -> one.figures(Score.PROPORTION_OF_OPTIMAL)).toList());
+  }
+}

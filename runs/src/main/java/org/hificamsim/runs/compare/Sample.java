@@ -1,0 +1,34 @@
+package org.hificamsim.runs.compare;
+
+import java.util.Arrays;
+import org.hificamsim.runs.Estimate;
+
+/**
+ * What is known of a figure: one value for each run that has one.
+ *
+ * @param values by rising seed; those that are NaN are left out
+ */
+public record Sample(double[] values) {
+  public Sample {
+    values = Arrays.stream(values).filter(value -> !Double.isNaN(value)).toArray();
+  }
+
+  /** The differences of paired values. */
+  static Sample ofDifferences(double[] values, double[] paired) {
+    double[] differences = new double[values.length];
+    Arrays.setAll(differences, i -> values[i] - paired[i]);
+    return new Sample(differences);
+  }
+
+  /** How many runs have a value. */
+  public int size() {
+    return values.length;
+  }
+
+  /** The mean with its 95% interval, of which a single run has none. */
+  public Estimate mean() {
+    return values.length == 1
+        ? new Estimate(values[0], Double.NaN, Double.NaN)
+        : Bootstrap.mean(values);
+  }
+}

@@ -1,0 +1,70 @@
+package org.hificamsim.runs.output;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.security.DigestInputStream;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.Map;
+
+/** A file of results as an entity of an RO-Crate, with its size and SHA-256. */
+final class CrateEntry {
+  private static final Map<String, String> FORMATS =
+      Map.of(
+          "csv", "text/csv",
+          "gz", "application/gzip",
+          "html", "text/html",
+          "json", "application/json",
+          "pdf", "application/pdf",
+          "png", "image/png",
+          "svg", "image/svg+xml",
+          "tex", "application/x-tex",
+          "xml", "application/xml");
+
+  private CrateEntry() {}
+
+  /** The entity of a file that exists. */
+  static ObjectNode of(Path file) throws IOException {
+    String name = file.getFileName().toString();
+    ObjectNode entity = new ObjectMapper().createObjectNode();
+    entity.put("@id", id(name)).put("@type", "File").put("name", name);
+    String ending = name.substring(name.lastIndexOf('.') + 1);
+    entity.put("encodingFormat", FORMATS.getOrDefault(ending, "application/octet-stream"));
+    entity.put("contentSize", String.valueOf(Files.size(file)));
+    entity.put("sha256", sha256(file));
+    return entity;
+  }
+
+  /** The name as a relative URI reference. */
+  static String id(String name) {
+    try {
+      return new URI(null, null, "/" + name, null).getRawPath().substring(1);
+    } catch (URISyntaxException e) {
+      throw new IllegalArgumentException(e);
+    }
+  }
+
+  private static String sha256(Path file) throws IOException {
+    MessageDigest digest = digest();
+    try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {
+      in.transferTo(OutputStream.nullOutputStream());
+    }
+    return HexFormat.of().formatHex(digest.digest());
+  }
+
+  private static MessageDigest digest() {
+    try {
+      return MessageDigest.getInstance("SHA-256");
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java platform has SHA-256", e);
+    }
+  }
+}

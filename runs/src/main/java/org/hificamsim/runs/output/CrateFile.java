@@ -1,0 +1,180 @@
+package org.hificamsim.runs.output;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Instant;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.LongStream;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.runs.RunPlan;
+
+/**
+ * Writes {@code ro-crate-metadata.json}: a folder of results as an RO-Crate 1.1, which says what
+ * was run, with what, on which input, and what each file holds. It is made last, of the files that
+ * are there; like {@code manifest.json} it has times in it.
+ */
+public final class CrateFile {
+  private static final String CONTEXT = "https://w3id.org/ro/crate/1.1";
+
+  private final ObjectNode crate = new ObjectMapper().createObjectNode();
+  private final ArrayNode graph;
+  private final ResultFolder folder;
+  private final JsonNode manifest;
+
+  private CrateFile(ResultFolder folder) throws IOException {
+    this.folder = folder;
+    this.manifest = folder.json(ResultFolder.MANIFEST);
+    ArrayNode context = crate.putArray("@context").add(CONTEXT + "/context");
+    context.addObject().put("sha256", "http://schema.org/sha256"); // newer than the context
+    graph = crate.putArray("@graph");
+  }
+
+  /**
+   * Writes the file.
+   *
+   * @param files that were written, {@code manifest.json} among them
+   * @param plans that were run
+   */
+  public static void write(Path folder, List<String> files, List<RunPlan> plans)
+      throws IOException {
+    CrateFile file = new CrateFile(new ResultFolder(folder));
+    file.describe(files.stream().distinct().sorted().toList(), plans);
+    OutputFile.of("--out", folder.resolve(ResultFolder.CRATE))
+        .write(file.crate.toPrettyString() + "\n");
+  }
+
+  private void describe(List<String> files, List<RunPlan> plans) throws IOException {
+    ObjectNode descriptor = entity(ResultFolder.CRATE, "CreativeWork");
+    refer(descriptor.putObject("conformsTo"), CONTEXT);
+    refer(descriptor.putObject("about"), "./");
+    root(files, plans);
+    List<Detection> detections = plans.stream().map(RunPlan::detection).distinct().toList();
+    action(files, detections.size());
+    detections(detections);
+    program();
+    settings(plans);
+    thesis();
+    for (String name : files) {
+      graph.add(CrateEntry.of(folder.path().resolve(name)));
+    }
+  }
+
+  private void root(List<String> files, List<RunPlan> plans) throws IOException {
+    ObjectNode root = entity("./", "Dataset");
+    String scenarios = list(plans.stream().map(plan -> plan.scenario().name()).toList());
+    root.put("name", "HiFi-CamSim: " + word(0) + " of " + scenarios);
+    root.put(
+        "description",
+        "Detections: "
+            + list(plans.stream().map(plan -> plan.detection().name()).toList())
+            + ". Policies: "
+            + list(plans.stream().map(RunPlan::policy).toList())
+            + ". Made with: "
+            + folder.command());
+    root.put("datePublished", manifest.path("started").asText());
+    refer(root.putObject("license"), "#licence");
+    refer(root.putObject("citation"), "#thesis");
+    refer(root.putObject("mentions"), "#run");
+    refer(root.putArray("hasPart"), files);
+    ObjectNode licence = entity("#licence", "CreativeWork");
+    licence.put("name", "Licence of these results");
+    licence.put("description", "Not chosen yet: whoever publishes the folder writes it here.");
+  }
+
+  /** What the command did, as the profile "Process Run Crate" has it. */
+  private void action(List<String> files, int detections) throws IOException {
+    ObjectNode action = entity("#run", "CreateAction");
+    action.put("name", "hificamsim " + word(0));
+    action.put("description", folder.command());
+    Instant started = Instant.parse(manifest.path("started").asText());
+    long millis = Math.round(1000 * manifest.path("seconds").asDouble());
+    action.put("startTime", started.toString());
+    action.put("endTime", started.plusMillis(millis).toString());
+    refer(action.putObject("instrument"), "#hificamsim");
+    ArrayNode inputs = action.putArray("object");
+    refer(inputs, files.stream().filter(InputFiles::isInput).toList());
+    refer(inputs, List.of("#seeds", "#steps", "#repeats"));
+    refer(inputs, IntStream.rangeClosed(1, detections).mapToObj(i -> "#detection-" + i).toList());
+    refer(
+        action.putArray("result"),
+        files.stream().filter(name -> !InputFiles.isInput(name)).toList());
+  }
+
+  private void program() throws IOException {
+    ObjectNode program = entity("#hificamsim", "SoftwareApplication");
+    program.put("name", "HiFi-CamSim");
+    program.put("softwareVersion", folder.version());
+    if (manifest.has("commit")) {
+      program.put("identifier", "git commit " + manifest.path("commit").asText());
+    }
+    refer(program.putObject("softwareRequirements"), "#java");
+    ObjectNode java = entity("#java", "SoftwareApplication");
+    java.put("name", "Java virtual machine");
+    java.put("softwareVersion", manifest.path("java").asText());
+    java.put("operatingSystem", manifest.path("system").asText());
+  }
+
+  private void settings(List<RunPlan> plans) {
+    value("#seeds", "seeds", span(plans.stream().mapToLong(RunPlan::seed), plans));
+    value("#steps", "steps of each run", list(plans.stream().map(RunPlan::steps).toList()));
+    value("#repeats", "runs of each case", list(plans.stream().map(RunPlan::repeats).toList()));
+  }
+
+  /** Each detection with its threshold, and where a fitted model's numbers come from. */
+  private void detections(List<Detection> detections) {
+    for (int i = 0; i < detections.size(); i++) {
+      Detection one = detections.get(i);
+      String source =
+          one.model() instanceof HiFiDetection fitted ? fitted.provenance().source() : "";
+      value("#detection-" + (i + 1), "detection " + one.name(), "threshold " + one.threshold())
+          .put("description", source.isEmpty() ? "a rule in the program" : "model from " + source);
+    }
+  }
+
+  private static String span(LongStream first, List<RunPlan> plans) {
+    long last = plans.stream().mapToLong(plan -> plan.seed(plan.repeats() - 1)).max().orElse(0);
+    return first.min().orElse(0) + " to " + last;
+  }
+
+  private ObjectNode value(String id, String name, String value) {
+    return entity(id, "PropertyValue").put("name", name).put("value", value);
+  }
+
+  private void thesis() {
+    ObjectNode thesis = entity("#thesis", "Thesis");
+    thesis.put("name", "Improving the Fidelity of Abstract Camera Network Simulations");
+    refer(thesis.putObject("author"), "#vejdanparast");
+    thesis.put("datePublished", "2019");
+    thesis.put("description", "PhD thesis, Aston University: the detection models g(f(q, d, z)).");
+    entity("#vejdanparast", "Person").put("name", "A. Vejdanparast");
+  }
+
+  private ObjectNode entity(String id, String type) {
+    return graph.addObject().put("@id", id).put("@type", type);
+  }
+
+  private static void refer(ObjectNode node, String id) {
+    node.put("@id", id);
+  }
+
+  private static void refer(ArrayNode list, List<String> names) {
+    names.forEach(
+        name -> refer(list.addObject(), name.startsWith("#") ? name : CrateEntry.id(name)));
+  }
+
+  private String word(int i) {
+    return manifest.path("command").path(i).asText();
+  }
+
+  private static String list(List<?> values) {
+    return values.stream().distinct().map(String::valueOf).collect(Collectors.joining(", "));
+  }
+}

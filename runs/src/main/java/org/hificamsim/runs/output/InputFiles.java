@@ -1,0 +1,65 @@
+package org.hificamsim.runs.output;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.model.ModelFiles;
+import org.hificamsim.runs.RunPlan;
+
+/**
+ * Writes what plans were run on beside their results: each scenario as it was run, overrides and
+ * all, and each fitted detection model. They are files that {@code run} and {@code compare} take.
+ */
+public final class InputFiles {
+  private static final String SCENARIO = "scenario-";
+  private static final String DETECTION = "detection-";
+
+  private InputFiles() {}
+
+  /** Whether a file is one of these. */
+  static boolean isInput(String name) {
+    return name.startsWith(SCENARIO) || name.startsWith(DETECTION);
+  }
+
+  /** Adds them to a folder's files. */
+  public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
+    Map<String, byte[]> files = new LinkedHashMap<>();
+    plans.stream().map(RunPlan::scenario).distinct().forEach(one -> add(files, one));
+    plans.stream().map(plan -> plan.detection().model()).distinct().forEach(one -> add(files, one));
+    for (Map.Entry<String, byte[]> file : files.entrySet()) {
+      try (OutputStream out = folder.stream(file.getKey())) {
+        out.write(file.getValue());
+      }
+    }
+  }
+
+  private static void add(Map<String, byte[]> files, Scenario scenario) {
+    byte[] content = ScenarioWriter.write(scenario).getBytes(StandardCharsets.UTF_8);
+    files.put(free(files, SCENARIO + scenario.name(), ".xml"), content);
+  }
+
+  /** A model that is code has no file; its name, and the version that has it, are all there is. */
+  private static void add(Map<String, byte[]> files, DetectionModel model) {
+    if (model instanceof HiFiDetection fitted) {
+      String name = DETECTION + fitted.name().replaceAll("[^\\w.+-]", "-");
+      files.put(free(files, name, ".json"), ModelFiles.bytes(fitted));
+    }
+  }
+
+  /** The name, with a number where another content has it: variants may share a name. */
+  private static String free(Map<String, byte[]> files, String name, String ending) {
+    String free = name + ending;
+    for (int i = 2; files.containsKey(free); i++) {
+      free = name + "-" + i + ending;
+    }
+    return free;
+  }
+}

@@ -1,0 +1,68 @@
+package org.hificamsim.runs.statistics;
+
+import java.util.SplittableRandom;
+import java.util.stream.DoubleStream;
+
+/**
+ * Fisher's randomization test of paired differences (The Design of Experiments, 1935, section 21):
+ * if two policies were alike, each difference might as well have the other sign. It asks nothing of
+ * the distribution; the p-value is two-sided.
+ */
+public final class SignFlips {
+  /** Up to so many differences, every choice of signs is looked at. */
+  static final int EXACT = 16;
+
+  private static final int DRAWS = 99_999;
+  private static final long SEED = 1935;
+  private static final double ROUNDING = 1e-12;
+
+  private SignFlips() {}
+
+  /**
+   * The p-value of a mean that is not 0.
+   *
+   * @param differences by seed, none NaN
+   * @return NaN for fewer than two differences
+   */
+  public static double p(double[] differences) {
+    if (differences.length < 2) {
+      return Double.NaN;
+    }
+    double reached = Math.abs(DoubleStream.of(differences).sum());
+    double least = reached - ROUNDING * Math.max(1, reached);
+    return differences.length <= EXACT ? exact(differences, least) : drawn(differences, least);
+  }
+
+  private static double exact(double[] differences, double least) {
+    int all = 1 << differences.length;
+    int asFar = 0;
+    for (int signs = 0; signs < all; signs++) {
+      double sum = 0;
+      for (int i = 0; i < differences.length; i++) {
+        sum += (signs >> i & 1) == 0 ? differences[i] : -differences[i];
+      }
+      asFar += Math.abs(sum) >= least ? 1 : 0;
+    }
+    return asFar / (double) all;
+  }
+
+  /** What was found is one of the choices of signs: no p-value is 0. */
+  private static double drawn(double[] differences, double least) {
+    SplittableRandom random = new SplittableRandom(SEED);
+    int asFar = 1;
+    for (int draw = 0; draw < DRAWS; draw++) {
+      asFar += Math.abs(flipped(differences, random)) >= least ? 1 : 0;
+    }
+    return asFar / (DRAWS + 1.0);
+  }
+
+  private static double flipped(double[] differences, SplittableRandom random) {
+    double sum = 0;
+    long signs = 0;
+    for (int i = 0; i < differences.length; i++) {
+      signs = i % Long.SIZE == 0 ? random.nextLong() : signs >>> 1;
+      sum += (signs & 1) == 0 ? differences[i] : -differences[i];
+    }
+    return sum;
+  }
+}

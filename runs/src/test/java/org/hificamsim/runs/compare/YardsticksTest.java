@@ -1,0 +1,57 @@
+package org.hificamsim.runs.compare;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.RunPlan;
+import org.junit.jupiter.api.Test;
+
+class YardsticksTest {
+  private static final Path SHIPPED =
+      Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "ring-random.xml");
+
+  @Test
+  void theOptimumAndTheBestFixedComeAfterWhatIsAskedFor() {
+    assertEquals(
+        List.of("sarsa", "random", "optimal", "best-fixed"),
+        policies(Yardsticks.OPTIMUM_AND_BEST_FIXED, 100, "sarsa", "random"));
+    assertEquals(
+        List.of("sarsa", "random", "optimal"),
+        policies(Yardsticks.OPTIMUM, 100, "sarsa", "random"));
+  }
+
+  @Test
+  void nothingIsRunTwice() {
+    assertEquals(
+        List.of("best-fixed", "optimal"),
+        policies(Yardsticks.OPTIMUM_AND_BEST_FIXED, 100, "best-fixed", "optimal"));
+  }
+
+  @Test
+  void theBestFixedIsLeftOutWhereItsSearchNeedsTooMuchMemory() {
+    assertEquals(
+        List.of("sarsa", "optimal"),
+        policies(Yardsticks.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "sarsa"));
+    assertEquals(
+        List.of("best-fixed", "optimal"),
+        policies(Yardsticks.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "best-fixed"));
+  }
+
+  private static List<String> policies(Yardsticks yardsticks, int steps, String... asked) {
+    Catalogue catalogue = Catalogue.load();
+    Scenario scenario = ScenarioReader.read(SHIPPED, name -> true, warning -> {});
+    DetectionModel model = catalogue.detection("geometric");
+    Detection detection = new Detection(model.name(), model, model.defaultThreshold());
+    List<RunPlan> plans =
+        List.of(asked).stream()
+            .map(policy -> new RunPlan(scenario, detection, policy, steps, 0, 2))
+            .toList();
+    return yardsticks.with(plans).stream().map(RunPlan::policy).toList();
+  }
+}

@@ -1,0 +1,69 @@
+package org.hificamsim.runs.statistics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import org.hificamsim.runs.Estimate;
+import org.junit.jupiter.api.Test;
+
+class AggregateTest {
+  private static final Strata TWO =
+      new Strata(List.of(new double[] {0, 0.2, 0.4, 0.6}, new double[] {0.5, 0.7, 0.9, 1.3}));
+
+  @Test
+  void theInterquartileMeanLeavesOutAQuarterOfAllRunsAtEitherEnd() {
+    assertEquals((0.4 + 0.5 + 0.6 + 0.7) / 4, Aggregate.IQM.of(TWO), 1e-12);
+  }
+
+  @Test
+  void theOptimalityGapDoesNotRewardWhatIsAboveOne() {
+    assertEquals(1 - (1.2 + 2.1 + 1) / 8, Aggregate.OPTIMALITY_GAP.of(TWO), 1e-12);
+  }
+
+  @Test
+  void meanAndMedianAreOfTheScenariosMeans() {
+    Strata uneven = new Strata(List.of(new double[] {0, 1}, new double[] {1}, new double[] {1}));
+    assertEquals(2.5 / 3, Aggregate.MEAN.of(uneven), 1e-12);
+    assertEquals(1, Aggregate.MEDIAN.of(uneven), 1e-12);
+  }
+
+  @Test
+  void runsWithoutAScoreAreLeftOut() {
+    Strata gaps =
+        new Strata(List.of(new double[] {Double.NaN, 0.5}, new double[] {Double.NaN, Double.NaN}));
+    assertEquals(1, gaps.runs());
+    assertEquals(1, gaps.scenarios());
+    for (Aggregate aggregate : Aggregate.values()) {
+      assertEquals(0.5, aggregate.of(gaps), 1e-12);
+    }
+  }
+
+  @Test
+  void seedsAreDrawnWithinTheirScenarioAlone() {
+    Strata apart = new Strata(List.of(new double[] {0, 0, 0}, new double[] {1, 1, 1}));
+    Estimate mean = Aggregate.MEAN.estimate(apart);
+    assertEquals(new Estimate(0.5, 0.5, 0.5), mean);
+  }
+
+  @Test
+  void anIntervalHoldsItsValueAndIsTheSameAgain() {
+    Estimate iqm = Aggregate.IQM.estimate(TWO);
+    assertTrue(iqm.low() < iqm.mean() && iqm.mean() < iqm.high(), iqm.toString());
+    assertEquals(iqm, Aggregate.IQM.estimate(TWO));
+  }
+
+  @Test
+  void oneSeedHasNoInterval() {
+    Strata single = new Strata(List.of(new double[] {0.3}, new double[] {0.7}));
+    assertEquals(new Estimate(0.5, Double.NaN, Double.NaN), Aggregate.MEAN.estimate(single));
+  }
+
+  @Test
+  void withoutARunThereIsNothing() {
+    Strata none = new Strata(List.of(new double[0]));
+    for (Aggregate aggregate : Aggregate.values()) {
+      assertTrue(Double.isNaN(aggregate.estimate(none).mean()), aggregate.label());
+    }
+  }
+}

@@ -1,0 +1,139 @@
+package org.hificamsim.runs.statistics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.hificamsim.runs.Estimate;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/**
+ * The same numbers as rliable and SciPy, from the same scores. Needs a Python that has them, {@code
+ * pip install rliable 'pandas<3'}: {@code python3}, or the one that HIFICAMSIM_PYTHON names.
+ */
+class PeersTest {
+  private static final String PYTHON =
+      Optional.ofNullable(System.getenv("HIFICAMSIM_PYTHON")).orElse("python3");
+  private static final ObjectMapper JSON = new ObjectMapper();
+  private static final int SEEDS = 30;
+  private static final double ROUNDING = 1e-12;
+
+  private static final Strata X = scores(0.7, 1);
+  private static final Strata Y = scores(0.66, 2);
+  private static JsonNode theirs;
+
+  @BeforeAll
+  static void ask() throws Exception {
+    assumeTrue(
+        hasLibraries(),
+        "'"
+            + PYTHON
+            + "' has no rliable: pip install rliable 'pandas<3', and "
+            + "HIFICAMSIM_PYTHON for the Python that has it");
+    ObjectNode question = JSON.createObjectNode().put("few", SignFlips.EXACT - 4);
+    question.putPOJO("x", X.scores());
+    question.putPOJO("y", Y.scores());
+    question.putPOJO("taus", PerformanceProfile.TAUS);
+    theirs = answer(question);
+  }
+
+  @Test
+  void aggregatesAreTheSameAndTheirIntervalsAsFarAsChanceAllows() {
+    Aggregate[] aggregates = Aggregate.values();
+    for (int i = 0; i < aggregates.length; i++) {
+      Estimate ours = aggregates[i].estimate(X);
+      assertEquals(theirs.at("/aggregates/" + i).asDouble(), ours.mean(), ROUNDING);
+      assertClose(theirs.at("/ends/0/" + i), theirs.at("/ends/1/" + i), ours);
+    }
+  }
+
+  @Test
+  void theProbabilityOfImprovementIsTheSame() {
+    Estimate ours = Improvement.estimate(X, Y);
+    assertEquals(theirs.at("/improvement/0").asDouble(), ours.mean(), ROUNDING);
+    assertClose(theirs.at("/improvementEnds/0"), theirs.at("/improvementEnds/1"), ours);
+  }
+
+  @Test
+  void theProfileIsTheSameWhereNoScoreIsTau() {
+    PerformanceProfile ours = PerformanceProfile.of(X);
+    for (int i = 0; i < PerformanceProfile.TAUS.length; i++) {
+      Estimate share = ours.shares()[i];
+      assertEquals(theirs.at("/profile/" + i).asDouble(), share.mean(), ROUNDING);
+      assertEquals(theirs.at("/profileEnds/0/" + i).asDouble(), share.low(), 0.02);
+      assertEquals(theirs.at("/profileEnds/1/" + i).asDouble(), share.high(), 0.02);
+    }
+  }
+
+  @Test
+  void pValuesOfPairedDifferencesAreTheSame() {
+    double[] differences = new double[SEEDS];
+    Arrays.setAll(differences, i -> X.scores().get(0)[i] - Y.scores().get(0)[i]);
+    double[] few = Arrays.copyOf(differences, SignFlips.EXACT - 4);
+    assertEquals(theirs.at("/exact").asDouble(), SignFlips.p(few), ROUNDING);
+    assertEquals(theirs.at("/drawn").asDouble(), SignFlips.p(differences), 0.005);
+  }
+
+  /** Ends of intervals, which are of chance, to a tenth of their width. */
+  private static void assertClose(JsonNode low, JsonNode high, Estimate ours) {
+    double width = high.asDouble() - low.asDouble();
+    assertTrue(width > 0);
+    assertEquals(low.asDouble(), ours.low(), 0.1 * width);
+    assertEquals(high.asDouble(), ours.high(), 0.1 * width);
+  }
+
+  private static Strata scores(double level, long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    return new Strata(
+        IntStream.range(0, 3)
+            .mapToObj(
+                scenario ->
+                    random
+                        .doubles(SEEDS)
+                        .map(noise -> Math.min(0.9999, level + 0.1 * scenario + 0.3 * (noise - .5)))
+                        .toArray())
+            .toList());
+  }
+
+  private static boolean hasLibraries() {
+    try {
+      return process("-c", "import rliable.library, scipy.stats").start().waitFor() == 0;
+    } catch (IOException e) {
+      return false; // no Python
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
+  }
+
+  private static JsonNode answer(JsonNode question) throws Exception {
+    Process python;
+    try (InputStream script = PeersTest.class.getResourceAsStream("peers.py")) {
+      python = process("-c", new String(script.readAllBytes(), StandardCharsets.UTF_8)).start();
+    }
+    try (var in = python.getOutputStream()) {
+      in.write(JSON.writeValueAsBytes(question));
+    }
+    byte[] answer = python.getInputStream().readAllBytes();
+    assertEquals(0, python.waitFor());
+    return JSON.readTree(answer);
+  }
+
+  private static ProcessBuilder process(String... words) {
+    List<String> all = Stream.concat(Stream.of(PYTHON), Arrays.stream(words)).toList();
+    return new ProcessBuilder(all).redirectError(ProcessBuilder.Redirect.DISCARD);
+  }
+}

@@ -1,0 +1,36 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/** {@code CITATION.cff} beside the build and the changelog. */
+class CitationTest {
+  @Test
+  void namesTheVersionThatIsBuiltAndItsDate() throws IOException {
+    String version = found("build.gradle", "version = '([^']+)'");
+    assertEquals(version, found("CITATION.cff", "(?m)^version: (\\S+)$"));
+    String date = found("CHANGELOG.md", "(?m)^## " + Pattern.quote(version) + ", (\\S+)$");
+    assertEquals(date, found("CITATION.cff", "(?m)^date-released: '(\\S+)'$"));
+  }
+
+  @Test
+  void hasWhatTheFormatDemands() throws IOException {
+    String cff = Files.readString(Cli.ROOT.resolve("CITATION.cff"));
+    for (String key : List.of("cff-version: 1.2.0", "message: ", "title: ", "authors:")) {
+      assertTrue(cff.lines().anyMatch(line -> line.startsWith(key)), key);
+    }
+  }
+
+  private static String found(String file, String pattern) throws IOException {
+    Matcher matcher = Pattern.compile(pattern).matcher(Files.readString(Cli.ROOT.resolve(file)));
+    assertTrue(matcher.find(), file);
+    return matcher.group(1);
+  }
+}

@@ -1,0 +1,314 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What {@code compare} says of many runs together. */
+class CompareStatisticsTest {
+  private static final int SEEDS = 6;
+  private static final double ROUNDING = 1e-9;
+
+  @TempDir static Path folder;
+  private static Path out;
+  private static Cli compare;
+
+  @BeforeAll
+  static void compare() {
+    out = folder.resolve("compared");
+    compare = run(out, SEEDS, "zoom-out,epsilon-greedy,sarsa", "--steps", 60);
+    assertEquals(0, compare.exit(), compare.err());
+  }
+
+  @Test
+  void theOptimumThatAProportionIsOfStandsBesideIt() throws IOException {
+    boolean zero = false;
+    for (Map<String, String> row : rows(out, "results.csv", row -> true)) {
+      double optimum = number(row, "optimum");
+      zero |= optimum == 0;
+      assertEquals(
+          optimum == 0 ? Double.NaN : number(row, "performance") / optimum,
+          number(row, "proportion_of_optimal"),
+          ROUNDING);
+    }
+    assertTrue(zero, "no optimum of 0 among the runs");
+  }
+
+  @Test
+  void valuesOfAdaptingAndLearningAreOverTheBestFixedOfTheSeed() throws IOException {
+    Path asked = folder.resolve("asked");
+    run(asked, SEEDS, "zoom-out,epsilon-greedy,sarsa,best-fixed", "--steps", 60);
+    Map<String, Double> fixed = metric(asked, "performance", "best-fixed");
+    assertEquals(fixed, metric(out, "best_fixed", "optimal"));
+    assertEquals(4 * SEEDS, fixed.size());
+    assertRatio("value_of_adapting", "optimal", fixed);
+    assertRatio("value_of_learning", "sarsa", fixed);
+    assertTrue(compare.out().contains("over best-fixed [95%]"), compare.out());
+  }
+
+  private static void assertRatio(String value, String policy, Map<String, Double> fixed)
+      throws IOException {
+    Map<String, Double> performance = metric(out, "performance", policy);
+    metric(out, value, policy)
+        .forEach(
+            (run, ratio) -> {
+              double divisor = fixed.get(run);
+              double expected = divisor == 0 ? Double.NaN : performance.get(run) / divisor;
+              assertEquals(expected, ratio, ROUNDING, run);
+            });
+  }
+
+  @Test
+  void theBestFixedIsNoCaseUnlessAskedFor() throws IOException {
+    for (String file : List.of("results.csv", "summary.csv", "metrics.csv", "settings.json")) {
+      assertFalse(Files.readString(out.resolve(file)).contains("best-fixed"), file);
+    }
+    assertFalse(compare.out().replace("over best-fixed", "").contains("best-fixed"), compare.out());
+  }
+
+  @Test
+  void oneSeedHasNoInterval() throws IOException {
+    Path single = folder.resolve("single");
+    Cli cli = run(single, 1, "zoom-out,sarsa", "--steps", 300);
+    assertFalse(cli.out().replace("[95%]", "").contains("["), cli.out());
+    for (String file : List.of("summary.csv", "aggregate.csv", "profile.csv", "improvement.csv")) {
+      for (Map<String, String> row : rows(single, file, row -> true)) {
+        assertEquals("", row.get("low") + row.get("high"), file);
+      }
+    }
+    assertEquals("", rows(single, "pairs.csv", row -> true).get(0).get("p_holm"));
+    assertEquals(0, Cli.run("report", single).exit());
+  }
+
+  @Test
+  void countsTheRunsThatHaveAValue() throws IOException {
+    int partly = 0;
+    for (Map<String, String> row :
+        rows(out, "summary.csv", row -> row.get("metric").equals("proportion_of_optimal"))) {
+      long known =
+          rows(out, "metrics.csv", run -> sameCase(run, row)).stream()
+              .filter(run -> run.get("metric").equals("proportion_of_optimal"))
+              .filter(run -> !run.get("value").isEmpty())
+              .count();
+      assertEquals(known, Long.parseLong(row.get("runs")));
+      partly += known > 0 && known < SEEDS ? 1 : 0;
+      assertEquals(known < 2, row.get("low").isEmpty());
+    }
+    assertTrue(partly > 0, "no case with values for some seeds alone");
+    assertTrue(compare.out().contains("/" + SEEDS + ": "), compare.out());
+  }
+
+  @Test
+  void theInterquartileMeanIsOverAllScenarios() throws IOException {
+    List<Double> scores = new ArrayList<>();
+    for (Map<String, String> row : rows(out, "results.csv", CompareStatisticsTest::sarsaHifi)) {
+      if (!row.get("proportion_of_optimal").isEmpty()) {
+        scores.add(number(row, "proportion_of_optimal"));
+      }
+    }
+    Collections.sort(scores);
+    int cut = scores.size() / 4;
+    double expected =
+        scores.subList(cut, scores.size() - cut).stream().mapToDouble(d -> d).average().orElse(-1);
+    List<Map<String, String>> rows = rows(out, "aggregate.csv", CompareStatisticsTest::sarsaHifi);
+    assertEquals(
+        List.of("iqm", "optimality_gap", "mean", "median"),
+        rows.stream().map(row -> row.get("statistic")).toList());
+    assertEquals(expected, number(rows.get(0), "value"), ROUNDING);
+    assertEquals(scores.size(), number(rows.get(0), "runs"));
+    assertTrue(compare.out().contains("interquartile mean [95%]"), compare.out());
+  }
+
+  @Test
+  void everyPairOfPoliciesIsComparedInEveryScenarioUnderEveryDetection() throws IOException {
+    List<Map<String, String>> pairs = rows(out, "pairs.csv", row -> true);
+    assertEquals(2 * 2 * 3, pairs.size());
+    assertEquals(2 * 3, rows(out, "improvement.csv", row -> true).size());
+    for (Map<String, String> row : pairs) {
+      if (!row.get("p_value").isEmpty()) {
+        assertTrue(number(row, "p_holm") >= number(row, "p_value"), row.toString());
+      }
+    }
+    Map<String, String> first = pairs.get(0);
+    Map<String, Double> one = metric(out, "proportion_of_optimal", first.get("policy"));
+    Map<String, Double> other = metric(out, "proportion_of_optimal", first.get("other"));
+    double mean =
+        one.entrySet().stream()
+            .filter(run -> run.getKey().startsWith("lattice-random,camsim-range,"))
+            .mapToDouble(run -> run.getValue() - other.get(run.getKey()))
+            .average()
+            .orElseThrow();
+    assertEquals("lattice-random", first.get("scenario"));
+    assertEquals(mean, number(first, "difference"), ROUNDING);
+  }
+
+  @Test
+  void aProfileNeverRises() throws IOException {
+    List<Map<String, String>> rows = rows(out, "profile.csv", CompareStatisticsTest::sarsaHifi);
+    assertEquals(101, rows.size());
+    assertEquals(1, number(rows.get(0), "share"));
+    for (int i = 1; i < rows.size(); i++) {
+      assertTrue(number(rows.get(i), "share") <= number(rows.get(i - 1), "share"));
+    }
+    assertTrue(Files.size(out.resolve("profile.svg")) > 1000);
+  }
+
+  @Test
+  void marlEvalFindsDetectionScenarioPolicySeedAndStep() throws IOException {
+    Path marl = folder.resolve("marl");
+    run(marl, 2, "zoom-out,sarsa:gamma=0.8,epsilon=0.2", "--steps", 120, "--marl-eval");
+    JsonNode all = new ObjectMapper().readTree(marl.resolve("marl-eval.json").toFile());
+    assertEquals(List.of("camsim-range", "hifi:orb-lin"), names(all));
+    assertEquals(List.of("lattice-random", "cluster-random"), names(all.get("hifi:orb-lin")));
+    JsonNode task = all.get("hifi:orb-lin").get("lattice-random");
+    assertEquals(List.of("zoom-out", "sarsa:gamma=0.8;epsilon=0.2"), names(task));
+    JsonNode run = task.get("zoom-out").get("seed_1");
+    assertEquals(51, run.size());
+    double sum = 0;
+    int steps = 0;
+    for (int i = 1; i <= 50; i++) {
+      JsonNode step = run.get("step_" + i);
+      sum += step.get("k_min").get(0).asDouble() * (step.get("step_count").asInt() - steps);
+      steps = step.get("step_count").asInt();
+      assertEquals(metrics(run.get("absolute_metrics")), metrics(step));
+    }
+    assertEquals(120, steps);
+    double absolute = run.get("absolute_metrics").get("k_min").get(0).asDouble();
+    assertEquals(120 * absolute, sum, ROUNDING);
+    assertTrue(absolute > 0);
+  }
+
+  private static List<String> names(JsonNode node) {
+    List<String> names = new ArrayList<>();
+    node.fieldNames().forEachRemaining(names::add);
+    return names;
+  }
+
+  private static List<String> metrics(JsonNode step) {
+    return names(step).stream().filter(name -> !name.equals("step_count")).toList();
+  }
+
+  @Test
+  void theTablesForAPaperHaveWhatThePrintedOnesHave() throws IOException {
+    Path paper = folder.resolve("paper");
+    Cli cli = run(paper, 3, "zoom-out,one-hop:nodes=50", "--steps", 60, "--latex");
+    List<String> lines = Files.readAllLines(paper.resolve("summary.tex"));
+    assertEquals(
+        2,
+        lines.stream()
+            .filter(
+                line ->
+                    line.equals("\\begin{tabular}{lllrrr}")
+                        || line.equals("\\begin{tabular}{llrr}"))
+            .count());
+    List<String> rows = lines.stream().filter(line -> line.endsWith(" \\\\")).toList();
+    assertEquals(1 + 2 * 2 * 3 + 1 + 2 * 2, rows.size());
+    String row = rows.stream().filter(line -> line.contains("zoom-out")).findFirst().orElseThrow();
+    for (String cell : row.replace(" \\\\", "").split(" & ")) {
+      assertTrue(cli.out().contains(cell), cell);
+    }
+  }
+
+  @Test
+  void picturesForPrintAreAsWideAsAskedFor() throws IOException {
+    Path print = folder.resolve("print");
+    run(print, 2, "zoom-out,sarsa", "--steps", 30, "--figure-width", "88mm");
+    for (String name : List.of("proportion", "profile", "coverage", "k_min-lattice-random")) {
+      String svg = Files.readString(print.resolve(name + ".svg"));
+      assertTrue(svg.contains("width=\"88mm\""), name);
+    }
+    Cli wrong = run(print, 2, "zoom-out", "--figure-width", "3in");
+    assertEquals(2, wrong.exit());
+    assertTrue(wrong.err().contains("--figure-width is '3in', expected "), wrong.err());
+  }
+
+  @Test
+  void aFolderFromBeforeTheOptimumHadAColumnStillMakesAPage() throws IOException {
+    Path old = folder.resolve("old");
+    run(old, 2, "zoom-out", "--steps", 20);
+    Path results = old.resolve("results.csv");
+    List<String> lines = Files.readAllLines(results);
+    Files.write(
+        results, lines.stream().map(line -> line.substring(0, line.lastIndexOf(','))).toList());
+    Cli report = Cli.run("report", old);
+    assertEquals(0, report.exit(), report.err());
+  }
+
+  private static boolean sarsaHifi(Map<String, String> row) {
+    return row.get("policy").equals("sarsa") && row.get("detection").equals("hifi:orb-lin");
+  }
+
+  private static boolean sameCase(Map<String, String> one, Map<String, String> other) {
+    return Stream.of("scenario", "detection", "policy")
+        .allMatch(name -> one.get(name).equals(other.get(name)));
+  }
+
+  /** A figure of a policy's runs, by scenario, detection and seed. */
+  private static Map<String, Double> metric(Path out, String metric, String policy)
+      throws IOException {
+    Map<String, Double> values = new HashMap<>();
+    for (Map<String, String> row :
+        rows(
+            out,
+            "metrics.csv",
+            row -> row.get("metric").equals(metric) && row.get("policy").equals(policy))) {
+      String run = row.get("scenario") + "," + row.get("detection") + "," + row.get("seed");
+      values.put(run, number(row, "value"));
+    }
+    return values;
+  }
+
+  private static double number(Map<String, String> row, String column) {
+    return row.get(column).isEmpty() ? Double.NaN : Double.parseDouble(row.get(column));
+  }
+
+  private static List<Map<String, String>> rows(
+      Path out, String file, Predicate<Map<String, String>> wanted) throws IOException {
+    List<String> lines = Files.readAllLines(out.resolve(file));
+    String[] columns = lines.get(0).split(",");
+    List<Map<String, String>> rows = new ArrayList<>();
+    for (String line : lines.subList(1, lines.size())) {
+      String[] cells = line.split(",", -1);
+      Map<String, String> row = new HashMap<>();
+      Arrays.setAll(cells, i -> row.merge(columns[i], cells[i], (a, b) -> b));
+      if (wanted.test(row)) {
+        rows.add(row);
+      }
+    }
+    return rows;
+  }
+
+  private static Cli run(Path out, int seeds, String policies, Object... more) {
+    return Cli.run(
+        Stream.concat(
+                Stream.of(
+                    "compare",
+                    Cli.scenario("lattice-random"),
+                    Cli.scenario("cluster-random"),
+                    "--policies",
+                    policies,
+                    "--repeat",
+                    seeds,
+                    "--out",
+                    out),
+                Arrays.stream(more))
+            .toArray());
+  }
+}
