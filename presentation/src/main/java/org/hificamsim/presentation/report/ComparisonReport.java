@@ -15,12 +15,12 @@ import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TableFile;
 
 /**
- * The page of a comparison, a reproduction or a sensitivity analysis: its tables and pictures, made
- * from its folder alone.
+ * The page of a comparison, a reproduction, a sensitivity analysis or a ladder: its tables and
+ * pictures, made from its folder alone.
  */
 final class ComparisonReport {
   private static final List<Table> OTHERS =
-      List.of(Table.VERDICTS, Table.TABLE_8_1, Table.SENSITIVITY);
+      List.of(Table.VERDICTS, Table.TABLE_8_1, Table.SENSITIVITY, Table.RUNGS, Table.LADDER);
   private static final int MAX_ROWS = 5_000;
   private static final int MAX_SUMMARY_ROWS = 20_000;
 

@@ -6,15 +6,18 @@ import java.io.IOException;
 import org.hificamsim.core.file.OutputFolder;
 
 /** Writes a JSON file, indented, with a line end after it. */
-final class JsonFile {
+public final class JsonFile {
   private JsonFile() {}
 
+  /** What the file holds. */
   @FunctionalInterface
-  interface Content {
+  public interface Content {
+    /** Writes it. */
     void write(JsonGenerator json) throws IOException;
   }
 
-  static void write(OutputFolder folder, String name, Content content) throws IOException {
+  /** Writes one. */
+  public static void write(OutputFolder folder, String name, Content content) throws IOException {
     try (JsonGenerator json = new JsonFactory().createGenerator(folder.open(name))) {
       json.useDefaultPrettyPrinter();
       content.write(json);
