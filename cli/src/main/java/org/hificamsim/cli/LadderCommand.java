@@ -77,8 +77,7 @@ final class LadderCommand implements Callable<Integer> {
         scenarios,
         asked(),
         specs,
-        (rung, scenario) ->
-            scenarioOptions.detection(rung.spec(catalogue::detection), scenario));
+        (rung, scenario) -> scenarioOptions.detection(rung.spec(catalogue::detection), scenario));
   }
 
   private static void refuse(String rule) {
@@ -89,8 +88,6 @@ final class LadderCommand implements Callable<Integer> {
   private List<Rung> asked() {
     return rungs.isEmpty()
         ? Rungs.all()
-        : Arrays.stream(rungs.get().split(",", -1))
-            .map(name -> Rungs.named(name.strip()))
-            .toList();
+        : Arrays.stream(rungs.get().split(",", -1)).map(name -> Rungs.named(name.strip())).toList();
   }
 }

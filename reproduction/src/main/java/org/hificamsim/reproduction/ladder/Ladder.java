@@ -55,10 +55,7 @@ public final class Ladder {
         throw new InputException(
             "rungs '%s' and '%s' are both detection '%s' in scenario '%s', expected each once"
                 .formatted(
-                    other.name(),
-                    one.rung().name(),
-                    one.detection().name(),
-                    one.changed().name()));
+                    other.name(), one.rung().name(), one.detection().name(), one.changed().name()));
       }
     }
   }

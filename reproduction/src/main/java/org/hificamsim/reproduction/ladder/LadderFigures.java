@@ -21,6 +21,7 @@ final class LadderFigures {
   private static final int FRAME = 80;
   private static final int COLUMNS = 3;
   private static final double APART = 0.14;
+  private static final double EDGE = 0.05;
   private static final double ROOM = 1.08;
   private static final String INTERVALS = "Bars: 95% bootstrap intervals over seeds.";
   private static final List<LegendEntry> LEGEND =
@@ -64,8 +65,7 @@ final class LadderFigures {
     return names.get(names.size() - 1);
   }
 
-  private Figure figure(
-      String title, String note, List<LegendEntry> legend, List<XYChart> panels) {
+  private Figure figure(String title, String note, List<LegendEntry> legend, List<XYChart> panels) {
     return new Figure(
         title,
         note,
@@ -77,7 +77,7 @@ final class LadderFigures {
   }
 
   private XYChart panel(String scenario) {
-    XyPanel panel = new XyPanel(scenario, "", "").x(-1, 1).rows(names);
+    XyPanel panel = new XyPanel(scenario, "", "").x(-1 - EDGE, 1 + EDGE).rows(names);
     dots(panel, scenario, RungResult::tau, APART, TAU);
     dots(panel, scenario, RungResult::share, -APART, REGRET);
     return panel.chart();
@@ -85,7 +85,7 @@ final class LadderFigures {
 
   private XYChart single(
       String title, double least, Function<RungResult, Estimate> figure, Color color) {
-    XyPanel panel = new XyPanel(title, "", "").x(least, 1).rows(names);
+    XyPanel panel = new XyPanel(title, "", "").x(least - EDGE, 1 + EDGE).rows(names);
     dots(panel, RungResult.ALL, figure, 0, color);
     return panel.chart();
   }

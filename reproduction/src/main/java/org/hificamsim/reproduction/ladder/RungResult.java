@@ -53,8 +53,7 @@ public record RungResult(
   }
 
   /** The mean over the scenarios that have the figure, with its interval: the same seeds in all. */
-  private static Estimate estimate(
-      List<Beside> besides, ToDoubleBiFunction<Beside, int[]> figure) {
+  private static Estimate estimate(List<Beside> besides, ToDoubleBiFunction<Beside, int[]> figure) {
     return Ratio.estimate(
         besides.get(0).own().seeds(),
         seeds ->

@@ -6,12 +6,12 @@ import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * What a step costs on this machine: the least of a few timed runs in one thread, each of about ten
- * milliseconds, with what a run measures of each step.
+ * What a step costs on this machine, with all that a run measures of it: the least of some timed
+ * runs in one thread, each so short that other programs seldom come between.
  */
 final class StepCost {
-  private static final long LEAST_NANOSECONDS = 10_000_000;
-  private static final int ROUNDS = 5;
+  private static final long LEAST_NANOSECONDS = 2_000_000;
+  private static final int ROUNDS = 25;
   private static final int FIRST_STEPS = 16;
   private static final int MOST_STEPS = 1 << 24;
 

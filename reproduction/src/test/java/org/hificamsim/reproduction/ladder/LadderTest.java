@@ -54,8 +54,7 @@ class LadderTest {
   void everyRungIsThereAndTheirNamesDiffer() {
     Ladder ladder = ladder(Rungs.all().toArray(Rung[]::new));
     assertEquals(2 * Rungs.all().size(), ladder.plans(10, 0, 1).size());
-    assertEquals(
-        Rungs.all().size(), Rungs.all().stream().map(Rung::name).distinct().count());
+    assertEquals(Rungs.all().size(), Rungs.all().stream().map(Rung::name).distinct().count());
   }
 
   @Test
@@ -105,8 +104,7 @@ class LadderTest {
 
   @Test
   void aRungWithoutARuleIsByThresholdWhereTheScenarioSaysChance() {
-    Scenario chance =
-        RING.withDetect(DetectionRule.parse("chance"));
+    Scenario chance = RING.withDetect(DetectionRule.parse("chance"));
     Rung rung = Rungs.named("hifi:orb-lin");
     assertTrue(Overrides.NONE.detection(rung.spec(LadderTest::model), chance).certain());
   }
