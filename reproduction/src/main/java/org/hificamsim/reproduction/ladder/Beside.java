@@ -13,11 +13,12 @@ record Beside(Scores own, Scores top) {
   }
 
   /**
-   * The k_min that is lost under the top rung by choosing the policy that is best under this one;
-   * where several are, what is lost on average by choosing any of them.
+   * The k_min that is lost under the top rung by choosing the policy that is best under this one, 0
+   * or more; where several are, what is lost on average by choosing any of them. Other seeds may
+   * lead to another choice.
    */
   double regret(int[] seeds) {
-    return best(seeds) - top.mean(own.best(), seeds);
+    return best(seeds) - top.mean(own.best(seeds), seeds);
   }
 
   /** The regret as a share of the top rung's best; NaN where that is 0. */
@@ -27,6 +28,6 @@ record Beside(Scores own, Scores top) {
   }
 
   private double best(int[] seeds) {
-    return top.mean(top.best(), seeds);
+    return top.mean(top.best(seeds), seeds);
   }
 }

@@ -44,12 +44,21 @@ record Scores(double[][] kMin, double[] optimum) {
 
   /** The mean of each policy over all seeds. */
   double[] means() {
-    return means(IntStream.range(0, seeds()).toArray());
+    return means(all());
   }
 
-  /** The policies with the best mean: more than one where they tie. */
+  private int[] all() {
+    return IntStream.range(0, seeds()).toArray();
+  }
+
+  /** The policies with the best mean over all seeds: more than one where they tie. */
   int[] best() {
-    double[] means = means();
+    return best(all());
+  }
+
+  /** The policies with the best mean over some seeds. */
+  int[] best(int[] seeds) {
+    double[] means = means(seeds);
     double best = Arrays.stream(means).max().orElseThrow();
     return IntStream.range(0, means.length).filter(policy -> means[policy] == best).toArray();
   }

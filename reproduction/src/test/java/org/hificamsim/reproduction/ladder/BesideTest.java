@@ -73,13 +73,23 @@ class BesideTest {
   }
 
   @Test
-  void drawnSeedsArePairedAndTheChoiceStays() {
+  void drawnSeedsAreTheSameOnBothRungs() {
     Scores own = new Scores(new double[][] {{1, 1}, {0, 0}}, new double[] {1, 1});
     Scores top = new Scores(new double[][] {{0.2, 0.6}, {0.3, 0.9}}, new double[] {1, 1});
     Beside beside = new Beside(own, top);
     assertEquals(0.2, beside.regret(new int[] {0, 1}), 1e-12);
     assertEquals(0.1, beside.regret(new int[] {0, 0}), 1e-12);
     assertEquals(0.3, beside.regret(new int[] {1, 1}), 1e-12);
+  }
+
+  @Test
+  void everyDrawChoosesAnewUnderBothRungs() {
+    Scores own = new Scores(new double[][] {{1, 0}, {0, 2}}, new double[] {1, 1});
+    Scores top = new Scores(new double[][] {{0.2, 0.6}, {0.3, 0.1}}, new double[] {1, 1});
+    Beside beside = new Beside(own, top);
+    assertEquals(0.2, beside.regret(new int[] {0, 1}), 1e-12);
+    assertEquals(0.1, beside.regret(new int[] {0, 0}), 1e-12);
+    assertEquals(0.5, beside.regret(new int[] {1, 1}), 1e-12);
   }
 
   @Test
