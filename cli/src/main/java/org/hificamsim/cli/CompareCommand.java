@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
@@ -103,27 +102,19 @@ final class CompareCommand implements Callable<Integer> {
             .map(name -> DetectionSpec.parse(name.strip(), catalogue::detection))
             .toList();
     List<String> specs = PolicyList.split(policies, catalogue.policies());
-    requireDistinct("--policies", specs);
+    Distinct.require("--policies", specs);
     List<Scenario> scenarios =
         files.stream().map(file -> scenarioOptions.read(file, catalogue, screen.err())).toList();
-    requireDistinct("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
+    Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     List<RunPlan> plans = new ArrayList<>();
     for (Scenario scenario : scenarios) {
       List<Detection> used =
           asked.stream().map(one -> scenarioOptions.detection(one, scenario)).toList();
-      requireDistinct("--detections", used.stream().map(Detection::name).toList());
+      Distinct.require("--detections", used.stream().map(Detection::name).toList());
       for (Detection detection : used) {
         specs.forEach(policy -> plans.add(batch.repeats().plan(scenario, detection, policy)));
       }
     }
     return plans;
-  }
-
-  private static void requireDistinct(String what, List<String> names) {
-    for (int i = 0; i < names.size(); i++) {
-      if (names.indexOf(names.get(i)) < i) {
-        throw new InputException(what + " has '" + names.get(i) + "' twice, expected each once");
-      }
-    }
   }
 }

@@ -40,6 +40,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       CompareCommand.class,
       ReproduceCommand.class,
       SensitivityCommand.class,
+      LadderCommand.class,
       PlotCommand.class,
       GenerateCommand.class,
       ReportCommand.class,

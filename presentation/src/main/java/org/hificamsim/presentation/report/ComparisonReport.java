@@ -15,8 +15,8 @@ import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TableFile;
 
 /**
- * The page of a comparison, a reproduction or a sensitivity analysis: its tables and pictures, made
- * from its folder alone.
+ * The page of a comparison, a reproduction, a sensitivity analysis or a ladder: its tables and
+ * pictures, made from its folder alone.
  */
 final class ComparisonReport {
   private static final List<Table> OTHERS =
@@ -26,6 +26,8 @@ final class ComparisonReport {
           Table.TABLE_8_1,
           Table.SENSITIVITY,
           Table.FIT,
+          Table.RUNGS,
+          Table.LADDER,
           Table.AGGREGATE,
           Table.IMPROVEMENT,
           Table.PAIRS);

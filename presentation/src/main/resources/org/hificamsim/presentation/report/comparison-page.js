@@ -29,6 +29,7 @@ const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
 
 function kind({tables}) {
   const has = name => tables.some(table => table.name === name);
+  if (has('rungs.csv')) return 'Ladder';
   return has('sensitivity.csv') ? 'Sensitivity' : has('table-8.1.csv') ? 'Reproduction' : 'Comparison';
 }
 

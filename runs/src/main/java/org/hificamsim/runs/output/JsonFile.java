@@ -9,11 +9,14 @@ import org.hificamsim.core.file.OutputFolder;
 public final class JsonFile {
   private JsonFile() {}
 
+  /** What the file holds. */
   @FunctionalInterface
   public interface Content {
+    /** Writes it. */
     void write(JsonGenerator json) throws IOException;
   }
 
+  /** Writes one. */
   public static void write(OutputFolder folder, String name, Content content) throws IOException {
     try (JsonGenerator json = new JsonFactory().createGenerator(folder.open(name))) {
       json.useDefaultPrettyPrinter();

@@ -48,7 +48,12 @@ public enum Table {
       "sensitivity.csv",
       "parameter,value,default,layout,policy,proportion_hifi,proportion_camsim,"
           + "difference,low,high,finding"),
-  FIT("fit.csv", "parameter,value,default,error_hifi,error_camsim");
+  FIT("fit.csv", "parameter,value,default,error_hifi,error_camsim"),
+  LADDER("ladder.csv", "scenario,rung,policy,mean_k_min,low,high,rank"),
+  RUNGS(
+      "rungs.csv",
+      "scenario,rung,optimum,tau,tau_low,tau_high,chosen,regret,regret_low,regret_high,"
+          + "share,share_low,share_high");
 
   private final String file;
   private final String first;

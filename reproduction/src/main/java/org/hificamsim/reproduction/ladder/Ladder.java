@@ -1,0 +1,91 @@
+package org.hificamsim.reproduction.ladder;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.BiFunction;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.runs.RunPlan;
+
+/** Scenarios x rungs x policies: what is run, and what is set beside what. */
+public final class Ladder {
+  private final List<Rung> rungs;
+  private final List<String> policies;
+  private final Map<String, List<RungScenario>> scenarios = new LinkedHashMap<>();
+
+  /**
+   * @param scenarios of different names
+   * @param rungs the top one last
+   * @param policies two or more, with their options
+   * @param detections what a rung detects by in a scenario that it has changed
+   * @throws InputException when two rungs are the same, or there are too few policies
+   */
+  public Ladder(
+      List<Scenario> scenarios,
+      List<Rung> rungs,
+      List<String> policies,
+      BiFunction<Rung, Scenario, Detection> detections) {
+    this.rungs = List.copyOf(rungs);
+    this.policies = List.copyOf(policies);
+    if (policies.size() < 2) {
+      throw new InputException(
+          "the policies are '" + policies.get(0) + "' alone, expected two or more to choose from");
+    }
+    for (Scenario scenario : scenarios) {
+      this.scenarios.put(
+          scenario.name(), rungs.stream().map(rung -> on(rung, scenario, detections)).toList());
+    }
+    requireDistinct();
+  }
+
+  private static RungScenario on(
+      Rung rung, Scenario scenario, BiFunction<Rung, Scenario, Detection> detections) {
+    Scenario changed = rung.world().apply(scenario);
+    return new RungScenario(scenario.name(), rung, changed, detections.apply(rung, changed));
+  }
+
+  private void requireDistinct() {
+    Map<List<String>, Rung> known = new LinkedHashMap<>();
+    for (RungScenario one : all()) {
+      Rung other = known.put(one.key(), one.rung());
+      if (other != null) {
+        throw new InputException(
+            "rungs '%s' and '%s' are both detection '%s' in scenario '%s', expected each once"
+                .formatted(
+                    other.name(), one.rung().name(), one.detection().name(), one.changed().name()));
+      }
+    }
+  }
+
+  /** The rungs, the top one last. */
+  public List<Rung> rungs() {
+    return rungs;
+  }
+
+  /** The policies to choose from. */
+  public List<String> policies() {
+    return policies;
+  }
+
+  /** Everything that has to be run. */
+  public List<RunPlan> plans(int steps, long seed, int repeats) {
+    List<RunPlan> plans = new ArrayList<>();
+    for (RungScenario one : all()) {
+      policies.forEach(policy -> plans.add(one.plan(policy, steps, seed, repeats)));
+    }
+    return plans;
+  }
+
+  /** Each scenario by name, as each rung has it. */
+  Map<String, List<RungScenario>> scenarios() {
+    return scenarios;
+  }
+
+  /** Every scenario as every rung has it. */
+  List<RungScenario> all() {
+    return scenarios.values().stream().flatMap(List::stream).toList();
+  }
+}

@@ -1,0 +1,42 @@
+package org.hificamsim.reproduction.ladder;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.runs.compare.Cases;
+
+/**
+ * Every rung beside the top one.
+ *
+ * @param rungs by scenario, then the means over all scenarios
+ * @param nanoseconds what a step costs, by rung
+ */
+public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds) {
+  static LadderResult of(Ladder ladder, Cases cases, List<Double> nanoseconds) {
+    List<RungResult> results = new ArrayList<>();
+    Map<Rung, List<Beside>> byRung = new LinkedHashMap<>();
+    for (List<RungScenario> places : ladder.scenarios().values()) {
+      RungScenario last = places.get(places.size() - 1);
+      Scores top = Scores.of(last.results(cases, ladder.policies()));
+      for (RungScenario place : places) {
+        Scores own = Scores.of(place.results(cases, ladder.policies()));
+        Beside beside = new Beside(own, top);
+        results.add(RungResult.of(place, ladder.policies(), beside));
+        byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(beside);
+      }
+    }
+    byRung.forEach((rung, besides) -> results.add(RungResult.ofAll(rung, besides)));
+    return new LadderResult(List.copyOf(results), nanoseconds);
+  }
+
+  /** The scenarios' names, then {@link RungResult#ALL}. */
+  public List<String> scenarios() {
+    return rungs.stream().map(RungResult::scenario).distinct().toList();
+  }
+
+  /** The rungs in one scenario, the top one last. */
+  public List<RungResult> of(String scenario) {
+    return rungs.stream().filter(one -> one.scenario().equals(scenario)).toList();
+  }
+}

@@ -1,0 +1,66 @@
+package org.hificamsim.reproduction.ladder;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.ToDoubleBiFunction;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.compare.Ratio;
+
+/**
+ * How good a rung is for a choice of policy: in one scenario, or the mean over all of them.
+ *
+ * @param scenario {@link #ALL} for the mean
+ * @param optimum the mean k_min that it predicts for the exact optimum
+ * @param tau Kendall's tau-b against the top rung; NaN where all policies tie
+ * @param chosen the policies that are best under it, more than one where they tie; none for the
+ *     mean
+ * @param regret the k_min lost under the top rung by choosing so
+ * @param share the same as a share of the top rung's best; NaN where that is 0
+ */
+public record RungResult(
+    String scenario,
+    Rung rung,
+    Estimate optimum,
+    Estimate tau,
+    List<String> chosen,
+    Estimate regret,
+    Estimate share) {
+  /** In place of a scenario's name. */
+  public static final String ALL = "all";
+
+  static RungResult of(RungScenario place, List<String> policies, Beside beside) {
+    return of(
+        place.scenario(),
+        place.rung(),
+        Arrays.stream(beside.own().best()).mapToObj(policies::get).toList(),
+        List.of(beside));
+  }
+
+  static RungResult ofAll(Rung rung, List<Beside> scenarios) {
+    return of(ALL, rung, List.of(), scenarios);
+  }
+
+  private static RungResult of(
+      String scenario, Rung rung, List<String> chosen, List<Beside> besides) {
+    return new RungResult(
+        scenario,
+        rung,
+        estimate(besides, (one, seeds) -> one.own().optimum(seeds)),
+        estimate(besides, Beside::tau),
+        chosen,
+        estimate(besides, Beside::regret),
+        estimate(besides, Beside::share));
+  }
+
+  /** The mean over the scenarios that have the figure, with its interval: the same seeds in all. */
+  private static Estimate estimate(List<Beside> besides, ToDoubleBiFunction<Beside, int[]> figure) {
+    return Ratio.estimate(
+        besides.get(0).own().seeds(),
+        seeds ->
+            besides.stream()
+                .mapToDouble(one -> figure.applyAsDouble(one, seeds))
+                .filter(value -> !Double.isNaN(value))
+                .average()
+                .orElse(Double.NaN));
+  }
+}

@@ -1,0 +1,90 @@
+package org.hificamsim.reproduction.ladder;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.ScoredRun;
+
+/**
+ * What one rung says of the policies in one scenario: their mean k_min, and by chance its
+ * expectation, which has no luck in it. A policy that knows the luck gains nothing by it here.
+ *
+ * @param kMin by policy, then by seed
+ * @param optimum the mean k_min of the exact optimum, by seed; by chance it knows the luck
+ */
+record Scores(double[][] kMin, double[] optimum) {
+  static Scores of(List<CaseResult> cases) {
+    return new Scores(
+        cases.stream().map(Scores::kMin).toArray(double[][]::new),
+        cases.get(0).runs().stream()
+            .mapToDouble(run -> (double) run.optimum() / cases.get(0).plan().steps())
+            .toArray());
+  }
+
+  private static double[] kMin(CaseResult one) {
+    return one.runs().stream().mapToDouble(run -> kMin(one.plan(), run)).toArray();
+  }
+
+  private static double kMin(RunPlan plan, ScoredRun run) {
+    return plan.detection().certain()
+        ? run.result().meanKMin()
+        : run.result().expected().performance() / plan.steps();
+  }
+
+  int seeds() {
+    return optimum.length;
+  }
+
+  /** The mean of each policy over some seeds, each given by its number, perhaps repeatedly. */
+  double[] means(int[] seeds) {
+    return Arrays.stream(kMin).mapToDouble(one -> mean(one, seeds)).toArray();
+  }
+
+  /** The mean of each policy over all seeds. */
+  double[] means() {
+    return means(all());
+  }
+
+  private int[] all() {
+    return IntStream.range(0, seeds()).toArray();
+  }
+
+  /** The policies with the best mean over all seeds: more than one where they tie. */
+  int[] best() {
+    return best(all());
+  }
+
+  /** The policies with the best mean over some seeds. */
+  int[] best(int[] seeds) {
+    double[] means = means(seeds);
+    double best = Arrays.stream(means).max().orElseThrow();
+    return IntStream.range(0, means.length).filter(policy -> means[policy] == best).toArray();
+  }
+
+  /** Each policy's place, 1 for the best; those that tie share the better one. */
+  int[] ranks() {
+    double[] means = means();
+    return Arrays.stream(means)
+        .mapToInt(own -> 1 + (int) Arrays.stream(means).filter(other -> other > own).count())
+        .toArray();
+  }
+
+  /** The mean over some policies and seeds: what to expect of picking any of them. */
+  double mean(int[] policies, int[] seeds) {
+    return Arrays.stream(policies)
+        .mapToDouble(policy -> mean(kMin[policy], seeds))
+        .average()
+        .orElseThrow();
+  }
+
+  /** The mean of the optimum over some seeds. */
+  double optimum(int[] seeds) {
+    return mean(optimum, seeds);
+  }
+
+  private static double mean(double[] values, int[] seeds) {
+    return Arrays.stream(seeds).mapToDouble(seed -> values[seed]).average().orElseThrow();
+  }
+}

@@ -1,0 +1,63 @@
+package org.hificamsim.reproduction.ladder;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.RunPlan;
+
+/**
+ * What a step costs on this machine, with all that a run measures of it: the least of some timed
+ * runs in one thread, each so short that other programs seldom come between.
+ */
+final class StepCost {
+  private static final long LEAST_NANOSECONDS = 2_000_000;
+  private static final int ROUNDS = 25;
+  private static final int FIRST_STEPS = 16;
+  private static final int MOST_STEPS = 1 << 24;
+
+  private final RunExecutor executor;
+  private final String policy;
+
+  StepCost(RunExecutor executor, String policy) {
+    this.executor = executor;
+    this.policy = policy;
+  }
+
+  /** Nanoseconds a step, for each; taken in turns, so that all meet the same load. */
+  List<Double> of(List<RungScenario> places) {
+    List<RunPlan> plans = places.stream().map(this::calibrated).toList();
+    double[] least = plans.stream().mapToDouble(this::nanoseconds).toArray();
+    for (int round = 1; round < ROUNDS; round++) {
+      for (int i = 0; i < least.length; i++) {
+        least[i] = Math.min(least[i], nanoseconds(plans.get(i)));
+      }
+    }
+    List<Double> costs = new ArrayList<>();
+    for (double one : least) {
+      costs.add(one);
+    }
+    return costs;
+  }
+
+  /** A plan of so many steps that they take long enough for the clock; it is warm then. */
+  private RunPlan calibrated(RungScenario place) {
+    RunPlan plan = place.plan(policy, FIRST_STEPS, 0, 1);
+    while (isShort(plan) && plan.steps() < MOST_STEPS) {
+      plan = place.plan(policy, 2 * plan.steps(), 0, 1);
+    }
+    return plan;
+  }
+
+  /** Whether any of three runs is: one alone may have been interrupted. */
+  private boolean isShort(RunPlan plan) {
+    return IntStream.range(0, 3)
+        .anyMatch(any -> nanoseconds(plan) * plan.steps() < LEAST_NANOSECONDS);
+  }
+
+  private double nanoseconds(RunPlan plan) {
+    long start = System.nanoTime();
+    executor.repeat(plan, 0, List.of());
+    return (double) (System.nanoTime() - start) / plan.steps();
+  }
+}

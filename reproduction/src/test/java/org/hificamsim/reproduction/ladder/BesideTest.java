@@ -1,0 +1,100 @@
+package org.hificamsim.reproduction.ladder;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+
+/** Order, choice and regret of made-up policies, one seed unless said. */
+class BesideTest {
+  private static final int[] ONE = {0};
+
+  private static Scores scores(double... kMin) {
+    return new Scores(
+        Arrays.stream(kMin).mapToObj(value -> new double[] {value}).toArray(double[][]::new),
+        new double[] {9});
+  }
+
+  private static double tau(Scores own, Scores top) {
+    return new Beside(own, top).tau(ONE);
+  }
+
+  @Test
+  void theSameOrderIsOneAndTheReverseMinusOne() {
+    assertEquals(1, tau(scores(1, 2, 3), scores(10, 20, 90)));
+    assertEquals(-1, tau(scores(1, 2, 3), scores(3, 2, 1)));
+  }
+
+  @Test
+  void onePairOfThreeTheOtherWayRoundIsAThird() {
+    assertEquals(1.0 / 3, tau(scores(1, 2, 3), scores(1, 3, 2)), 1e-12);
+  }
+
+  @Test
+  void aPairThatTiesOnOneSideCountsForNeitherOrder() {
+    assertEquals(2 / Math.sqrt(2 * 3), tau(scores(1, 1, 3), scores(1, 2, 3)), 1e-12);
+    assertEquals(1, tau(scores(1, 1, 3), scores(2, 2, 5)), 1e-12);
+  }
+
+  @Test
+  void withAllPoliciesEqualThereIsNoOrder() {
+    assertTrue(Double.isNaN(tau(scores(0, 0, 0), scores(1, 2, 3))));
+    assertTrue(Double.isNaN(tau(scores(1, 2, 3), scores(4, 4, 4))));
+    assertTrue(Double.isNaN(tau(scores(0, 0), scores(0, 0))));
+  }
+
+  @Test
+  void regretIsTheTopRungsLossByTheRungsChoice() {
+    Beside beside = new Beside(scores(3, 2, 1), scores(0.5, 0.8, 0.1));
+    assertEquals(0.3, beside.regret(ONE), 1e-12);
+    assertEquals(0.3 / 0.8, beside.share(ONE), 1e-12);
+  }
+
+  @Test
+  void aRungThatIsRightLosesNothingWhateverElseItPredicts() {
+    assertEquals(0, new Beside(scores(1, 9, 5), scores(0.1, 0.8, 0)).regret(ONE));
+  }
+
+  @Test
+  void whereARungHasSeveralBestTheirMeanIsWhatItGets() {
+    Beside beside = new Beside(scores(1, 1, 0), scores(0.4, 0.8, 0.9));
+    assertEquals(0.9 - 0.6, beside.regret(ONE), 1e-12);
+    Beside blind = new Beside(scores(0, 0, 0), scores(0.3, 0.6, 0.9));
+    assertEquals(0.3, blind.regret(ONE), 1e-12);
+  }
+
+  @Test
+  void underATopRungWhereNothingIsCoveredThereIsNothingToLoseAndNoShare() {
+    Beside beside = new Beside(scores(1, 2), scores(0, 0));
+    assertEquals(0, beside.regret(ONE));
+    assertTrue(Double.isNaN(beside.share(ONE)));
+  }
+
+  @Test
+  void drawnSeedsAreTheSameOnBothRungs() {
+    Scores own = new Scores(new double[][] {{1, 1}, {0, 0}}, new double[] {1, 1});
+    Scores top = new Scores(new double[][] {{0.2, 0.6}, {0.3, 0.9}}, new double[] {1, 1});
+    Beside beside = new Beside(own, top);
+    assertEquals(0.2, beside.regret(new int[] {0, 1}), 1e-12);
+    assertEquals(0.1, beside.regret(new int[] {0, 0}), 1e-12);
+    assertEquals(0.3, beside.regret(new int[] {1, 1}), 1e-12);
+  }
+
+  @Test
+  void everyDrawChoosesAnewUnderBothRungs() {
+    Scores own = new Scores(new double[][] {{1, 0}, {0, 2}}, new double[] {1, 1});
+    Scores top = new Scores(new double[][] {{0.2, 0.6}, {0.3, 0.1}}, new double[] {1, 1});
+    Beside beside = new Beside(own, top);
+    assertEquals(0.2, beside.regret(new int[] {0, 1}), 1e-12);
+    assertEquals(0.1, beside.regret(new int[] {0, 0}), 1e-12);
+    assertEquals(0.5, beside.regret(new int[] {1, 1}), 1e-12);
+  }
+
+  @Test
+  void ranksShareTheBetterPlaceWhereTheyTie() {
+    assertArrayEquals(new int[] {2, 1, 2, 4}, scores(5, 7, 5, 1).ranks());
+    assertArrayEquals(new int[] {0, 2}, scores(5, 1, 5).best());
+  }
+}

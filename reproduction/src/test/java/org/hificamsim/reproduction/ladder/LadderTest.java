@@ -1,0 +1,120 @@
+package org.hificamsim.reproduction.ladder;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.ScoredRun;
+import org.junit.jupiter.api.Test;
+
+/** Rungs as changes of a plan. */
+class LadderTest {
+  private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
+  private static final Catalogue CATALOGUE = Catalogue.load();
+  private static final Scenario RING =
+      ScenarioReader.read(
+          ROOT.resolve("scenarios/ring-random.xml"), movement -> true, warning -> {});
+
+  /** A rung that changes the scenario and not the detection: one target alone. */
+  private static final Rung LONELY =
+      new Rung(
+          "lonely",
+          "no other targets",
+          "geometric",
+          scenario ->
+              scenario.with("lonely-ring", scenario.targets().subList(0, 1), scenario.events()));
+
+  private static Ladder ladder(Rung... rungs) {
+    return new Ladder(
+        List.of(RING),
+        List.of(rungs),
+        List.of("zoom-out", "zoom-in"),
+        (rung, scenario) -> Overrides.NONE.detection(rung.spec(LadderTest::model), scenario));
+  }
+
+  private static DetectionModel model(String name) {
+    return CATALOGUE.detection(name);
+  }
+
+  @Test
+  void everyRungIsThereAndTheirNamesDiffer() {
+    Ladder ladder = ladder(Rungs.all().toArray(Rung[]::new));
+    assertEquals(2 * Rungs.all().size(), ladder.plans(10, 0, 1).size());
+    assertEquals(Rungs.all().size(), Rungs.all().stream().map(Rung::name).distinct().count());
+  }
+
+  @Test
+  void theTopRungIsByChanceAndTheOthersOfItsFitBelowIt() {
+    List<RunPlan> plans = ladder(Rungs.all().toArray(Rung[]::new)).plans(10, 0, 1);
+    RunPlan top = plans.get(plans.size() - 1);
+    assertEquals("hifi:orb-lin@chance", top.detection().name());
+    assertTrue(plans.stream().anyMatch(plan -> plan.detection().name().equals("hifi:orb-lin")));
+  }
+
+  @Test
+  void aRungMayChangeTheScenarioAndItsResultsAreFoundUnderTheOldName() {
+    Ladder ladder = ladder(Rungs.named("geometric"), LONELY);
+    List<RunPlan> plans = ladder.plans(10, 0, 2);
+    assertEquals(
+        List.of("ring-random", "ring-random", "lonely-ring", "lonely-ring"),
+        plans.stream().map(plan -> plan.scenario().name()).toList());
+    assertEquals(1, plans.get(2).scenario().targets().size());
+    LadderResult result =
+        LadderResult.of(
+            ladder, new Cases(plans.stream().map(LadderTest::made).toList()), List.of(1.0, 2.0));
+    List<RungResult> ring = result.of("ring-random");
+    assertEquals(List.of("geometric", "lonely"), names(ring));
+    assertEquals(-1, ring.get(0).tau().mean());
+    assertEquals(List.of("zoom-out"), ring.get(0).chosen());
+    assertEquals(List.of("zoom-in"), ring.get(1).chosen());
+    assertEquals(0.6, ring.get(0).share().mean(), 1e-12);
+    assertEquals(0, ring.get(1).regret().mean());
+    assertEquals(List.of("ring-random", RungResult.ALL), result.scenarios());
+  }
+
+  /** Zooming out gives 10, zooming in 4 of every 10 steps; with one target the other way round. */
+  private static CaseResult made(RunPlan plan) {
+    boolean lonely = plan.scenario().name().startsWith("lonely");
+    boolean good = plan.policy().equals("zoom-out") != lonely;
+    List<ScoredRun> runs =
+        IntStream.range(0, 2)
+            .mapToObj(seed -> new RunResult(seed, seed, 0, good ? 1 : 0.4, 0, 0, 0, 0, 0, 0, 0))
+            .map(run -> new ScoredRun(run, 10, 0))
+            .toList();
+    return new CaseResult(plan, runs, new double[10], new double[2][10]);
+  }
+
+  private static List<String> names(List<RungResult> results) {
+    return results.stream().map(one -> one.rung().name()).toList();
+  }
+
+  @Test
+  void aRungWithoutARuleIsByThresholdWhereTheScenarioSaysChance() {
+    Scenario chance = RING.withDetect(DetectionRule.parse("chance"));
+    Rung rung = Rungs.named("hifi:orb-lin");
+    assertTrue(Overrides.NONE.detection(rung.spec(LadderTest::model), chance).certain());
+  }
+
+  @Test
+  void twoRungsThatAreTheSameAreRefused() {
+    InputException fault =
+        assertThrows(
+            InputException.class,
+            () -> ladder(Rungs.named("geometric"), Rungs.named("geometric@threshold")));
+    assertTrue(fault.getMessage().contains("expected each once"), fault.getMessage());
+  }
+}
