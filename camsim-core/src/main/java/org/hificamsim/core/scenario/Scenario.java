@@ -4,9 +4,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
-import org.hificamsim.core.detection.DetectionRule;
 import java.util.stream.Stream;
+import org.hificamsim.core.detection.DetectionRule;
 
 /**
  * A scenario: the field, the cameras, the targets, and what happens when.
@@ -55,41 +56,49 @@ public record Scenario(
 
   /** The same scenario with targets moving at another time within the step. */
   public Scenario withOrder(StepOrder newOrder) {
-    return copy(name, newOrder, headings, zooms, targets, events);
+    return changed(draft -> draft.order = newOrder);
   }
 
   /** The same scenario with another rule of detection; its threshold goes with the old one. */
   public Scenario withDetect(DetectionRule rule) {
-    OptionalDouble kept = rule.certain() ? threshold : OptionalDouble.empty();
-    return new Scenario(
-        name,
-        field,
-        order,
-        headings,
-        kept,
-        Optional.of(rule),
-        mountHeight,
-        zooms,
-        cameras,
-        targets,
-        events,
-        visionGraph,
-        extras);
+    return changed(
+        draft -> {
+          draft.detect = Optional.of(rule);
+          draft.threshold = rule.certain() ? threshold : OptionalDouble.empty();
+        });
   }
 
   /** The same scenario with another reading of the targets' headings. */
   public Scenario withHeadings(Headings newHeadings) {
-    return copy(name, order, newHeadings, zooms, targets, events);
+    return changed(draft -> draft.headings = newHeadings);
+  }
+
+  /**
+   * The same scenario under another name with its cameras at another height.
+   *
+   * @param height metres, above 0
+   */
+  public Scenario withMountHeight(String newName, double height) {
+    return changed(
+        draft -> {
+          draft.name = newName;
+          draft.mountHeight = OptionalDouble.of(height);
+        });
   }
 
   /** The same world under another name with other targets and events. */
   public Scenario with(String newName, List<TargetSpec> newTargets, List<ScenarioEvent> newEvents) {
-    return copy(newName, order, headings, zooms, newTargets, newEvents);
+    return changed(
+        draft -> {
+          draft.name = newName;
+          draft.targets = newTargets;
+          draft.events = newEvents;
+        });
   }
 
   /** The same scenario without its zoom list: each camera has its range alone, as in CamSim. */
   public Scenario withoutZooms() {
-    return copy(name, order, headings, List.of(), targets, events);
+    return changed(draft -> draft.zooms = List.of());
   }
 
   /** The same scenario with every target, now or later, under one movement. */
@@ -99,14 +108,17 @@ public record Scenario(
 
   /** The same scenario with one camera more, after those of the start. */
   public Scenario withCamera(CameraSpec added) {
-    return copy(Stream.concat(cameras.stream(), Stream.of(added)).toList(), events);
+    return changed(
+        draft -> draft.cameras = Stream.concat(cameras.stream(), Stream.of(added)).toList());
   }
 
   /** The same scenario with every camera, now or later, changed. */
   public Scenario withCameras(UnaryOperator<CameraSpec> change) {
-    return copy(
-        cameras.stream().map(change).toList(),
-        events.stream().map(event -> withCamera(event, change)).toList());
+    return changed(
+        draft -> {
+          draft.cameras = cameras.stream().map(change).toList();
+          draft.events = events.stream().map(event -> withCamera(event, change)).toList();
+        });
   }
 
   /** The same scenario with every target, now or later, changed. */
@@ -117,43 +129,54 @@ public record Scenario(
         events.stream().map(event -> withTarget(event, change)).toList());
   }
 
-  private Scenario copy(
-      String newName,
-      StepOrder newOrder,
-      Headings newHeadings,
-      List<Double> newZooms,
-      List<TargetSpec> newTargets,
-      List<ScenarioEvent> newEvents) {
-    return new Scenario(
-        newName,
-        field,
-        newOrder,
-        newHeadings,
-        threshold,
-        detect,
-        mountHeight,
-        newZooms,
-        cameras,
-        newTargets,
-        newEvents,
-        visionGraph,
-        extras);
+  private Scenario changed(Consumer<Draft> change) {
+    Draft draft = new Draft(this);
+    change.accept(draft);
+    return draft.scenario(this);
   }
 
-  private Scenario copy(List<CameraSpec> newCameras, List<ScenarioEvent> newEvents) {
-    return new Scenario(
-        name,
-        field,
-        order,
-        headings,
-        threshold,
-        mountHeight,
-        zooms,
-        newCameras,
-        targets,
-        newEvents,
-        visionGraph,
-        extras);
+  /** What a change may set; it begins as the scenario is. */
+  private static final class Draft {
+    private String name;
+    private StepOrder order;
+    private Headings headings;
+    private OptionalDouble threshold;
+    private Optional<DetectionRule> detect;
+    private OptionalDouble mountHeight;
+    private List<Double> zooms;
+    private List<CameraSpec> cameras;
+    private List<TargetSpec> targets;
+    private List<ScenarioEvent> events;
+
+    Draft(Scenario of) {
+      name = of.name;
+      order = of.order;
+      headings = of.headings;
+      threshold = of.threshold;
+      detect = of.detect;
+      mountHeight = of.mountHeight;
+      zooms = of.zooms;
+      cameras = of.cameras;
+      targets = of.targets;
+      events = of.events;
+    }
+
+    Scenario scenario(Scenario of) {
+      return new Scenario(
+          name,
+          of.field,
+          order,
+          headings,
+          threshold,
+          detect,
+          mountHeight,
+          zooms,
+          cameras,
+          targets,
+          events,
+          of.visionGraph,
+          of.extras);
+    }
   }
 
   private static ScenarioEvent withCamera(ScenarioEvent event, UnaryOperator<CameraSpec> change) {

@@ -1,6 +1,5 @@
 package org.hificamsim.reproduction.sensitivity;
 
-import java.util.OptionalDouble;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.hifi.optics.Optics;
@@ -22,19 +21,7 @@ final class ChangedWorld {
    */
   static Scenario withFocalLength(Scenario scenario, Optics optics, double focalLength) {
     double height = 2 * focalLength * scenario.zooms().get(0) / optics.sensorWidth();
-    return new Scenario(
-        scenario.name() + "-z" + focalLength,
-        scenario.field(),
-        scenario.order(),
-        scenario.headings(),
-        scenario.threshold(),
-        OptionalDouble.of(height),
-        scenario.zooms(),
-        scenario.cameras(),
-        scenario.targets(),
-        scenario.events(),
-        scenario.visionGraph(),
-        scenario.extras());
+    return scenario.withMountHeight(scenario.name() + "-z" + focalLength, height);
   }
 
   private static TargetSpec withSize(TargetSpec target, double size) {
