@@ -24,7 +24,9 @@ export async function comparisonPage(root, data) {
 }
 
 const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
-const titleOf = name => name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
+const TITLES = {'aggregate.csv': 'All scenarios together: proportion of the optimum', 'improvement.csv': 'Probability that one policy beats another',
+  'pairs.csv': 'Differences between policies, paired by seed'};
+const titleOf = name => TITLES[name] || name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
 
 function kind({tables}) {
