@@ -1,8 +1,10 @@
 package org.hificamsim.catalogue;
 
-import java.nio.file.Files;
+import java.io.File;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import org.hificamsim.agents.CoveragePolicies;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.detection.camsim.CamSimDetections;
@@ -48,7 +50,16 @@ public record Catalogue(
   public DetectionModel detection(String nameOrFile) {
     boolean isFile =
         nameOrFile.endsWith(".json")
-            || (!detections.knows(nameOrFile) && Files.isRegularFile(Path.of(nameOrFile)));
-    return isFile ? ModelFiles.read(Path.of(nameOrFile)) : detections.create(nameOrFile);
+            || (!detections.knows(nameOrFile) && new File(nameOrFile).isFile());
+    return isFile ? ModelFiles.read(path(nameOrFile)) : detections.create(nameOrFile);
+  }
+
+  private static Path path(String file) {
+    try {
+      return Path.of(file);
+    } catch (InvalidPathException e) {
+      throw new InputException(
+          "'%s' is no file's name (%s), expected a model in JSON".formatted(file, e.getReason()), e);
+    }
   }
 }

@@ -46,7 +46,8 @@ class OpticsTest {
 
   @Test
   void unknownHeightIsTheHeightAtWhichTheNarrowestLevelHasTheLongestFocalLength() {
-    double height = 2 * 2.5 * 0.085 / 0.0224;
+    double height = LAB.mountHeight(2.5, 0.085);
+    assertEquals(2 * 2.5 * 0.085 / 0.0224, height, 1e-13);
     for (double radius : new double[] {2.5, 3.75, 5, 6.25, 7.5}) {
       ZoomLevel known = new ZoomLevel(radius, 2.5, 7.5, height, 2 * Math.PI);
       assertEquals(LAB.focalLength(known), LAB.focalLength(level(radius)), 1e-16);
