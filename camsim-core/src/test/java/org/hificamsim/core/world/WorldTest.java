@@ -7,10 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent.AddCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
@@ -47,6 +49,40 @@ class WorldTest {
     assertTrue(world.cameras().online(1));
     assertTrue(world.targets().present(1));
     assertEquals(5, world.targets().x(1));
+  }
+
+  @Test
+  void aCameraTurnsWhereItStandsAndIsNoticed() {
+    World world = new TestScenario().camera(1, 2).camera(3, 4).world();
+    int before = world.cameras().revision();
+    world.turnCamera(1, Math.PI / 3);
+    assertEquals(Math.PI / 3, world.cameras().heading(1), EXACT);
+    assertEquals(3, world.cameras().x(1), EXACT);
+    assertEquals(4, world.cameras().y(1), EXACT);
+    assertEquals(0, world.cameras().heading(0), EXACT);
+    assertNotEquals(before, world.cameras().revision());
+  }
+
+  @Test
+  void aScenarioWithACameraMoreHasItAfterThoseOfTheStartAndBeforeThoseOfEvents() {
+    Scenario scenario =
+        new TestScenario()
+            .camera(1, 2)
+            .events(new AddCamera(5, TestScenario.camera("late", 0, 0, 0, 90, 5)))
+            .scenario()
+            .withCamera(TestScenario.camera("more", 0, 0, 0, 90, 5))
+            .withCameras(camera -> camera.standing(7, camera.y(), 45));
+    World world = new World(scenario, Movements.registry(), 0);
+    world.fireEvents(5);
+    assertEquals(List.of("c0", "more", "late"), names(world));
+    for (int camera = 0; camera < 3; camera++) {
+      assertEquals(7, world.cameras().x(camera), EXACT);
+      assertEquals(Math.toRadians(45), world.cameras().heading(camera), EXACT);
+    }
+  }
+
+  private static List<String> names(World world) {
+    return IntStream.range(0, world.cameras().count()).mapToObj(world.cameras()::name).toList();
   }
 
   @Test
