@@ -191,6 +191,33 @@ class ComparisonPageTest {
     assertTrue(browser.find("header + p.notice").getText().contains("in 12 of 12 cases"));
   }
 
+  @Test
+  void aLadderBeginsWithItsPicturesAndRungs() {
+    Path ladder = folder.resolve("climbed");
+    Cli cli =
+        Cli.run(
+            "ladder",
+            Cli.scenario("ring-random"),
+            "--rungs",
+            "geometric,hifi:orb-lin",
+            "--policies",
+            "zoom-out,zoom-in",
+            "--steps",
+            20,
+            "--repeat",
+            2,
+            "--out",
+            ladder);
+    assertEquals(0, cli.exit(), cli.err());
+    browser.open(ladder.resolve("report.html").toUri().toString());
+    assertTrue(browser.text("h1").startsWith("Ladder"));
+    List<String> titles =
+        browser.findAll("section.card h2").stream().map(WebElement::getText).limit(4).toList();
+    assertEquals(List.of("Pictures", "rungs", "ladder", "Side by side"), titles);
+    browser.until("return document.querySelector('.lines canvas').clientWidth > 300");
+    browser.assertQuietConsole();
+  }
+
   private static void open() {
     browser.open(address());
   }

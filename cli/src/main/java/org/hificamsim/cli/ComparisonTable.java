@@ -82,7 +82,7 @@ final class ComparisonTable {
     return plan.scenario().name()
         + ", "
         + plan.detection().name()
-        + ": detected up to "
+        + (plan.detection().certain() ? ": detected up to " : ": detected half of the time up to ")
         + DetectionHints.reach(plan.scenario(), plan.detection());
   }
 

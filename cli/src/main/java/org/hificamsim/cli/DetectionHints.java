@@ -21,7 +21,7 @@ final class DetectionHints {
 
   private DetectionHints() {}
 
-  /** How far a target is detected at each zoom level. */
+  /** How far a target is detected at each zoom level; by chance, half of the time. */
   static String reach(Scenario scenario, Detection detection) {
     List<Reach> all = Reach.of(scenario, detection);
     String levels =
@@ -39,7 +39,7 @@ final class DetectionHints {
   /** A warning where a target is detected in the near part of the field of view alone. */
   static Optional<String> smallReach(Scenario scenario, Detection detection) {
     List<Reach> all = Reach.of(scenario, detection);
-    return all.isEmpty() || all.stream().anyMatch(DetectionHints::isLarge)
+    return !detection.certain() || all.isEmpty() || all.stream().anyMatch(DetectionHints::isLarge)
         ? Optional.empty()
         : Optional.of(
             "'%s' detects up to %s: under half of the reach at every zoom level; expected smaller radii, larger targets, a lower threshold or another model"

@@ -112,7 +112,7 @@ class OverridesTest {
         "hifi:orb-lin | 0.4 | threshold is 0.4, expected none with detect=chance",
         "hifi:orb-lin@0.3 | | threshold is 0.3, expected none with detect=chance",
         "camsim-range | | detection 'camsim-range' has no rmse",
-        "hifi:orb-lin@chance:beta=1 | | detect chance: unknown option 'beta=1', expected one of"
+        "hifi:orb-lin@chance:beta=1 | | detection rule chance: unknown option 'beta=1', expected one of"
             + " alpha",
       })
   void refusesWhatDoesNotSuitTheRule(String detection, Double threshold, String expected) {

@@ -102,7 +102,7 @@ public final class Detection {
     return certain;
   }
 
-  /** The least value at which a target is detected; by chance, is so half of the time. */
+  /** The least value that is detected; by chance, the one that is detected half of the time. */
   public double threshold() {
     return threshold;
   }

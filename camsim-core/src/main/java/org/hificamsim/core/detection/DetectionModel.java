@@ -16,7 +16,8 @@ public interface DetectionModel {
 
   /**
    * The model's value for a target inside the field of view; targets outside it are never asked
-   * for. A target is detected when the value reaches the threshold; NaN never does.
+   * for. A {@link DetectionRule} says whether a
+   * value is detected; NaN never is.
    *
    * @param size target size q, metres, above 0
    * @param distance camera-target distance d, metres, 0 or more

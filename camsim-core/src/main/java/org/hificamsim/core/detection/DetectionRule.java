@@ -39,7 +39,7 @@ public sealed interface DetectionRule {
 
   /** All rules by name. */
   static Registry<DetectionRule> rules() {
-    return new Registry<DetectionRule>("detect")
+    return new Registry<DetectionRule>("detection rule")
         .register("threshold", "where the value reaches a threshold", Threshold::new)
         .register("chance", "by chance, from the scatter of the model's fit", Chance::from)
         .register("probability", "by chance; the value is the probability", Probability::from);

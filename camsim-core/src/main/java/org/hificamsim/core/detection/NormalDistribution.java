@@ -16,7 +16,7 @@ final class NormalDistribution {
   static {
     for (int i = 0; i < CDF.length; i++) {
       double x = (double) i / PER_UNIT - END;
-      DENSITY[i] = Math.exp(-x * x / 2) / Math.sqrt(2 * Math.PI);
+      DENSITY[i] = StrictMath.exp(-x * x / 2) / Math.sqrt(2 * Math.PI);
       CDF[i] = bySeries(x, DENSITY[i]);
     }
   }

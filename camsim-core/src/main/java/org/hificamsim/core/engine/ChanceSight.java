@@ -3,6 +3,7 @@ package org.hificamsim.core.engine;
 import java.util.Arrays;
 import org.hificamsim.core.detection.ChanceTable;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
@@ -63,6 +64,32 @@ final class ChanceSight implements Sight {
         targets.x(target),
         targets.y(target),
         targets.size(target));
+  }
+
+  /** Distance and luck are found once for all levels. */
+  @Override
+  public void mark(
+      int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words) {
+    double widest = cameras.zoom(camera, 0).widestRadius();
+    for (int i = from; i < to; i++) {
+      int target = grid.point(i);
+      double distance = cameras.pose(camera).distance(grid.x(i), grid.y(i));
+      if (distance <= widest) {
+        double luck = visibility.luck(step, camera, target);
+        for (int level = 0; level < levels; level++) {
+          if (detects(camera, level, target, distance, luck)) {
+            masks[level * words + (target >> 6)] |= 1L << target;
+          }
+        }
+      }
+    }
+  }
+
+  private boolean detects(int camera, int level, int target, double distance, double luck) {
+    ZoomLevel zoom = cameras.zoom(camera, level);
+    return distance <= zoom.radius()
+        && (rows.allRound(camera) || isInAngle(camera, zoom, target))
+        && tables[rows.entry(camera, level, target)].detects(distance, luck);
   }
 
   @Override

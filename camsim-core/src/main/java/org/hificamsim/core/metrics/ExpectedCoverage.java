@@ -29,7 +29,8 @@ public final class ExpectedCoverage {
     begin(observed);
     for (int target = 0; target < observed.targets(); target++) {
       if (observed.present(target)) {
-        pairs.count(target, covering);
+        mostCameras = Math.min(mostCameras, pairs.count(target));
+        pairs.cover(target, Math.max(mostCameras, 2), covering);
         add(target, pairs.mean(target));
       }
     }
@@ -52,7 +53,6 @@ public final class ExpectedCoverage {
   }
 
   private void add(int target, double mean) {
-    mostCameras = Math.min(mostCameras, covering.trials());
     for (int k = 1; k <= mostCameras; k++) {
       allAtLeast[k] *= covering.atLeast(k);
     }

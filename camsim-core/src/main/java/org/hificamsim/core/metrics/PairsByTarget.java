@@ -57,9 +57,18 @@ final class PairsByTarget {
     return target == 0 ? 0 : ends[target - 1];
   }
 
-  /** How many cameras cover a target. */
-  void count(int target, PoissonBinomial covering) {
-    covering.set(sorted, first(target), ends[target]);
+  /** The number of cameras that may cover a target. */
+  int count(int target) {
+    return ends[target] - first(target);
+  }
+
+  /**
+   * How many of them cover it.
+   *
+   * @param most as {@link PoissonBinomial#set} has it
+   */
+  void cover(int target, int most, PoissonBinomial covering) {
+    covering.set(sorted, first(target), ends[target], most);
   }
 
   /** The expected number of them. */

@@ -6,26 +6,34 @@ import java.util.Arrays;
 final class PoissonBinomial {
   private double[] exactly = new double[8];
   private double[] atLeast = new double[9];
-  private int trials;
+  private int most;
 
-  /** Takes the chances from index {@code from} up to {@code to}, each in [0, 1]. */
-  void set(double[] chances, int from, int to) {
-    makeRoom(to - from + 1);
-    trials = 0;
+  /**
+   * Takes the chances from index {@code from} up to {@code to}, each in [0, 1].
+   *
+   * @param most successes that are told apart; what is beyond counts as that many
+   */
+  void set(double[] chances, int from, int to, int most) {
+    this.most = Math.min(most, to - from);
+    makeRoom(this.most + 1);
+    Arrays.fill(exactly, 0, this.most + 1, 0);
     exactly[0] = 1;
     for (int i = from; i < to; i++) {
       add(chances[i]);
     }
-    atLeast[trials + 1] = 0;
-    for (int k = trials; k >= 0; k--) {
+    atLeast[this.most + 1] = 0;
+    for (int k = this.most; k >= 0; k--) {
       atLeast[k] = Math.min(1, atLeast[k + 1] + exactly[k]);
     }
   }
 
+  /** The last count keeps what it has, and gains from the one before it. */
   private void add(double chance) {
-    trials++;
-    exactly[trials] = exactly[trials - 1] * chance;
-    for (int k = trials - 1; k > 0; k--) {
+    if (most == 0) {
+      return;
+    }
+    exactly[most] += exactly[most - 1] * chance;
+    for (int k = most - 1; k > 0; k--) {
       exactly[k] = exactly[k] * (1 - chance) + exactly[k - 1] * chance;
     }
     exactly[0] *= 1 - chance;
@@ -38,17 +46,12 @@ final class PoissonBinomial {
     }
   }
 
-  /** The number of trials. */
-  int trials() {
-    return trials;
-  }
-
   /**
    * The chance of this many successes or more, in [0, 1].
    *
-   * @param successes 0 or more
+   * @param successes 0 or more; of more than are told apart it is 0
    */
   double atLeast(int successes) {
-    return successes > trials ? 0 : atLeast[successes];
+    return successes > most ? 0 : atLeast[successes];
   }
 }

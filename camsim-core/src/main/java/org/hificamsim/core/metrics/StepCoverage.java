@@ -11,9 +11,7 @@ public final class StepCoverage {
   private int uncovered;
   private int coveredOnceAtMost;
   private long sum;
-  private DetectionChances chances;
   private ExpectedCoverage expected;
-  private boolean measured;
 
   /** Measures the last observation. */
   public void measure(CoveredTargets observed) {
@@ -39,28 +37,19 @@ public final class StepCoverage {
     sum = all;
   }
 
-  /**
-   * Takes note of what {@link #expected} measures when it is asked for, after {@link #measure}.
-   *
-   * @param observed as {@code measure} saw it, where detections are by chance
-   */
+  /** Measures what was to be expected of the last observation, where detections are by chance. */
   public void expect(DetectionChances observed) {
-    chances = observed;
-    measured = false;
+    expected = expected == null ? new ExpectedCoverage() : expected;
+    expected.measure(observed);
   }
 
   /** Whether detections are by chance: {@link #expected} has an answer. */
   public boolean byChance() {
-    return chances != null;
+    return expected != null;
   }
 
-  /** The coverage that was to be expected, to be asked for while the step lasts. */
+  /** The coverage that was to be expected; null where nothing is left to chance. */
   public ExpectedCoverage expected() {
-    if (!measured) {
-      measured = true;
-      expected = expected == null ? new ExpectedCoverage() : expected;
-      expected.measure(chances);
-    }
     return expected;
   }
 

@@ -40,7 +40,8 @@ public final class Registry<T> {
    * @throws InputException when the name is taken: a user's jar cannot shadow a built-in one
    */
   public Registry<T> register(String name, String summary, Function<Options, T> factory) {
-    if (entries.putIfAbsent(name, new Entry<>(name, summary, factory)) != null) {
+    if (aliases.containsKey(name)
+        || entries.putIfAbsent(name, new Entry<>(name, summary, factory)) != null) {
       throw new InputException(
           kind + " '" + name + "' is registered twice, expected each name once");
     }
@@ -51,8 +52,13 @@ public final class Registry<T> {
    * Lets another name stand for an implementation: it is understood, and not listed.
    *
    * @param name of one that is registered
+   * @throws InputException when it is not, or the alias is taken
    */
   public Registry<T> alias(String alias, String name) {
+    if (!entries.containsKey(name) || knows(alias)) {
+      throw new InputException(
+          kind + " '" + alias + "' for '" + name + "': expected a new name for a registered one");
+    }
     aliases.put(alias, name);
     return this;
   }

@@ -52,7 +52,7 @@ class DetectionRuleTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "chances | unknown detect 'chances'",
+        "chances | unknown detection rule 'chances'",
         "chance:alpha=0 | chance: alpha is '0', expected a number from 1.0E-9 to 0.5",
         "chance:alpha=0.6 | chance: alpha is '0.6', expected",
         "chance:memory=0 | chance: memory is '0', expected a whole number from 1",

@@ -130,7 +130,7 @@ final class ExpectedSearch {
     double sum = 0;
     for (int i = 0; i < rows.targets(); i++) {
       int target = rows.target(i);
-      weights[target] *= Math.exp(-rate * Math.min(coverage[target] - least, 20));
+      weights[target] *= StrictMath.exp(-rate * Math.min(coverage[target] - least, 20));
       weights[target] = Math.max(weights[target], 1e-12);
       sum += weights[target];
     }

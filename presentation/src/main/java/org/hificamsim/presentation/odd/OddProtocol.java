@@ -173,11 +173,21 @@ The same in every run but for what is drawn at random. Every camera starts at it
             : "The scenario's events:\n\n" + OddTables.events(scenario));
   }
 
+  private static String rule(Detection detection) {
+    return detection.certain()
+        ? "where the model's confidence is " + plain(detection.threshold()) + " or more"
+        : "by chance, half of the time where the model's confidence is "
+            + plain(detection.threshold())
+            + " (`--detect "
+            + detection.rule().text()
+            + "`, `docs/detection.md`)";
+  }
+
   private String submodels() {
     return """
 ## 7 Submodels
 
-**Detection** `%s`: %s A target within a camera's reach and angle is detected where the model's confidence is %s or more.
+**Detection** `%s`: %s A target within a camera's reach and angle is detected %s.
 
 **Policy** `%s`: %s.%s
 
@@ -188,7 +198,7 @@ The same in every run but for what is drawn at random. Every camera starts at it
         .formatted(
             plan.detection().name(),
             detection(),
-            plain(plan.detection().threshold()),
+            rule(plan.detection()),
             plan.policy(),
             summary(catalogue.policies(), plan.policy()),
             options(),

@@ -111,8 +111,8 @@ final class RunReport {
     ObjectNode metrics = figures.putObject("metrics");
     for (Metric metric : Metric.values()) {
       JsonNode mean = settings.remove(metric.label());
-      if (mean == null) {
-        continue; // of chance alone
+      if (mean == null && metric.ofChance()) {
+        continue;
       }
       JsonNode interval = summary.path("interval_95").path(metric.label());
       ObjectNode figure = metrics.putObject(metric.label());

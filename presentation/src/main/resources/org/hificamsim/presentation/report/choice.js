@@ -29,7 +29,8 @@ export class ChoiceForm {
     const [name, options] = parts(this.policies, setup.policy);
     const show = (input, value) => input === document.activeElement && input.tagName === 'INPUT' || (input.value = value);
     const [model, rule] = setup.detection.split(/@(?=threshold|chance|probability)/);
-    show(this.detection, model);
+    const named = [...this.detection.options].some(one => one.value === setup.detection); // with its own rule
+    show(this.detection, named ? setup.detection : model);
     this.threshold.disabled = rule !== undefined; // a rule of chance has its own
     show(this.threshold, rule === undefined ? decimals(setup.threshold, 6) : '');
     show(this.policy, name);

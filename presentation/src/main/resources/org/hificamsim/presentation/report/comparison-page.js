@@ -13,10 +13,11 @@ export async function comparisonPage(root, data) {
   root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), badges(data)));
   const adapting = data.tables.find(table => table.name === 'adapting.csv');
   if (adapting) root.append(el('p', {class: 'notice'}, worthOfAdapting(rowsOf(adapting))));
-  if (data.summary) root.append(comparison(data));
-  if (data.curves) root.append(curves(data));
-  for (const table of data.tables) root.append(card(titleOf(table.name), plainTable(table)));
-  if (data.pictures.length) root.append(await pictures(data.pictures));
+  const cases = [data.summary && comparison(data), data.curves && curves(data)];
+  const tables = data.tables.map(table => card(titleOf(table.name), plainTable(table)));
+  const figures = data.pictures.length && await pictures(data.pictures);
+  const order = kind(data) === 'Ladder' ? [figures, ...tables, ...cases] : [...cases, ...tables, figures];
+  root.append(...order.filter(Boolean));
   if (data.results) root.append(folded(`All runs (${data.results.count})`, () => plainTable(data.results)));
   if (data.settings) root.append(settings(data.settings));
   root.append(card('Made with', el('pre', {tabindex: 0}, data.command), el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`)));
@@ -164,7 +165,7 @@ const axis = more => ({stroke: () => style('--faint'), font: font(), grid: {stro
   ticks: {stroke: () => style('--grid'), width: 1, size: 4}, ...more});
 
 function plainTable(table) {
-  const columns = table.columns.map(name => ({name, show: text => (/^-?\d+\.\d{5,}$/.test(text) ? decimals(Number(text), SHORT) : text)}));
+  const columns = table.columns.map(name => ({name, show: text => (/^-?\d+\.(\d{5,}|\d+E-\d+)$/.test(text) ? decimals(Number(text), SHORT) : text)}));
   return el('div', {class: 'scroll'}, shortened(table), sortable(table.name, columns, rowsOf(table)));
 }
 

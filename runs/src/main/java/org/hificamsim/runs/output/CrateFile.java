@@ -134,9 +134,15 @@ public final class CrateFile {
       Detection one = detections.get(i);
       String source =
           one.model() instanceof HiFiDetection fitted ? fitted.provenance().source() : "";
-      value("#detection-" + (i + 1), "detection " + one.name(), "threshold " + one.threshold())
+      value("#detection-" + (i + 1), "detection " + one.name(), rule(one))
           .put("description", source.isEmpty() ? "a rule in the program" : "model from " + source);
     }
+  }
+
+  private static String rule(Detection detection) {
+    return detection.certain()
+        ? "threshold " + detection.threshold()
+        : detection.rule().text() + ", half of the time at " + detection.threshold();
   }
 
   private static String span(LongStream first, List<RunPlan> plans) {
