@@ -51,11 +51,12 @@ final class BridgeOptions {
     requireFor("threshold", threshold, model.isPresent(), "detection");
     requireFor("detect", detect, model.isPresent(), "detection");
     requireFor("size", size, model.isPresent(), "detection");
-    boolean draws = policy.isPresent() || detect.isPresent();
+    Optional<Detection> used = model.map(name -> detection(name, threshold, detect));
+    boolean draws = policy.isPresent() || used.filter(one -> !one.certain()).isPresent();
     requireFor("seed", seed, draws, "policy or detect");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
     return new BridgeSettings(
-        model.map(name -> detection(name, threshold, detect)),
+        used,
         size.map(value -> number("size", value, Double.MIN_VALUE, MAX_METRES))
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),

@@ -5,6 +5,7 @@ import java.io.PrintWriter;
 import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.hificamsim.catalogue.Catalogue;
@@ -83,6 +84,7 @@ final class BatchRun {
     } else {
       List<CaseResult> results = whole(engine, plans, all, writing, extras);
       results.forEach(this::warnOfUnproven);
+      results.forEach(this::warnOfExpected);
       summary.accept(screen.out(), results);
     }
     screen.out().println("files: " + options.out());
@@ -130,6 +132,22 @@ final class BatchRun {
               plan.detection().name(),
               plan.policy(),
               one.proof().missing((long) plan.steps() * plan.repeats()));
+    }
+  }
+
+  private void warnOfExpected(CaseResult one) {
+    double gap = one.runs().stream().mapToDouble(run -> run.result().expectedGap()).max().orElse(0);
+    if (gap > 0) {
+      screen
+          .err()
+          .printf(
+              Locale.ROOT,
+              "warning: scenario %s, detection %s: '%s' is not proven to be the best; the least"
+                  + " expected k of a step might be up to %.3g higher%n",
+              one.plan().scenario().name(),
+              one.plan().detection().name(),
+              one.plan().policy(),
+              gap);
     }
   }
 

@@ -28,7 +28,7 @@ threshold: a target is detected where the model's confidence reaches it (--thres
 The defaults of the hi-fi models all lie where f puts the target at 3.2 % of the image: models
 with one f then detect the same targets, whatever their detector.
 chance: with --detect chance the detector counts, too. A target whose confidence is the second
-number is detected half of the time, one that is not there 5 % of the time. See docs/detection.md.
+number is detected half of the time, one that fills nothing of the image 5 % of the time. See docs/detection.md.
 """;
 
   private static final double FALSE_ALARMS = 0.05; // the default of --detect chance

@@ -60,12 +60,18 @@ final class SummaryTable {
     if (proof.unprovenSteps() > 0) {
       line("not proven", proof.missing((long) plan.steps() * plan.repeats()));
     }
+    double gap = results.stream().mapToDouble(RunResult::expectedGap).max().orElse(0);
+    if (gap > 0) {
+      line("not proven", format("the least expected k of a step might be up to %.3g higher", gap));
+    }
   }
 
   /** Says how far targets are detected where they were never all covered. */
   private void uncovered(RunPlan plan) {
     if (Estimate.of(results, Metric.PERFORMANCE).mean() == 0) {
-      line("detected up to", DetectionHints.reach(plan.scenario(), plan.detection()));
+      line(
+          plan.detection().certain() ? "detected up to" : "half of the time",
+          DetectionHints.reach(plan.scenario(), plan.detection()));
     }
   }
 

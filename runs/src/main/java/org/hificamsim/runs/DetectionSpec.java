@@ -60,9 +60,9 @@ public record DetectionSpec(
    * The name in result files: the model's with its own threshold or, unless that is by a threshold,
    * with the rule; {@link #parse} understands it.
    */
-  String name(DetectionRule decides) {
-    return decides.certain()
+  String name(DetectionRule used) {
+    return used.certain()
         ? model.name() + threshold.map(value -> "@" + value).orElse("")
-        : model.name() + "@" + decides.text().replace(',', ';');
+        : model.name() + "@" + used.text().replace(',', ';');
   }
 }

@@ -43,10 +43,10 @@ public record Overrides(
   }
 
   /**
-   * The detection with the first rule, and the first threshold, that there is: its own, the one
-   * that is asked for, the scenario's, the default.
+   * The detection with the first rule or threshold that there is: its own, the one that is asked
+   * for, the scenario's, the default. A threshold asks for the rule of thresholds.
    *
-   * @throws InputException when a threshold is asked for where there is none
+   * @throws InputException when a threshold and a rule of chance are asked for side by side
    */
   public Detection detection(DetectionSpec spec, Scenario scenario) {
     return detection(spec, scenario.threshold(), scenario.detect());
@@ -59,16 +59,21 @@ public record Overrides(
 
   Detection detection(
       DetectionSpec spec, OptionalDouble ofScenario, Optional<DetectionRule> ruleOfScenario) {
-    DetectionRule decides =
-        spec.rule().or(() -> rule).or(() -> ruleOfScenario).orElseGet(DetectionRule.Threshold::new);
-    String name = spec.name(decides);
-    if (decides.certain()) {
-      return new Detection(name, spec.model(), threshold(spec, ofScenario));
+    DetectionRule first =
+        rule(spec).or(() -> ruleOfScenario).orElseGet(DetectionRule.Threshold::new);
+    return first.certain()
+        ? new Detection(spec.name(first), spec.model(), threshold(spec, ofScenario))
+        : Detection.by(first, spec.name(first), spec.model());
+  }
+
+  /** The rule that the detection itself or, after it, the user asks for. */
+  private Optional<DetectionRule> rule(DetectionSpec spec) {
+    if (spec.rule().isPresent() || spec.threshold().isPresent()) {
+      return spec.rule().or(() -> Optional.of(new DetectionRule.Threshold()));
     }
-    spec.threshold()
-        .or(() -> spec.rule().isEmpty() ? threshold : Optional.empty())
-        .ifPresent(value -> refuse(value, decides));
-    return Detection.by(decides, name, spec.model());
+    rule.filter(asked -> !asked.certain())
+        .ifPresent(asked -> threshold.ifPresent(value -> refuse(value, asked)));
+    return rule.or(() -> threshold.map(value -> new DetectionRule.Threshold()));
   }
 
   private double threshold(DetectionSpec spec, OptionalDouble ofScenario) {
@@ -77,9 +82,9 @@ public record Overrides(
         .orElseGet(() -> ofScenario.orElse(spec.model().defaultThreshold()));
   }
 
-  private static void refuse(double threshold, DetectionRule decides) {
+  private static void refuse(double threshold, DetectionRule asked) {
     throw new InputException(
-        "threshold is " + threshold + ", expected none with detect=" + decides.text());
+        "threshold is " + threshold + ", expected none with detect=" + asked.text());
   }
 
   static void checkThreshold(double threshold) {

@@ -77,6 +77,15 @@ public record RunResult(
     return unprovenSteps < 0 ? Optional.empty() : Optional.of(new Proof(unprovenSteps, gap));
   }
 
+  /**
+   * What the least expected coverage of a step might have been higher at most, in the mean; 0 where
+   * that is proven to be the best, or where the policy does not claim it.
+   */
+  public double expectedGap() {
+    double gap = expected.leastKBound() - expected.leastK();
+    return gap > 0 ? gap : 0;
+  }
+
   /** What is proven of several repeats together; of nothing where the policy claims nothing. */
   public static Proof proofOf(List<RunResult> results) {
     return results.stream()

@@ -106,14 +106,32 @@ class OverridesTest {
   }
 
   @ParameterizedTest
+  @CsvSource({
+    "hifi:orb-lin@0.3, , chance, , 0.3",
+    "hifi:orb-lin@0.3, , , chance, 0.3",
+    "hifi:orb-lin, 0.4, , chance, 0.4",
+    "hifi:orb-lin@0.3, 0.4, chance, , 0.3",
+  })
+  void aThresholdThatIsNearerThanARuleGoesBeforeIt(
+      String detection, Double asked, String rule, String ofScenario, double expected) {
+    Detection made =
+        Overrides.ofDetection(Optional.ofNullable(asked), rule(rule))
+            .detection(
+                DetectionSpec.parse(detection, CATALOGUE::detection),
+                OptionalDouble.empty(),
+                rule(ofScenario));
+    assertTrue(made.certain());
+    assertEquals(expected, made.threshold());
+  }
+
+  @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
         "hifi:orb-lin | 0.4 | threshold is 0.4, expected none with detect=chance",
-        "hifi:orb-lin@0.3 | | threshold is 0.3, expected none with detect=chance",
         "camsim-range | | detection 'camsim-range' has no rmse",
-        "hifi:orb-lin@chance:beta=1 | | detection rule chance: unknown option 'beta=1', expected one of"
-            + " alpha",
+        "hifi:orb-lin@chance:beta=1 | | detection rule chance: unknown option 'beta=1', expected"
+            + " one of alpha",
       })
   void refusesWhatDoesNotSuitTheRule(String detection, Double threshold, String expected) {
     InputException fault =

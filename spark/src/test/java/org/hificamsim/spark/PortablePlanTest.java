@@ -9,6 +9,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
@@ -37,6 +38,18 @@ class PortablePlanTest {
       models++;
     }
     assertTrue(models > 20, models + " models");
+  }
+
+  @Test
+  void aRuleOfChanceComesBackAsItWas() {
+    DetectionRule rule = DetectionRule.parse("chance:alpha=0.01,memory=5");
+    Detection detection = Detection.by(rule, "mine", CATALOGUE.detection("hifi:orb-lin"));
+    RunPlan plan = plan(CATALOGUE.detection("hifi:orb-lin"));
+    RunPlan byChance =
+        new RunPlan(plan.scenario(), detection, plan.policy(), plan.steps(), plan.seed(), 1);
+    Detection back = PortablePlan.of(byChance, CATALOGUE).plan(CATALOGUE).detection();
+    assertEquals(rule, back.rule());
+    assertEquals(detection.threshold(), back.threshold());
   }
 
   @Test

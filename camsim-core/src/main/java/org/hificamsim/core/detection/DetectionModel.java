@@ -16,8 +16,7 @@ public interface DetectionModel {
 
   /**
    * The model's value for a target inside the field of view; targets outside it are never asked
-   * for. A {@link DetectionRule} says whether a
-   * value is detected; NaN never is.
+   * for. A {@link DetectionRule} says whether a value is detected; NaN never is.
    *
    * @param size target size q, metres, above 0
    * @param distance camera-target distance d, metres, 0 or more

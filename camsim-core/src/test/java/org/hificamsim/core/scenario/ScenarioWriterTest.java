@@ -58,7 +58,8 @@ class ScenarioWriterTest {
     String unknown = file.replace("order=", "detect=\"luck\" order=");
     InputException fault = assertThrows(InputException.class, () -> read(unknown));
     assertTrue(fault.getMessage().contains("test.xml:3:"), fault.getMessage());
-    assertTrue(fault.getMessage().contains("unknown detection rule 'luck', expected"), fault.getMessage());
+    assertTrue(
+        fault.getMessage().contains("unknown detection rule 'luck', expected"), fault.getMessage());
     String both = file.replace("order=", "detect=\"chance\" threshold=\"0.4\" order=");
     fault = assertThrows(InputException.class, () -> read(both));
     assertTrue(

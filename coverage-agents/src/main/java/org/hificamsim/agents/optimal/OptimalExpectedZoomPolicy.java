@@ -8,8 +8,9 @@ import org.hificamsim.core.registry.Options;
 /**
  * The configuration with the best least expected coverage: where detections are by chance, the best
  * that can be done without knowing the luck that will be drawn ({@code docs/detection.md}). Found
- * exactly at each step by {@link ExpectedSearch}. By a threshold it reaches the best k_min, as
- * {@link OptimalZoomPolicy} does. With no target present the levels stay.
+ * exactly at each step by {@link ExpectedSearch}. By a threshold it looks for the best k_min, as
+ * {@link OptimalZoomPolicy} does, but without telling what it could not prove. With no target
+ * present the levels stay.
  */
 public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPolicy {
   public static final String NAME = "optimal-expected";

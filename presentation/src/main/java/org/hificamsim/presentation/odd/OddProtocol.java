@@ -7,6 +7,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.Scenario;

@@ -94,9 +94,13 @@ public final class StepPicture implements Picture {
     graphics.setColor(FieldPainter.FAINT);
     graphics.setFont(Fonts.TEXT);
     graphics.drawString(
-        "%s, %s with threshold %s, seed %s"
+        "%s, %s%s%s, seed %s"
             .formatted(
-                setup.policy(), setup.detection(), setup.threshold(), run.recording().seed()),
+                setup.policy(),
+                setup.detection(),
+                setup.byChance() ? ": half of the time at " : " with threshold ",
+                setup.threshold(),
+                run.recording().seed()),
         MARGIN,
         MARGIN + 29);
     graphics.drawString(

@@ -1,6 +1,7 @@
 package org.hificamsim.presentation.replay;
 
 import java.util.List;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
@@ -35,6 +36,8 @@ public record Setup(
     boolean onAxis,
     List<CameraSetup> cameras,
     List<TargetSetup> targets) {
+  private static final Pattern BY_CHANCE = Pattern.compile("@(chance|probability)");
+
   /** The set-up of a world that has not begun yet. */
   public static Setup of(World world, Detection detection, String policy, long seed) {
     List<TargetSetup> targets =
@@ -59,6 +62,11 @@ public record Setup(
         detection.model().dependsOnBearing(),
         cameras,
         targets);
+  }
+
+  /** Whether targets are detected by chance, as the detection's name says. */
+  public boolean byChance() {
+    return BY_CHANCE.matcher(detection).find();
   }
 
   /** How many numbers a frame holds, but for its step. */

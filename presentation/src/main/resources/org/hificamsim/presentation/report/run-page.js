@@ -36,7 +36,7 @@ export async function runPage(root, data) {
 }
 
 function header({replay: {setup, runs, repeat}, settings}, open) {
-  const facts = [setup.detection, `threshold ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
+  const facts = [setup.detection, `${/@(chance|probability)/.test(setup.detection) ? 'half of the time at' : 'threshold'} ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
     `order ${setup.order}`];
   return el('header', {}, el('h1', {}, setup.scenario, el('small', {}, setup.policy)),
     el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact))), chooser(runs, repeat, open));
