@@ -59,7 +59,8 @@ public record Catalogue(
       return Path.of(file);
     } catch (InvalidPathException e) {
       throw new InputException(
-          "'%s' is no file's name (%s), expected a model in JSON".formatted(file, e.getReason()), e);
+          "'%s' is no file's name (%s), expected a model in JSON".formatted(file, e.getReason()),
+          e);
     }
   }
 }
