@@ -9,7 +9,6 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
@@ -50,11 +49,6 @@ final class ScenarioOptions {
   /** What a scenario is detected by. */
   Detection detection(DetectionSpec spec, Scenario scenario) {
     return overrides().detection(spec, scenario);
-  }
-
-  /** The rule of detection that was asked for. */
-  Optional<DetectionRule> rule() {
-    return overrides().rule();
   }
 
   /** Warns where the cameras' viewing angles and focal lengths contradict each other. */
