@@ -57,6 +57,11 @@ final class ScenarioOptions {
         .ifPresent(line -> warnings.on(err).accept(file + ": " + line));
   }
 
+  /** The rule of detection that was asked for. */
+  Optional<DetectionRule> rule() {
+    return overrides().rule();
+  }
+
   /** The threshold that was asked for; null for none. */
   Double threshold() {
     return overrides().threshold().orElse(null);

@@ -59,7 +59,7 @@ class ModelFilesTest {
         compared++;
       }
     }
-    assertEquals(30, compared);
+    assertEquals(21, compared);
   }
 
   @Test
