@@ -9,6 +9,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
