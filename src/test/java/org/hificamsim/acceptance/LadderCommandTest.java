@@ -34,7 +34,13 @@ class LadderCommandTest {
       List.of("zoom-out", "epsilon-greedy", "sarsa", "best-fixed");
   private static final int STEPS = 60;
   private static final Set<String> NOT_REPRODUCIBLE =
-      Set.of("manifest.json", "report.html", "cost.json", "cost.png", "cost.svg");
+      Set.of(
+          "manifest.json",
+          "ro-crate-metadata.json",
+          "report.html",
+          "cost.json",
+          "cost.png",
+          "cost.svg");
 
   @TempDir static Path folder;
   private static Path out;
