@@ -116,12 +116,4 @@ public class ChanceBenchmark {
     simulation.step();
     return simulation.coverage().kMin();
   }
-
-  /** One step, and what was to be expected of it. */
-  @Benchmark
-  @OperationsPerInvocation(CAMERAS * TARGETS)
-  public double expect() {
-    simulation.step();
-    return simulation.coverage().byChance() ? simulation.coverage().expected().kMin() : 0;
-  }
 }
