@@ -58,12 +58,11 @@ final class ChanceSight implements Sight {
 
   @Override
   public double chance(int camera, int level, int target) {
-    return visibility.chance(
-        cameras.pose(camera),
-        cameras.zoom(camera, level),
-        targets.x(target),
-        targets.y(target),
-        targets.size(target));
+    ZoomLevel zoom = cameras.zoom(camera, level);
+    double distance = cameras.pose(camera).distance(targets.x(target), targets.y(target));
+    return distance <= zoom.radius() && (rows.allRound(camera) || isInAngle(camera, zoom, target))
+        ? tables[rows.entry(camera, level, target)].chance(distance)
+        : 0;
   }
 
   /** Distance and luck are found once for all levels. */

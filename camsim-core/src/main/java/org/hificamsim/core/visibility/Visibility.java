@@ -100,8 +100,14 @@ public final class Visibility {
 
   /** The chance that a camera detects a target, in [0, 1]; 1 or 0 by a threshold. */
   public double chance(Pose camera, ZoomLevel zoom, double x, double y, double size) {
-    double value = valueInSight(camera, zoom, x, y, size);
-    return Double.isNaN(value) ? 0 : detection.chance(value);
+    if (certain || model.dependsOnBearing()) {
+      double value = valueInSight(camera, zoom, x, y, size);
+      return Double.isNaN(value) ? 0 : detection.chance(value);
+    }
+    double distance = camera.distance(x, y);
+    return distance <= zoom.radius() && isInAngle(camera, zoom, x, y)
+        ? detection.chances(size, zoom).chance(distance)
+        : 0;
   }
 
   /**

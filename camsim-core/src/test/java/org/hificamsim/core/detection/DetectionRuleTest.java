@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
@@ -98,6 +99,35 @@ class DetectionRuleTest {
     assertEquals(0, detection.chance(-0.2));
     assertTrue(detection.detects(0.3, 0.2999));
     assertFalse(detection.detects(0.3, 0.3));
+  }
+
+  /** A jump at 3 m, where no cubic is close. */
+  private record Jump(Optional<Scatter> scatter) implements DetectionModel {
+    @Override
+    public String name() {
+      return "jump";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return distance < 3 ? 0.9 - distance / 100 : 0.2;
+    }
+  }
+
+  @Test
+  void theTableOfChancesIsCloseToTheModelEverywhere() {
+    for (DetectionModel model :
+        List.of(
+            new Falling(Optional.of(new Scatter(0.2, 0.3))),
+            new Jump(Optional.of(new Scatter(0.2, 0.1))))) {
+      Detection detection = Detection.by(DetectionRule.parse("chance"), "x", model);
+      ChanceTable table = detection.chances(0.66, ZOOM);
+      for (int i = 0; i <= 100_000; i++) {
+        double distance = 8.0 * i / 100_000;
+        double expected = detection.chance(model.confidence(0.66, distance, 0, ZOOM));
+        assertEquals(expected, table.chance(distance), 1e-8, model.name() + " at " + distance);
+      }
+    }
   }
 
   @Test

@@ -74,7 +74,7 @@ class ChanceSightTest {
             assertEquals(full.detects(camera, level, target), detects);
             assertEquals(confidence(world, visibility, step, camera, level, target) > 0, detects);
             assertEquals(
-                full.chance(camera, level, target), table.chance(camera, level, target), 1e-15);
+                full.chance(camera, level, target), table.chance(camera, level, target), 1e-8);
             detected += detects ? 1 : 0;
           }
         }
