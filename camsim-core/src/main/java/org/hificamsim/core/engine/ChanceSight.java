@@ -44,25 +44,33 @@ final class ChanceSight implements Sight {
 
   @Override
   public boolean detects(int camera, int level, int target) {
-    ZoomLevel zoom = cameras.zoom(camera, level);
-    double distance = cameras.pose(camera).distance(targets.x(target), targets.y(target));
-    return distance <= zoom.radius()
-        && (rows.allRound(camera) || isInAngle(camera, zoom, target))
-        && tables[rows.entry(camera, level, target)].detects(
-            distance, visibility.luck(step, camera, target));
-  }
-
-  private boolean isInAngle(int camera, ZoomLevel zoom, int target) {
-    return visibility.isInAngle(cameras.pose(camera), zoom, targets.x(target), targets.y(target));
+    double distance = distance(camera, target);
+    return isInSight(camera, level, target, distance)
+        && table(camera, level, target).detects(distance, visibility.luck(step, camera, target));
   }
 
   @Override
   public double chance(int camera, int level, int target) {
-    ZoomLevel zoom = cameras.zoom(camera, level);
-    double distance = cameras.pose(camera).distance(targets.x(target), targets.y(target));
-    return distance <= zoom.radius() && (rows.allRound(camera) || isInAngle(camera, zoom, target))
-        ? tables[rows.entry(camera, level, target)].chance(distance)
+    double distance = distance(camera, target);
+    return isInSight(camera, level, target, distance)
+        ? table(camera, level, target).chance(distance)
         : 0;
+  }
+
+  private double distance(int camera, int target) {
+    return cameras.pose(camera).distance(targets.x(target), targets.y(target));
+  }
+
+  private boolean isInSight(int camera, int level, int target, double distance) {
+    ZoomLevel zoom = cameras.zoom(camera, level);
+    return distance <= zoom.radius()
+        && (rows.allRound(camera)
+            || visibility.isInAngle(
+                cameras.pose(camera), zoom, targets.x(target), targets.y(target)));
+  }
+
+  private ChanceTable table(int camera, int level, int target) {
+    return tables[rows.entry(camera, level, target)];
   }
 
   /** Distance and luck are found once for all levels. */
@@ -76,19 +84,13 @@ final class ChanceSight implements Sight {
       if (distance <= widest) {
         double luck = visibility.luck(step, camera, target);
         for (int level = 0; level < levels; level++) {
-          if (detects(camera, level, target, distance, luck)) {
+          if (isInSight(camera, level, target, distance)
+              && table(camera, level, target).detects(distance, luck)) {
             masks[level * words + (target >> 6)] |= 1L << target;
           }
         }
       }
     }
-  }
-
-  private boolean detects(int camera, int level, int target, double distance, double luck) {
-    ZoomLevel zoom = cameras.zoom(camera, level);
-    return distance <= zoom.radius()
-        && (rows.allRound(camera) || isInAngle(camera, zoom, target))
-        && tables[rows.entry(camera, level, target)].detects(distance, luck);
   }
 
   @Override

@@ -72,15 +72,5 @@ interface Sight {
    *
    * @param masks as {@link org.hificamsim.core.policy.OracleView#detections} has them
    */
-  default void mark(
-      int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words) {
-    for (int i = from; i < to; i++) {
-      int target = grid.point(i);
-      for (int level = 0; level < levels; level++) {
-        if (detects(camera, level, target)) {
-          masks[level * words + (target >> 6)] |= 1L << target;
-        }
-      }
-    }
-  }
+  void mark(int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words);
 }

@@ -3,9 +3,9 @@ package org.hificamsim.core.metrics;
 import java.util.Arrays;
 
 /**
- * How the targets present are covered in one step as expected, before luck is drawn: exact, and
- * without its noise. Detections are independent, so the number of cameras that cover a target has a
- * Poisson binomial distribution.
+ * How the targets present are covered in one step as expected, before luck is drawn: as exact as
+ * the chances are, and without the noise of a draw. Detections are independent, so the number of
+ * cameras that cover a target has a Poisson binomial distribution.
  *
  * <p>Without any target everything is 0.
  */
