@@ -84,7 +84,6 @@ final class BatchRun {
     } else {
       List<CaseResult> results = whole(engine, plans, all, writing, extras);
       results.forEach(this::warnOfUnproven);
-      results.forEach(this::warnOfExpected);
       summary.accept(screen.out(), results);
     }
     screen.out().println("files: " + options.out());
@@ -123,32 +122,24 @@ final class BatchRun {
   /** Says so where a policy's claim to be the best is not proven for every step. */
   private void warnOfUnproven(CaseResult one) {
     if (one.proof().unprovenSteps() > 0) {
-      RunPlan plan = one.plan();
-      screen
-          .err()
-          .printf(
-              "warning: scenario %s, detection %s: '%s' is not proven to be the best in %s%n",
-              plan.scenario().name(),
-              plan.detection().name(),
-              plan.policy(),
-              one.proof().missing((long) plan.steps() * plan.repeats()));
+      long steps = (long) one.plan().steps() * one.plan().repeats();
+      warnOfUnproven(one.plan(), " in " + one.proof().missing(steps));
+    }
+    double gap = one.runs().stream().mapToDouble(run -> run.result().expectedGap()).max().orElse(0);
+    if (gap > 0) {
+      warnOfUnproven(
+          one.plan(),
+          String.format(
+              Locale.ROOT, "; the least expected k of a step might be up to %.3g higher", gap));
     }
   }
 
-  private void warnOfExpected(CaseResult one) {
-    double gap = one.runs().stream().mapToDouble(run -> run.result().expectedGap()).max().orElse(0);
-    if (gap > 0) {
-      screen
-          .err()
-          .printf(
-              Locale.ROOT,
-              "warning: scenario %s, detection %s: '%s' is not proven to be the best; the least"
-                  + " expected k of a step might be up to %.3g higher%n",
-              one.plan().scenario().name(),
-              one.plan().detection().name(),
-              one.plan().policy(),
-              gap);
-    }
+  private void warnOfUnproven(RunPlan plan, String what) {
+    screen
+        .err()
+        .printf(
+            "warning: scenario %s, detection %s: '%s' is not proven to be the best%s%n",
+            plan.scenario().name(), plan.detection().name(), plan.policy(), what);
   }
 
   private void part(Shard shard, RunEngine engine, List<RunPlan> all) throws IOException {

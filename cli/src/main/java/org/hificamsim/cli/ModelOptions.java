@@ -9,8 +9,10 @@ import picocli.CommandLine.Option;
 final class ModelOptions {
   @Option(
       names = "--detection",
-      paramLabel = "NAME|FILE.json[@T]",
-      description = "The detection model, perhaps with its threshold; see 'list detections'.")
+      paramLabel = "NAME|FILE.json[@T|@RULE]",
+      description =
+          "The detection model, perhaps with its threshold or rule (--detect); see 'list"
+              + " detections'.")
   private String detection;
 
   @Option(

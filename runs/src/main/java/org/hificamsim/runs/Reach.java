@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.OnAxis;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
@@ -42,21 +42,8 @@ public record Reach(double radius, double detected) {
 
   private static double detected(Detection detection, double size, ZoomLevel zoom) {
     DetectedDistances distances =
-        DetectedDistances.of(new Ahead(detection.model()), size, zoom, detection.threshold());
+        DetectedDistances.of(new OnAxis(detection.model()), size, zoom, detection.threshold());
     int last = distances.intervals() - 1;
     return last < 0 ? 0 : Math.sqrt(distances.to(last));
-  }
-
-  /** A model whose targets are all straight ahead. */
-  private record Ahead(DetectionModel model) implements DetectionModel {
-    @Override
-    public String name() {
-      return model.name();
-    }
-
-    @Override
-    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
-      return model.confidence(size, distance, 0, zoom);
-    }
   }
 }

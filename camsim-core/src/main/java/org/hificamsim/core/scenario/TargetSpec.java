@@ -56,4 +56,9 @@ public record TargetSpec(
     return new TargetSpec(
         origin, features, x, y, heading, speed, size, movement.withName(name), extras);
   }
+
+  /** The same target with another size, metres. */
+  public TargetSpec withSize(double newSize) {
+    return new TargetSpec(origin, features, x, y, heading, speed, newSize, movement, extras);
+  }
 }

@@ -10,7 +10,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.OnAxis;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.World;
@@ -60,18 +60,5 @@ final class DetectedRanges {
             .mapToObj(i -> new Interval(Math.sqrt(distances.from(i)), Math.sqrt(distances.to(i))))
             .toList();
     return new Level(zoom.radius(), intervals);
-  }
-
-  /** A model as it is along the heading. */
-  private record OnAxis(DetectionModel model) implements DetectionModel {
-    @Override
-    public String name() {
-      return model.name();
-    }
-
-    @Override
-    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
-      return model.confidence(size, distance, 0, zoom);
-    }
   }
 }

@@ -1,7 +1,6 @@
 package org.hificamsim.reproduction.sensitivity;
 
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.hifi.optics.Optics;
 
 /** A scenario with other targets or other optics, under a name that tells what is changed. */
@@ -10,7 +9,7 @@ final class ChangedWorld {
 
   /** All targets of another size q, metres. */
   static Scenario withSize(Scenario scenario, double size) {
-    Scenario changed = scenario.withTargets(target -> withSize(target, size));
+    Scenario changed = scenario.withTargets(target -> target.withSize(size));
     return changed.with(scenario.name() + "-q" + size, changed.targets(), changed.events());
   }
 
@@ -22,18 +21,5 @@ final class ChangedWorld {
   static Scenario withFocalLength(Scenario scenario, Optics optics, double focalLength) {
     double height = 2 * focalLength * scenario.zooms().get(0) / optics.sensorWidth();
     return scenario.withMountHeight(scenario.name() + "-z" + focalLength, height);
-  }
-
-  private static TargetSpec withSize(TargetSpec target, double size) {
-    return new TargetSpec(
-        target.origin(),
-        target.features(),
-        target.x(),
-        target.y(),
-        target.heading(),
-        target.speed(),
-        size,
-        target.movement(),
-        target.extras());
   }
 }
