@@ -6,8 +6,8 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
- * A policy of one's own: each camera sweeps through its zoom levels, and stays for a while on a
- * level at which it detected something.
+ * A policy of one's own: each camera sweeps through its zoom views, and stays for a while on a view
+ * at which it detected something.
  */
 public final class PatrolZoomPolicy implements ZoomPolicy {
   private int patience;
@@ -29,12 +29,12 @@ public final class PatrolZoomPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
+  public void decide(NetworkView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       boolean stays = network.detected(camera) > 0 && waited[camera] < patience;
       waited[camera] = stays ? waited[camera] + 1 : 0;
       if (!stays) {
-        levels[camera] = (network.level(camera) + 1) % network.levels(camera);
+        views[camera] = (network.view(camera) + 1) % network.views(camera);
       }
     }
   }

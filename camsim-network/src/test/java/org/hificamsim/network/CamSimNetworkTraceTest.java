@@ -50,7 +50,7 @@ class CamSimNetworkTraceTest {
       for (int target : network.owned(camera)) {
         into.put(
             key(world, network, camera, target),
-            world.cameras().zoom(camera, world.cameras().level(camera)).radius());
+            world.cameras().zoom(camera, world.cameras().view(camera)).radius());
       }
     }
   }

@@ -24,11 +24,11 @@ public final class CoveragePolicies {
   /** Adds every built-in policy to the registry and returns it. */
   public static Registry<ZoomPolicy> register(Registry<ZoomPolicy> registry) {
     return registry
-        .register(ZoomOutPolicy.NAME, "every camera at its widest level", ZoomOutPolicy::new)
-        .register(ZoomInPolicy.NAME, "every camera at its narrowest level", ZoomInPolicy::new)
+        .register(ZoomOutPolicy.NAME, "every camera at its widest view", ZoomOutPolicy::new)
+        .register(ZoomInPolicy.NAME, "every camera at its narrowest view", ZoomInPolicy::new)
         .register(
-            FixedZoomPolicy.NAME, "given levels, one for all or one each", FixedZoomPolicy::from)
-        .register(RandomZoomPolicy.NAME, "a uniformly drawn level each step", RandomZoomPolicy::new)
+            FixedZoomPolicy.NAME, "given views, one for all or one each", FixedZoomPolicy::from)
+        .register(RandomZoomPolicy.NAME, "a uniformly drawn view each step", RandomZoomPolicy::new)
         .register(
             OptimalZoomPolicy.NAME,
             "the exactly best k_min of each step, with global knowledge",
@@ -39,7 +39,7 @@ public final class CoveragePolicies {
             OptimalExpectedZoomPolicy::from)
         .register(
             OneHopZoomPolicy.NAME,
-            "the exactly best k_min when each camera moves at most one level, global knowledge",
+            "the exactly best k_min when each camera moves at most one view, global knowledge",
             OneHopZoomPolicy::from)
         .register(
             BestFixedZoomPolicy.NAME,
@@ -47,15 +47,15 @@ public final class CoveragePolicies {
             BestFixedZoomPolicy::from)
         .register(
             EpsilonGreedyZoomPolicy.NAME,
-            "bandit: the level with the best average count, sometimes another",
+            "bandit: the view with the best average count, sometimes another",
             EpsilonGreedyZoomPolicy::from)
         .register(
             Ucb1ZoomPolicy.NAME,
-            "bandit: the level with the best upper confidence bound",
+            "bandit: the view with the best upper confidence bound",
             Ucb1ZoomPolicy::from)
         .register(
             SoftmaxZoomPolicy.NAME,
-            "bandit: levels drawn the more often, the better their average count",
+            "bandit: views drawn the more often, the better their average count",
             SoftmaxZoomPolicy::from)
         .register(
             SarsaZoomPolicy.NAME,

@@ -73,9 +73,9 @@ class CoveragePoliciesTest {
     }
 
     @Override
-    public void decide(NetworkView network, int[] levels) {
+    public void decide(NetworkView network, int[] views) {
       for (int camera = 0; camera < network.cameras(); camera++) {
-        levels[camera] = network.levels(camera) / 2;
+        views[camera] = network.views(camera) / 2;
       }
     }
   }

@@ -119,7 +119,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     assertTrue(global || network.globalQueries() == 0, network.globalQueries() + " queries");
   }
 
-  /** One name for all cameras and steps; a number or NaN for each level, counts from 0; or none. */
+  /** One name for all cameras and steps; a number or NaN for each view, counts from 0; or none. */
   private void tellsWhatItEstimates() {
     GeometricNetwork network = GeometricNetwork.random(MIXED, 8);
     ZoomPolicy policy = network.begin(policies.get(), 1);
@@ -136,18 +136,18 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
   }
 
   private static String checkEstimates(GeometricNetwork network, ZoomPolicy policy, int camera) {
-    double[] estimates = new double[network.levels(camera)];
-    double[] counts = new double[network.levels(camera)];
+    double[] estimates = new double[network.views(camera)];
+    double[] counts = new double[network.views(camera)];
     Arrays.fill(estimates, UNTOUCHED);
     Arrays.fill(counts, UNTOUCHED);
     String name = policy.estimates(network, camera, estimates, counts);
-    for (int level = 0; level < estimates.length; level++) {
+    for (int view = 0; view < estimates.length; view++) {
       if (name.isEmpty()) {
-        assertEquals(UNTOUCHED, estimates[level], "no name but an estimate");
+        assertEquals(UNTOUCHED, estimates[view], "no name but an estimate");
       } else {
-        assertNotEquals(UNTOUCHED, estimates[level], name + " of level " + level);
-        assertFalse(Double.isInfinite(estimates[level]), name + " of level " + level);
-        assertFalse(counts[level] < 0, name + " rests on " + counts[level]);
+        assertNotEquals(UNTOUCHED, estimates[view], name + " of view " + view);
+        assertFalse(Double.isInfinite(estimates[view]), name + " of view " + view);
+        assertFalse(counts[view] < 0, name + " rests on " + counts[view]);
       }
     }
     return name;
@@ -178,7 +178,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     return allocated;
   }
 
-  /** Runs the engine's step and checks each decision; returns the levels after each step. */
+  /** Runs the engine's step and checks each decision; returns the views after each step. */
   private int[][] run(GeometricNetwork network, long seed, int steps, boolean disturbed) {
     ZoomPolicy policy = policies.get();
     policy.begin(network, new SplittableRandom(seed));
@@ -200,10 +200,10 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
 
   private static void check(GeometricNetwork network, int[] before) {
     for (int camera = 0; camera < network.cameras(); camera++) {
-      int level = network.level(camera);
+      int view = network.view(camera);
       assertTrue(
-          level >= 0 && level < network.levels(camera),
-          "camera " + camera + " level " + level + " after " + Arrays.toString(before));
+          view >= 0 && view < network.views(camera),
+          "camera " + camera + " view " + view + " after " + Arrays.toString(before));
     }
   }
 }

@@ -35,7 +35,7 @@ final class OwnParts {
     }
   }
 
-  /** Every camera at the middle one of its levels. */
+  /** Every camera at the middle one of its views. */
   record Middle() implements ZoomPolicy {
     @Override
     public String name() {
@@ -43,9 +43,9 @@ final class OwnParts {
     }
 
     @Override
-    public void decide(NetworkView network, int[] levels) {
-      for (int camera = 0; camera < levels.length; camera++) {
-        levels[camera] = network.levels(camera) / 2;
+    public void decide(NetworkView network, int[] views) {
+      for (int camera = 0; camera < views.length; camera++) {
+        views[camera] = network.views(camera) / 2;
       }
     }
   }

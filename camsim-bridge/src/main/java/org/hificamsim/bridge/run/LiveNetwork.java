@@ -179,12 +179,12 @@ final class LiveNetwork implements OracleView {
   }
 
   @Override
-  public int levels(int camera) {
+  public int views(int camera) {
     return zooms.levels();
   }
 
   @Override
-  public int level(int camera) {
+  public int view(int camera) {
     return cameras.get(camera).level();
   }
 

@@ -35,7 +35,7 @@ final class Steering {
       begin(network);
     }
     for (int camera = 0; camera < levels.length; camera++) {
-      levels[camera] = network.level(camera);
+      levels[camera] = network.view(camera);
     }
     policy.decide(network, levels);
     for (int camera = 0; camera < levels.length; camera++) {
@@ -77,14 +77,14 @@ final class Steering {
   }
 
   private int checked(LiveNetwork network, int camera) {
-    if (levels[camera] < 0 || levels[camera] >= network.levels(camera)) {
+    if (levels[camera] < 0 || levels[camera] >= network.views(camera)) {
       throw new IllegalStateException(
           "policy %s chose level %s for camera %s, expected 0 to %s"
               .formatted(
                   given.spec(),
                   levels[camera],
                   network.cameraName(camera),
-                  network.levels(camera) - 1));
+                  network.views(camera) - 1));
     }
     return levels[camera];
   }

@@ -36,9 +36,9 @@ final class BearingSight implements Sight {
   }
 
   @Override
-  public boolean detects(int camera, int level, int target) {
+  public boolean detects(int camera, int view, int target) {
     Pose pose = cameras.pose(camera);
-    ZoomLevel zoom = cameras.zoom(camera, level);
+    ZoomLevel zoom = cameras.zoom(camera, view);
     double x = targets.x(target);
     double y = targets.y(target);
     double distance = pose.distance(x, y);
@@ -51,29 +51,29 @@ final class BearingSight implements Sight {
   }
 
   @Override
-  public double chance(int camera, int level, int target) {
+  public double chance(int camera, int view, int target) {
     return visibility.chance(
         cameras.pose(camera),
-        cameras.zoom(camera, level),
+        cameras.zoom(camera, view),
         targets.x(target),
         targets.y(target),
         targets.size(target));
   }
 
   @Override
-  public boolean dominates(int camera, int level, int other) {
-    return level == other;
+  public boolean dominates(int camera, int view, int other) {
+    return view == other;
   }
 
   @Override
-  public double reach(int camera, int level) {
-    return Sight.roundedUp(cameras.zoom(camera, level).radius());
+  public double reach(int camera, int view) {
+    return Sight.roundedUp(cameras.zoom(camera, view).radius());
   }
 
-  /** Distance and cosine are computed once for all levels. */
+  /** Distance and cosine are computed once for all views. */
   @Override
   public void mark(
-      int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words) {
+      int camera, int views, PointGrid grid, int from, int to, long[] masks, int words) {
     Pose pose = cameras.pose(camera);
     double widest = cameras.zoom(camera, 0).widestRadius();
     for (int i = from; i < to; i++) {
@@ -88,12 +88,12 @@ final class BearingSight implements Sight {
       double cosine = pose.cosine(x, y);
       double about = AngleBracket.about(cosine);
       double luck = visibility.luck(step, camera, target);
-      for (int level = 0; level < levels; level++) {
-        ZoomLevel zoom = cameras.zoom(camera, level);
+      for (int view = 0; view < views; view++) {
+        ZoomLevel zoom = cameras.zoom(camera, view);
         if (distance <= zoom.radius()
             && visibility.isInAngle(pose, zoom, x, y)
             && detects(size, distance, cosine, about, zoom, luck)) {
-          masks[level * words + (target >> 6)] |= 1L << target;
+          masks[view * words + (target >> 6)] |= 1L << target;
         }
       }
     }

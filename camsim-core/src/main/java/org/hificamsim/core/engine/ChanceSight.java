@@ -14,7 +14,7 @@ final class ChanceSight implements Sight {
   private final Cameras cameras;
   private final Targets targets;
   private final Visibility visibility;
-  private final LevelRows rows;
+  private final ViewRows rows;
   private ChanceTable[] tables = new ChanceTable[1];
   private long step;
 
@@ -22,7 +22,7 @@ final class ChanceSight implements Sight {
     this.cameras = world.cameras();
     this.targets = world.targets();
     this.visibility = visibility;
-    this.rows = new LevelRows(cameras, targets, this::newRow);
+    this.rows = new ViewRows(cameras, targets, this::newRow);
     rows.refresh();
   }
 
@@ -43,17 +43,17 @@ final class ChanceSight implements Sight {
   }
 
   @Override
-  public boolean detects(int camera, int level, int target) {
+  public boolean detects(int camera, int view, int target) {
     double distance = distance(camera, target);
-    return isInSight(camera, level, target, distance)
-        && table(camera, level, target).detects(distance, visibility.luck(step, camera, target));
+    return isInSight(camera, view, target, distance)
+        && table(camera, view, target).detects(distance, visibility.luck(step, camera, target));
   }
 
   @Override
-  public double chance(int camera, int level, int target) {
+  public double chance(int camera, int view, int target) {
     double distance = distance(camera, target);
-    return isInSight(camera, level, target, distance)
-        ? table(camera, level, target).chance(distance)
+    return isInSight(camera, view, target, distance)
+        ? table(camera, view, target).chance(distance)
         : 0;
   }
 
@@ -61,32 +61,32 @@ final class ChanceSight implements Sight {
     return cameras.pose(camera).distance(targets.x(target), targets.y(target));
   }
 
-  private boolean isInSight(int camera, int level, int target, double distance) {
-    ZoomLevel zoom = cameras.zoom(camera, level);
+  private boolean isInSight(int camera, int view, int target, double distance) {
+    ZoomLevel zoom = cameras.zoom(camera, view);
     return distance <= zoom.radius()
         && (rows.allRound(camera)
             || visibility.isInAngle(
                 cameras.pose(camera), zoom, targets.x(target), targets.y(target)));
   }
 
-  private ChanceTable table(int camera, int level, int target) {
-    return tables[rows.entry(camera, level, target)];
+  private ChanceTable table(int camera, int view, int target) {
+    return tables[rows.entry(camera, view, target)];
   }
 
-  /** Distance and luck are found once for all levels. */
+  /** Distance and luck are found once for all views. */
   @Override
   public void mark(
-      int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words) {
+      int camera, int views, PointGrid grid, int from, int to, long[] masks, int words) {
     double widest = cameras.zoom(camera, 0).widestRadius();
     for (int i = from; i < to; i++) {
       int target = grid.point(i);
       double distance = cameras.pose(camera).distance(grid.x(i), grid.y(i));
       if (distance <= widest) {
         double luck = visibility.luck(step, camera, target);
-        for (int level = 0; level < levels; level++) {
-          if (isInSight(camera, level, target, distance)
-              && table(camera, level, target).detects(distance, luck)) {
-            masks[level * words + (target >> 6)] |= 1L << target;
+        for (int view = 0; view < views; view++) {
+          if (isInSight(camera, view, target, distance)
+              && table(camera, view, target).detects(distance, luck)) {
+            masks[view * words + (target >> 6)] |= 1L << target;
           }
         }
       }
@@ -94,12 +94,12 @@ final class ChanceSight implements Sight {
   }
 
   @Override
-  public boolean dominates(int camera, int level, int other) {
-    return level == other;
+  public boolean dominates(int camera, int view, int other) {
+    return view == other;
   }
 
   @Override
-  public double reach(int camera, int level) {
-    return Sight.roundedUp(cameras.zoom(camera, level).radius());
+  public double reach(int camera, int view) {
+    return Sight.roundedUp(cameras.zoom(camera, view).radius());
   }
 }

@@ -11,10 +11,10 @@ import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
- * The sight of models that depend on distance alone: the model is asked once per zoom level and
+ * The sight of models that depend on distance alone: the model is asked once per zoom view and
  * target size, and observing is a test of the squared distance.
  *
- * <p>Reaches are kept in {@linkplain LevelRows rows}. Nearly all are a single interval, held in two
+ * <p>Reaches are kept in {@linkplain ViewRows rows}. Nearly all are a single interval, held in two
  * flat arrays; the others are looked up in full. Where there is one size and the interval begins at
  * 0, what is seen is a disc, which has an array and a loop of its own.
  */
@@ -22,7 +22,7 @@ final class DistanceSight implements Sight {
   private final Cameras cameras;
   private final Targets targets;
   private final Visibility visibility;
-  private final LevelRows rows;
+  private final ViewRows rows;
   private DetectedDistances[] reach = new DetectedDistances[1];
   private double[] from = new double[1];
   private double[] to = new double[1];
@@ -33,7 +33,7 @@ final class DistanceSight implements Sight {
     this.cameras = world.cameras();
     this.targets = world.targets();
     this.visibility = visibility;
-    this.rows = new LevelRows(cameras, targets, this::newRow);
+    this.rows = new ViewRows(cameras, targets, this::newRow);
     rows.refresh();
   }
 
@@ -70,28 +70,28 @@ final class DistanceSight implements Sight {
   }
 
   @Override
-  public boolean detects(int camera, int level, int target) {
+  public boolean detects(int camera, int view, int target) {
     double squared = cameras.pose(camera).squaredDistance(targets.x(target), targets.y(target));
-    return detects(camera, level, target, squared);
+    return detects(camera, view, target, squared);
   }
 
-  private boolean detects(int camera, int level, int target, double squared) {
-    int at = rows.entry(camera, level, target);
+  private boolean detects(int camera, int view, int target, double squared) {
+    int at = rows.entry(camera, view, target);
     if (!(squared >= from[at] && squared <= to[at])) {
       return false;
     }
     return (single[at] || reach[at].contains(squared))
-        && (rows.allRound(camera) || isInAngle(camera, level, target));
+        && (rows.allRound(camera) || isInAngle(camera, view, target));
   }
 
-  private boolean isInAngle(int camera, int level, int target) {
+  private boolean isInAngle(int camera, int view, int target) {
     return visibility.isInAngle(
-        cameras.pose(camera), cameras.zoom(camera, level), targets.x(target), targets.y(target));
+        cameras.pose(camera), cameras.zoom(camera, view), targets.x(target), targets.y(target));
   }
 
   @Override
-  public double reach(int camera, int level) {
-    int row = rows.row(camera, level);
+  public double reach(int camera, int view) {
+    int row = rows.row(camera, view);
     double squared = to[row];
     for (int size = 1; size < rows.sizes(); size++) {
       squared = Math.max(squared, to[row + size]);
@@ -100,11 +100,11 @@ final class DistanceSight implements Sight {
   }
 
   @Override
-  public int look(int camera, int level, PointGrid grid, int begin, int end, int[] counts) {
-    double below = disc[rows.row(camera, level)];
+  public int look(int camera, int view, PointGrid grid, int begin, int end, int[] counts) {
+    double below = disc[rows.row(camera, view)];
     return below > 0 && rows.allRound(camera)
         ? lookAllRound(cameras.pose(camera), below, grid, begin, end, counts)
-        : Sight.super.look(camera, level, grid, begin, end, counts);
+        : Sight.super.look(camera, view, grid, begin, end, counts);
   }
 
   /**
@@ -127,26 +127,26 @@ final class DistanceSight implements Sight {
 
   @Override
   public void mark(
-      int camera, int levels, PointGrid grid, int begin, int end, long[] masks, int words) {
+      int camera, int views, PointGrid grid, int begin, int end, long[] masks, int words) {
     Pose pose = cameras.pose(camera);
     for (int i = begin; i < end; i++) {
       double squared = pose.squaredDistance(grid.x(i), grid.y(i));
       int target = grid.point(i);
-      for (int level = 0; level < levels; level++) {
-        if (detects(camera, level, target, squared)) {
-          masks[level * words + (target >> 6)] |= 1L << target;
+      for (int view = 0; view < views; view++) {
+        if (detects(camera, view, target, squared)) {
+          masks[view * words + (target >> 6)] |= 1L << target;
         }
       }
     }
   }
 
   @Override
-  public boolean dominates(int camera, int level, int other) {
-    if (cameras.zoom(camera, level).viewingAngle() < cameras.zoom(camera, other).viewingAngle()) {
+  public boolean dominates(int camera, int view, int other) {
+    if (cameras.zoom(camera, view).viewingAngle() < cameras.zoom(camera, other).viewingAngle()) {
       return false;
     }
     for (int size = 0; size < rows.sizes(); size++) {
-      DetectedDistances mine = reach[rows.row(camera, level) + size];
+      DetectedDistances mine = reach[rows.row(camera, view) + size];
       if (!mine.includes(reach[rows.row(camera, other) + size])) {
         return false;
       }

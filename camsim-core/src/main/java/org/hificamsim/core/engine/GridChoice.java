@@ -44,7 +44,7 @@ final class GridChoice {
   private static double meanRadius(Cameras cameras) {
     double sum = 0;
     for (int camera = 0; camera < cameras.count(); camera++) {
-      sum += cameras.zoom(camera, cameras.levels(camera) - 1).radius();
+      sum += cameras.zoom(camera, cameras.views(camera) - 1).radius();
     }
     return sum / cameras.count();
   }

@@ -88,7 +88,7 @@ final class ObservedNetwork implements OracleView {
     }
   }
 
-  /** Every online camera looks at the targets, each at its current level. */
+  /** Every online camera looks at the targets, each at its current view. */
   void observe() {
     workers.run(looking);
     Arrays.fill(coverage, 0);
@@ -100,21 +100,21 @@ final class ObservedNetwork implements OracleView {
     int end = workers.first(worker + 1, detected.length);
     for (int camera = workers.first(worker, detected.length); camera < end; camera++) {
       detected[camera] =
-          cameras.online(camera) ? look(camera, cameras.level(camera), counts[worker]) : 0;
+          cameras.online(camera) ? look(camera, cameras.view(camera), counts[worker]) : 0;
     }
   }
 
-  private int look(int camera, int level, int[] count) {
+  private int look(int camera, int view, int[] count) {
     if (grid.cells() == 1) {
-      return sight.look(camera, level, grid, 0, grid.count(), count);
+      return sight.look(camera, view, grid, 0, grid.count(), count);
     }
-    double reach = sight.reach(camera, level);
+    double reach = sight.reach(camera, view);
     int left = grid.column(cameras.x(camera) - reach);
     int right = grid.column(cameras.x(camera) + reach);
     int top = grid.row(cameras.y(camera) + reach);
     int seen = 0;
     for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
-      seen += sight.look(camera, level, grid, grid.start(row, left), grid.end(row, right), count);
+      seen += sight.look(camera, view, grid, grid.start(row, left), grid.end(row, right), count);
     }
     return seen;
   }
@@ -171,18 +171,18 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
-  public int levels(int camera) {
-    return cameras.levels(camera);
+  public int views(int camera) {
+    return cameras.views(camera);
   }
 
   @Override
-  public int level(int camera) {
-    return cameras.level(camera);
+  public int view(int camera) {
+    return cameras.view(camera);
   }
 
   @Override
-  public ZoomLevel zoom(int camera, int level) {
-    return cameras.zoom(camera, level);
+  public ZoomLevel zoom(int camera, int view) {
+    return cameras.zoom(camera, view);
   }
 
   @Override
@@ -228,25 +228,25 @@ final class ObservedNetwork implements OracleView {
     return DetectionModel.clamp(
         visibility.value(
             cameras.pose(camera),
-            cameras.zoom(camera, cameras.level(camera)),
+            cameras.zoom(camera, cameras.view(camera)),
             targets.x(target),
             targets.y(target),
             targets.size(target)));
   }
 
   @Override
-  public boolean detects(int camera, int level, int target) {
-    return targets.present(target) && sight.detects(camera, level, target);
+  public boolean detects(int camera, int view, int target) {
+    return targets.present(target) && sight.detects(camera, view, target);
   }
 
   @Override
-  public double chance(int camera, int level, int target) {
-    return targets.present(target) ? sight.chance(camera, level, target) : 0;
+  public double chance(int camera, int view, int target) {
+    return targets.present(target) ? sight.chance(camera, view, target) : 0;
   }
 
   @Override
-  public int chances(int camera, int level, int[] who, double[] chances) {
-    double reach = sight.reach(camera, level);
+  public int chances(int camera, int view, int[] who, double[] chances) {
+    double reach = sight.reach(camera, view);
     int left = grid.column(cameras.x(camera) - reach);
     int right = grid.column(cameras.x(camera) + reach);
     int top = grid.row(cameras.y(camera) + reach);
@@ -254,7 +254,7 @@ final class ObservedNetwork implements OracleView {
     for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
       int end = grid.end(row, right);
       for (int i = grid.start(row, left); i < end; i++) {
-        chances[count] = sight.chance(camera, level, grid.point(i));
+        chances[count] = sight.chance(camera, view, grid.point(i));
         who[count] = grid.point(i);
         count += chances[count] > 0 ? 1 : 0;
       }
@@ -263,27 +263,27 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
-  public boolean dominates(int camera, int level, int other) {
-    return sight.dominates(camera, level, other);
+  public boolean dominates(int camera, int view, int other) {
+    return sight.dominates(camera, view, other);
   }
 
   @Override
   public void detections(int camera, long[] masks, int words) {
-    int levels = cameras.levels(camera);
-    Arrays.fill(masks, 0, levels * words, 0);
+    int views = cameras.views(camera);
+    Arrays.fill(masks, 0, views * words, 0);
     if (grid.cells() == 1) {
-      sight.mark(camera, levels, grid, 0, grid.count(), masks, words);
+      sight.mark(camera, views, grid, 0, grid.count(), masks, words);
       return;
     }
     double reach = 0;
-    for (int level = 0; level < levels; level++) {
-      reach = Math.max(reach, sight.reach(camera, level));
+    for (int view = 0; view < views; view++) {
+      reach = Math.max(reach, sight.reach(camera, view));
     }
     int left = grid.column(cameras.x(camera) - reach);
     int right = grid.column(cameras.x(camera) + reach);
     int top = grid.row(cameras.y(camera) + reach);
     for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
-      sight.mark(camera, levels, grid, grid.start(row, left), grid.end(row, right), masks, words);
+      sight.mark(camera, views, grid, grid.start(row, left), grid.end(row, right), masks, words);
     }
   }
 

@@ -19,7 +19,7 @@ public final class RunCoverage implements StepListener {
   private double sumOfMeans;
   private long detections;
   private long zoomChanges;
-  private int[] levels = {};
+  private int[] views = {};
   private boolean byChance;
   private double expectedPerformance;
   private double expectedUncovered;
@@ -56,18 +56,18 @@ public final class RunCoverage implements StepListener {
     sumOfLeastChances += expected.leastChance();
   }
 
-  /** A camera's first level is no change; a network may grow. */
+  /** A camera's first view is no change; a network may grow. */
   private void countZoomChanges(NetworkView network) {
-    int known = levels.length;
+    int known = views.length;
     if (network.cameras() > known) {
-      levels = Arrays.copyOf(levels, network.cameras());
+      views = Arrays.copyOf(views, network.cameras());
     }
     for (int camera = 0; camera < network.cameras(); camera++) {
-      int level = network.level(camera);
-      if (camera < known && level != levels[camera]) {
+      int view = network.view(camera);
+      if (camera < known && view != views[camera]) {
         zoomChanges++;
       }
-      levels[camera] = level;
+      views[camera] = view;
     }
   }
 
@@ -111,7 +111,7 @@ public final class RunCoverage implements StepListener {
     return detections;
   }
 
-  /** How often a camera's level differed from the one of the step before. */
+  /** How often a camera's view differed from the one of the step before. */
   public long zoomChanges() {
     return zoomChanges;
   }

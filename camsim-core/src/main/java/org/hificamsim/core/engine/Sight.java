@@ -36,30 +36,30 @@ interface Sight {
    */
   void refresh(long step);
 
-  /** Whether the camera would detect the target, were it at this level. */
-  boolean detects(int camera, int level, int target);
+  /** Whether the camera would detect the target, were it at this view. */
+  boolean detects(int camera, int view, int target);
 
-  /** The chance that the camera detects the target, were it at this level, in [0, 1]. */
-  default double chance(int camera, int level, int target) {
-    return detects(camera, level, target) ? 1 : 0;
+  /** The chance that the camera detects the target, were it at this view, in [0, 1]. */
+  default double chance(int camera, int view, int target) {
+    return detects(camera, view, target) ? 1 : 0;
   }
 
-  /** Whether {@code level} is proven to detect whatever {@code other} does. */
-  boolean dominates(int camera, int level, int other);
+  /** Whether {@code view} is proven to detect whatever {@code other} does. */
+  boolean dominates(int camera, int view, int other);
 
-  /** The distance beyond which the camera detects nothing at this level, metres; rounded up. */
-  double reach(int camera, int level);
+  /** The distance beyond which the camera detects nothing at this view, metres; rounded up. */
+  double reach(int camera, int view);
 
   /**
-   * Counts the targets that the camera would detect at this level, among some that are near.
+   * Counts the targets that the camera would detect at this view, among some that are near.
    *
    * @param grid where they are; those from index {@code from} up to {@code to} are looked at
    * @param counts one is added to the entry of each index whose target is detected
    */
-  default int look(int camera, int level, PointGrid grid, int from, int to, int[] counts) {
+  default int look(int camera, int view, PointGrid grid, int from, int to, int[] counts) {
     int count = 0;
     for (int i = from; i < to; i++) {
-      if (detects(camera, level, grid.point(i))) {
+      if (detects(camera, view, grid.point(i))) {
         counts[i]++;
         count++;
       }
@@ -68,9 +68,9 @@ interface Sight {
   }
 
   /**
-   * Marks the targets that the camera would detect at each of its levels, among some that are near.
+   * Marks the targets that the camera would detect at each of its views, among some that are near.
    *
    * @param masks as {@link org.hificamsim.core.policy.OracleView#detections} has them
    */
-  void mark(int camera, int levels, PointGrid grid, int from, int to, long[] masks, int words);
+  void mark(int camera, int views, PointGrid grid, int from, int to, long[] masks, int words);
 }

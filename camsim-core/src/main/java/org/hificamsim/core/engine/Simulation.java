@@ -24,7 +24,7 @@ public final class Simulation {
   private final StepListener[] listeners;
   private final ObservedNetwork network;
   private final StepCoverage coverage = new StepCoverage();
-  private final int[] levels;
+  private final int[] views;
   private final boolean byChance;
   private boolean started;
   private long step;
@@ -61,7 +61,7 @@ public final class Simulation {
     this.listeners = listeners.toArray(StepListener[]::new);
     this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
     this.byChance = !detection.certain();
-    this.levels = new int[world.cameras().count()];
+    this.views = new int[world.cameras().count()];
     policy.begin(network, new SplittableRandom(seed));
   }
 
@@ -133,24 +133,24 @@ public final class Simulation {
 
   /** All cameras decide from the same snapshot, then all zooms are applied. */
   private void decide() {
-    for (int camera = 0; camera < levels.length; camera++) {
-      levels[camera] = network.level(camera);
+    for (int camera = 0; camera < views.length; camera++) {
+      views[camera] = network.view(camera);
     }
-    policy.decide(network, levels);
-    for (int camera = 0; camera < levels.length; camera++) {
+    policy.decide(network, views);
+    for (int camera = 0; camera < views.length; camera++) {
       if (network.online(camera)) {
-        apply(camera, levels[camera]);
+        apply(camera, views[camera]);
       }
     }
   }
 
-  private void apply(int camera, int level) {
-    if (level < 0 || level >= network.levels(camera)) {
+  private void apply(int camera, int view) {
+    if (view < 0 || view >= network.views(camera)) {
       throw new IllegalStateException(
-          "policy %s chose level %s for camera %s, expected 0 to %s"
+          "policy %s chose view %s for camera %s, expected 0 to %s"
               .formatted(
-                  policy.name(), level, network.cameraName(camera), network.levels(camera) - 1));
+                  policy.name(), view, network.cameraName(camera), network.views(camera) - 1));
     }
-    world.cameras().zoomTo(camera, level);
+    world.cameras().zoomTo(camera, view);
   }
 }

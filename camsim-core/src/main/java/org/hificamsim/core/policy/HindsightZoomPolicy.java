@@ -7,6 +7,6 @@ package org.hificamsim.core.policy;
  * end of each step. The policy's own {@link #begin} follows, with the run itself.
  */
 public interface HindsightZoomPolicy extends ZoomPolicy {
-  /** Looks at one step of the rehearsal, in which all cameras stay at their widest level. */
+  /** Looks at one step of the rehearsal, in which all cameras stay at their widest view. */
   void rehearse(NetworkView network);
 }

@@ -9,11 +9,11 @@ import org.hificamsim.core.metrics.CoveredTargets;
  *
  * <p>Cameras and targets are numbered from 0 and keep their number for the whole run; the counts
  * include those that a later event adds, which are not online (not present) until then, and stay so
- * after an event removes them. Zoom levels are numbered from 0, the narrowest. What was detected is
+ * after an event removes them. Zoom views are numbered from 0, the narrowest. What was detected is
  * what the last observation saw: at a decision that is the step before (0 everywhere at the first).
  *
  * <p>This is what cameras know between them. Positions of targets, and what a camera would detect
- * at another level, are in {@link OracleView}.
+ * at another view, are in {@link OracleView}.
  */
 public interface NetworkView extends CoveredTargets {
   /** The step that is under way, from 0. */
@@ -40,14 +40,14 @@ public interface NetworkView extends CoveredTargets {
   /** Radians, 0 is +y and pi/2 is +x; not normalised. */
   double cameraHeading(int camera);
 
-  /** The number of zoom levels of this camera, 1 or more. */
-  int levels(int camera);
+  /** The number of zoom views of this camera, 1 or more. */
+  int views(int camera);
 
-  /** The camera's current level. */
-  int level(int camera);
+  /** The camera's current view. */
+  int view(int camera);
 
-  /** One of the camera's zoom levels. */
-  ZoomLevel zoom(int camera, int level);
+  /** One of the camera's zoom views. */
+  ZoomLevel zoom(int camera, int view);
 
   /** How many targets the camera detected at the last observation; 0 while offline. */
   int detected(int camera);
@@ -57,7 +57,7 @@ public interface NetworkView extends CoveredTargets {
 
   /**
    * The detection model's confidence for the target where both are now, at the camera's current
-   * level, in [0, 1]; 0 outside the field of view, or when the target is not present.
+   * view, in [0, 1]; 0 outside the field of view, or when the target is not present.
    */
   double confidence(int camera, int target);
 

@@ -5,7 +5,7 @@ import org.hificamsim.core.metrics.DetectionChances;
 
 /**
  * A network with knowledge that no camera has: where the targets are, and what cameras would detect
- * at other levels. Upper bounds such as the exact optimum use it, and listeners that record a run;
+ * at other views. Upper bounds such as the exact optimum use it, and listeners that record a run;
  * learning policies must not.
  */
 public interface OracleView extends NetworkView, DetectionChances {
@@ -20,28 +20,28 @@ public interface OracleView extends NetworkView, DetectionChances {
   /** Metres. */
   double targetY(int target);
 
-  /** Whether the camera would detect the target where both are now, were it at this level. */
-  boolean detects(int camera, int level, int target);
+  /** Whether the camera would detect the target where both are now, were it at this view. */
+  boolean detects(int camera, int view, int target);
 
   /**
-   * The chance that the camera detects the target where both are now, were it at this level, before
+   * The chance that the camera detects the target where both are now, were it at this view, before
    * luck is drawn: in [0, 1], 1 or 0 by a threshold.
    */
-  default double chance(int camera, int level, int target) {
-    return detects(camera, level, target) ? 1 : 0;
+  default double chance(int camera, int view, int target) {
+    return detects(camera, view, target) ? 1 : 0;
   }
 
   /**
-   * The targets that the camera has a {@link #chance} above 0 to detect, were it at this level.
+   * The targets that the camera has a {@link #chance} above 0 to detect, were it at this view.
    *
    * @param targets as long as there are targets; filled from the start
    * @param chances one entry for each of them
    * @return how many there are
    */
-  default int chances(int camera, int level, int[] targets, double[] chances) {
+  default int chances(int camera, int view, int[] targets, double[] chances) {
     int count = 0;
     for (int target = 0; target < targets(); target++) {
-      double chance = present(target) ? chance(camera, level, target) : 0;
+      double chance = present(target) ? chance(camera, view, target) : 0;
       chances[count] = chance;
       targets[count] = target;
       count += chance > 0 ? 1 : 0;
@@ -51,29 +51,29 @@ public interface OracleView extends NetworkView, DetectionChances {
 
   @Override
   default int chances(int camera, int[] targets, double[] chances) {
-    return online(camera) ? chances(camera, level(camera), targets, chances) : 0;
+    return online(camera) ? chances(camera, view(camera), targets, chances) : 0;
   }
 
   /**
-   * Whether {@code level} is proven to detect everything that {@code other} does, wherever the
+   * Whether {@code view} is proven to detect everything that {@code other} does, wherever the
    * targets stand; false where that is not known.
    */
-  boolean dominates(int camera, int level, int other);
+  boolean dominates(int camera, int view, int other);
 
   /**
-   * What the camera would detect at each of its levels, where all are now: {@link #detects} for all
+   * What the camera would detect at each of its views, where all are now: {@link #detects} for all
    * targets at once.
    *
-   * @param masks filled with {@code words} words for each level, level 0 first; target t is at bit
+   * @param masks filled with {@code words} words for each view, view 0 first; target t is at bit
    *     {@code t % 64} of word {@code t / 64}
-   * @param words the number of words of a level, enough for all targets
+   * @param words the number of words of a view, enough for all targets
    */
   default void detections(int camera, long[] masks, int words) {
-    Arrays.fill(masks, 0, levels(camera) * words, 0);
-    for (int level = 0; level < levels(camera); level++) {
+    Arrays.fill(masks, 0, views(camera) * words, 0);
+    for (int view = 0; view < views(camera); view++) {
       for (int target = 0; target < targets(); target++) {
-        if (present(target) && detects(camera, level, target)) {
-          masks[level * words + (target >> 6)] |= 1L << target;
+        if (present(target) && detects(camera, view, target)) {
+          masks[view * words + (target >> 6)] |= 1L << target;
         }
       }
     }

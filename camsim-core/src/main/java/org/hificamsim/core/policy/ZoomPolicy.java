@@ -4,7 +4,7 @@ import java.util.SplittableRandom;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Chooses each camera's zoom level, step by step: an extension point, found by {@link #name}.
+ * Chooses each camera's zoom view, step by step: an extension point, found by {@link #name}.
  *
  * <p>An implementer writes {@link #name} and {@link #decide}; a learning policy also {@link #begin}
  * (to size its tables) and {@link #learn}. Given a public constructor without arguments and a
@@ -27,22 +27,22 @@ public interface ZoomPolicy {
   default void begin(NetworkView network, SplittableRandom random) {}
 
   /**
-   * Chooses the next level of every camera.
+   * Chooses the next view of every camera.
    *
    * @param network what is known before the step's observation
-   * @param levels one entry per camera, holding the current levels; the policy overwrites those of
-   *     online cameras with values in [0, levels(camera)); entries of offline cameras are ignored
+   * @param views one entry per camera, holding the current views; the policy overwrites those of
+   *     online cameras with values in [0, views(camera)); entries of offline cameras are ignored
    */
-  void decide(NetworkView network, int[] levels);
+  void decide(NetworkView network, int[] views);
 
-  /** Called once per step after the observation under the levels just chosen. */
+  /** Called once per step after the observation under the views just chosen. */
   default void learn(NetworkView network) {}
 
   /**
-   * What a camera's agent has learned about its levels, for listeners; called at the end of a step.
+   * What a camera's agent has learned about its views, for listeners; called at the end of a step.
    *
-   * @param estimates one entry per level, receives the estimates; NaN where the agent has none
-   * @param counts one entry per level, receives how many observations each estimate rests on; NaN
+   * @param estimates one entry per view, receives the estimates; NaN where the agent has none
+   * @param counts one entry per view, receives how many observations each estimate rests on; NaN
    *     where that is not counted
    * @return what is estimated, the same at every call ("mean reward", "Q"); empty where the policy
    *     estimates nothing, and the arrays are left as they were

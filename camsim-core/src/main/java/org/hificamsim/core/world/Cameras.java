@@ -88,12 +88,12 @@ public final class Cameras {
   }
 
   /** The number of zoom levels, 1 or more. */
-  public int levels(int camera) {
+  public int views(int camera) {
     return zooms[camera].length;
   }
 
   /** The current zoom level, from 0, the narrowest. */
-  public int level(int camera) {
+  public int view(int camera) {
     return level[camera];
   }
 

@@ -78,7 +78,7 @@ class BigNetworkTest {
     network.beginStep(step);
     network.locate();
     for (int camera = 0; camera < world.cameras().count(); camera++) {
-      world.cameras().zoomTo(camera, random.nextInt(world.cameras().levels(camera)));
+      world.cameras().zoomTo(camera, random.nextInt(world.cameras().views(camera)));
     }
     network.observe();
     world.moveTargets();
@@ -112,10 +112,10 @@ class BigNetworkTest {
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       masks[0] = -1;
       network.detections(camera, masks, 2);
-      for (int level = 0; level < world.cameras().levels(camera); level++) {
+      for (int view = 0; view < world.cameras().views(camera); view++) {
         for (int target = 0; target < world.targets().count(); target++) {
-          boolean marked = (masks[2 * level + target / 64] >>> target & 1) != 0;
-          assertEquals(network.detects(camera, level, target), marked);
+          boolean marked = (masks[2 * view + target / 64] >>> target & 1) != 0;
+          assertEquals(network.detects(camera, view, target), marked);
         }
       }
     }

@@ -74,7 +74,7 @@ class CamSimTraceTest {
     for (int camera = 0; camera < network.cameras(); camera++) {
       for (int target = 0; target < network.targets(); target++) {
         if (network.online(camera)
-            && network.oracle().detects(camera, network.level(camera), target)) {
+            && network.oracle().detects(camera, network.view(camera), target)) {
           into.put(
               new Key((int) network.step(), network.cameraName(camera), network.targetName(target)),
               network.confidence(camera, target));

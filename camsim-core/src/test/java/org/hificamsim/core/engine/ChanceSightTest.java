@@ -68,13 +68,13 @@ class ChanceSightTest {
       table.refresh(step);
       full.refresh(step);
       for (int camera = 0; camera < world.cameras().count(); camera++) {
-        for (int level = 0; level < world.cameras().levels(camera); level++) {
+        for (int view = 0; view < world.cameras().views(camera); view++) {
           for (int target = 0; target < world.targets().count(); target++) {
-            boolean detects = table.detects(camera, level, target);
-            assertEquals(full.detects(camera, level, target), detects);
-            assertEquals(confidence(world, visibility, step, camera, level, target) > 0, detects);
+            boolean detects = table.detects(camera, view, target);
+            assertEquals(full.detects(camera, view, target), detects);
+            assertEquals(confidence(world, visibility, step, camera, view, target) > 0, detects);
             assertEquals(
-                full.chance(camera, level, target), table.chance(camera, level, target), 1e-8);
+                full.chance(camera, view, target), table.chance(camera, view, target), 1e-8);
             detected += detects ? 1 : 0;
           }
         }
@@ -85,10 +85,10 @@ class ChanceSightTest {
   }
 
   private static double confidence(
-      World world, Visibility visibility, int step, int camera, int level, int target) {
+      World world, Visibility visibility, int step, int camera, int view, int target) {
     return visibility.confidence(
         world.cameras().pose(camera),
-        world.cameras().zoom(camera, level),
+        world.cameras().zoom(camera, view),
         world.targets().x(target),
         world.targets().y(target),
         world.targets().size(target),
@@ -159,8 +159,8 @@ class ChanceSightTest {
 
   @Test
   void twoPoliciesOnOneSeedMeetTheSameLuck() {
-    List<String> widest = seen((network, levels) -> levels[0] = 1);
-    List<String> turns = seen((network, levels) -> levels[0] = (int) (network.step() % 2));
+    List<String> widest = seen((network, views) -> views[0] = 1);
+    List<String> turns = seen((network, views) -> views[0] = (int) (network.step() % 2));
     int compared = 0;
     for (int step = 1; step < widest.size(); step += 2) {
       assertEquals(widest.get(step), turns.get(step), "step " + step);
@@ -170,7 +170,7 @@ class ChanceSightTest {
   }
 
   private interface Decision {
-    void decide(NetworkView network, int[] levels);
+    void decide(NetworkView network, int[] views);
   }
 
   private static List<String> seen(Decision decision) {
@@ -182,8 +182,8 @@ class ChanceSightTest {
           }
 
           @Override
-          public void decide(NetworkView network, int[] levels) {
-            decision.decide(network, levels);
+          public void decide(NetworkView network, int[] views) {
+            decision.decide(network, views);
           }
         };
     World world =

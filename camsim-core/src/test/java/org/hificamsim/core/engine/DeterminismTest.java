@@ -36,9 +36,9 @@ class DeterminismTest {
     }
 
     @Override
-    public void decide(NetworkView network, int[] levels) {
-      for (int camera = 0; camera < levels.length; camera++) {
-        levels[camera] = random.nextInt(network.levels(camera));
+    public void decide(NetworkView network, int[] views) {
+      for (int camera = 0; camera < views.length; camera++) {
+        views[camera] = random.nextInt(network.views(camera));
       }
     }
   }
@@ -93,7 +93,7 @@ class DeterminismTest {
     all.add(coverage.covered1());
     for (int camera = 0; camera < network.cameras(); camera++) {
       all.add(network.online(camera));
-      all.add(network.level(camera));
+      all.add(network.view(camera));
       all.add(network.detected(camera));
     }
     for (int target = 0; target < network.targets(); target++) {

@@ -21,17 +21,17 @@ class RunCoverageTest {
     assertEquals(3, coverage.zoomChanges());
   }
 
-  private void step(int... levels) {
-    coverage.stepped(at(levels), new StepCoverage());
+  private void step(int... views) {
+    coverage.stepped(at(views), new StepCoverage());
   }
 
-  /** Cameras at these levels, of which nothing else is asked. */
-  private static NetworkView at(int... levels) {
+  /** Cameras at these views, of which nothing else is asked. */
+  private static NetworkView at(int... views) {
     return (NetworkView)
         Proxy.newProxyInstance(
             NetworkView.class.getClassLoader(),
             new Class<?>[] {NetworkView.class},
             (proxy, method, arguments) ->
-                method.getName().equals("cameras") ? levels.length : levels[(int) arguments[0]]);
+                method.getName().equals("cameras") ? views.length : views[(int) arguments[0]]);
   }
 }

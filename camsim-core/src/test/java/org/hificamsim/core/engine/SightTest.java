@@ -28,7 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Asked once per level or asked in full, a model detects the same. */
+/** Asked once per view or asked in full, a model detects the same. */
 class SightTest {
   private static final int CAMERAS = 4;
   private static final int TARGETS = 60;
@@ -102,10 +102,10 @@ class SightTest {
     masks[6] = 5;
     sight.mark(0, 2, grid(world), 0, 150, masks, 3);
     int seen = 0;
-    for (int level = 0; level < 2; level++) {
+    for (int view = 0; view < 2; view++) {
       for (int target = 0; target < 150; target++) {
-        boolean marked = (masks[3 * level + target / 64] >>> target % 64 & 1) != 0;
-        assertEquals(sight.detects(0, level, target), marked, level + " " + target);
+        boolean marked = (masks[3 * view + target / 64] >>> target % 64 & 1) != 0;
+        assertEquals(sight.detects(0, view, target), marked, view + " " + target);
         seen += marked ? 1 : 0;
       }
     }
@@ -167,14 +167,14 @@ class SightTest {
 
   private static void assertSame(World world, Sight once, Sight full) {
     for (int camera = 0; camera < world.cameras().count(); camera++) {
-      for (int level = 0; level < world.cameras().levels(camera); level++) {
+      for (int view = 0; view < world.cameras().views(camera); view++) {
         for (int target = 0; target < world.targets().count(); target++) {
           assertEquals(
-              full.detects(camera, level, target),
-              once.detects(camera, level, target),
-              "camera %s level %s target %s at (%s, %s)"
+              full.detects(camera, view, target),
+              once.detects(camera, view, target),
+              "camera %s view %s target %s at (%s, %s)"
                   .formatted(
-                      camera, level, target, world.targets().x(target), world.targets().y(target)));
+                      camera, view, target, world.targets().x(target), world.targets().y(target)));
         }
       }
     }
@@ -183,16 +183,16 @@ class SightTest {
   private static void assertLooksAsItDetects(World world, Sight sight) {
     PointGrid grid = grid(world);
     for (int camera = 0; camera < world.cameras().count(); camera++) {
-      int levels = world.cameras().levels(camera);
-      long[] masks = new long[levels];
-      sight.mark(camera, levels, grid, 0, grid.count(), masks, 1);
-      for (int level = 0; level < levels; level++) {
+      int views = world.cameras().views(camera);
+      long[] masks = new long[views];
+      sight.mark(camera, views, grid, 0, grid.count(), masks, 1);
+      for (int view = 0; view < views; view++) {
         int[] counts = new int[grid.count()];
-        int seen = sight.look(camera, level, grid, 0, grid.count(), counts);
+        int seen = sight.look(camera, view, grid, 0, grid.count(), counts);
         for (int target = 0; target < counts.length; target++) {
-          int expected = sight.detects(camera, level, target) ? 1 : 0;
+          int expected = sight.detects(camera, view, target) ? 1 : 0;
           assertEquals(expected, counts[target]);
-          assertEquals(expected, masks[level] >>> target & 1);
+          assertEquals(expected, masks[view] >>> target & 1);
         }
         assertEquals(Arrays.stream(counts).sum(), seen);
       }
@@ -216,14 +216,12 @@ class SightTest {
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
     Sight sight = Sight.of(world, Visibility.of(detection));
     for (int camera = 0; camera < CAMERAS; camera++) {
-      for (int level = 0; level < 3; level++) {
-        assertTrue(sight.dominates(camera, level, level));
+      for (int view = 0; view < 3; view++) {
+        assertTrue(sight.dominates(camera, view, view));
         for (int other = 0; other < 3; other++) {
-          for (int target = 0;
-              target < TARGETS && sight.dominates(camera, level, other);
-              target++) {
+          for (int target = 0; target < TARGETS && sight.dominates(camera, view, other); target++) {
             assertTrue(
-                !sight.detects(camera, other, target) || sight.detects(camera, level, target));
+                !sight.detects(camera, other, target) || sight.detects(camera, view, target));
           }
         }
       }

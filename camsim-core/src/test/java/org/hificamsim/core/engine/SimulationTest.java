@@ -50,9 +50,9 @@ class SimulationTest {
     }
 
     @Override
-    public void decide(NetworkView network, int[] levels) {
+    public void decide(NetworkView network, int[] views) {
       log.add("decide " + network.step() + " " + detected(network));
-      decide.accept(network, levels);
+      decide.accept(network, views);
     }
 
     @Override
@@ -70,7 +70,7 @@ class SimulationTest {
   }
 
   private static TestPolicy widest() {
-    return new TestPolicy((network, levels) -> new WidestPolicy().decide(network, levels));
+    return new TestPolicy((network, views) -> new WidestPolicy().decide(network, views));
   }
 
   /** A target that leaves the camera's reach with its third step. */
@@ -117,7 +117,7 @@ class SimulationTest {
   @Test
   void learnsUnderTheLevelsJustChosen() {
     TestScenario scenario = new TestScenario().zooms(1, 5).camera(0, 0).target(3, 0);
-    TestPolicy policy = new TestPolicy((network, levels) -> levels[0] = (int) network.step() % 2);
+    TestPolicy policy = new TestPolicy((network, views) -> views[0] = (int) network.step() % 2);
     simulation(scenario, policy).run(4);
     assertEquals("learn 0 0", policy.log.get(2));
     assertEquals("learn 1 1", policy.log.get(4));
@@ -130,10 +130,10 @@ class SimulationTest {
     List<String> levelsSeen = new ArrayList<>();
     TestPolicy policy =
         new TestPolicy(
-            (network, levels) -> {
-              for (int camera = 0; camera < levels.length; camera++) {
-                levels[camera] = (network.level(camera) + 1) % 3;
-                levelsSeen.add(network.level(0) + "" + network.level(1) + detected(network));
+            (network, views) -> {
+              for (int camera = 0; camera < views.length; camera++) {
+                views[camera] = (network.view(camera) + 1) % 3;
+                levelsSeen.add(network.view(0) + "" + network.view(1) + detected(network));
               }
             });
     simulation(new TestScenario().zooms(1, 2, 4).camera(0, 0).camera(1, 0).target(3, 0), policy)
@@ -146,9 +146,9 @@ class SimulationTest {
     List<String> handed = new ArrayList<>();
     TestPolicy policy =
         new TestPolicy(
-            (network, levels) -> {
-              handed.add(Arrays.toString(levels));
-              levels[0] = 1;
+            (network, views) -> {
+              handed.add(Arrays.toString(views));
+              views[0] = 1;
             });
     simulation(new TestScenario().zooms(1, 2, 3).camera(0, 0).camera(0, 0).target(0, 0), policy)
         .run(2);
@@ -166,16 +166,16 @@ class SimulationTest {
             .events(new FailCamera(2, "c0", -1));
     TestPolicy policy =
         new TestPolicy(
-            (network, levels) -> {
-              levels[0] = network.online(0) ? 1 : 99;
-              levels[1] = 1;
+            (network, views) -> {
+              views[0] = network.online(0) ? 1 : 99;
+              views[1] = 1;
             });
     Simulation simulation = simulation(scenario, policy);
     simulation.run(4);
     assertEquals("learn 1 11", policy.log.get(4));
     assertEquals("learn 2 01", policy.log.get(6));
     assertEquals("learn 3 01", policy.log.get(8));
-    assertEquals(1, simulation.network().level(0));
+    assertEquals(1, simulation.network().view(0));
     assertEquals(1, simulation.coverage().kMin());
   }
 
@@ -217,14 +217,14 @@ class SimulationTest {
 
   @ParameterizedTest
   @ValueSource(ints = {-1, 2, 99})
-  void anIllegalLevelIsTheNamedPolicysFault(int level) {
-    TestPolicy policy = new TestPolicy((network, levels) -> levels[1] = level);
+  void anIllegalLevelIsTheNamedPolicysFault(int view) {
+    TestPolicy policy = new TestPolicy((network, views) -> views[1] = view);
     Simulation simulation =
         simulation(new TestScenario().zooms(1, 2).camera(0, 0).camera(0, 0).target(0, 0), policy);
     IllegalStateException error =
         assertThrows(IllegalStateException.class, () -> simulation.run(1));
     assertEquals(
-        "policy test chose level " + level + " for camera c1, expected 0 to 1", error.getMessage());
+        "policy test chose view " + view + " for camera c1, expected 0 to 1", error.getMessage());
   }
 
   @Test
@@ -268,8 +268,7 @@ class SimulationTest {
     }
     SplittableRandom levelsRandom = new SplittableRandom(6);
     TestPolicy policy =
-        new TestPolicy(
-            (network, levels) -> Arrays.setAll(levels, camera -> levelsRandom.nextInt(3)));
+        new TestPolicy((network, views) -> Arrays.setAll(views, camera -> levelsRandom.nextInt(3)));
     RunCoverage total = new RunCoverage();
     long[] sums = new long[6];
     StepListener bruteForce =
@@ -278,7 +277,7 @@ class SimulationTest {
           for (int camera = 0; camera < network.cameras(); camera++) {
             int detected = 0;
             for (int target = 0; target < k.length; target++) {
-              boolean sees = network.oracle().detects(camera, network.level(camera), target);
+              boolean sees = network.oracle().detects(camera, network.view(camera), target);
               k[target] += sees ? 1 : 0;
               detected += sees ? 1 : 0;
             }

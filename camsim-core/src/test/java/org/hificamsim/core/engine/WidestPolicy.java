@@ -3,7 +3,7 @@ package org.hificamsim.core.engine;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Every camera at its widest level. */
+/** Every camera at its widest view. */
 public final class WidestPolicy implements ZoomPolicy {
   @Override
   public String name() {
@@ -11,9 +11,9 @@ public final class WidestPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
-    for (int camera = 0; camera < levels.length; camera++) {
-      levels[camera] = network.levels(camera) - 1;
+  public void decide(NetworkView network, int[] views) {
+    for (int camera = 0; camera < views.length; camera++) {
+      views[camera] = network.views(camera) - 1;
     }
   }
 }

@@ -254,8 +254,8 @@ class WorldTest {
             .events(new ChangeCamera(1, "a", -1, -1, -1, 60, 12))
             .world();
     Cameras cameras = world.cameras();
-    assertEquals(3, cameras.levels(0));
-    assertEquals(2, cameras.level(0), "starts at the widest");
+    assertEquals(3, cameras.views(0));
+    assertEquals(2, cameras.view(0), "starts at the widest");
     assertEquals(3.5, cameras.zoom(0, 1).radius());
     assertEquals(25, cameras.zoom(0, 2).radius());
     assertEquals(2, cameras.zoom(0, 1).narrowestRadius());
@@ -264,7 +264,7 @@ class WorldTest {
     cameras.zoomTo(0, 1);
     world.fireEvents(1);
     assertEquals(3.5, cameras.zoom(0, 1).radius());
-    assertEquals(1, cameras.level(0), "a change keeps the zoom level");
+    assertEquals(1, cameras.view(0), "a change keeps the zoom level");
     assertEquals(Math.toRadians(60), cameras.zoom(0, 1).viewingAngle());
   }
 

@@ -54,7 +54,7 @@ public final class BidderHashes {
                 schedule.canonicalName(),
                 Math.toDegrees(cameras.heading(camera)),
                 cameras.name(camera),
-                cameras.zoom(camera, cameras.level(camera)).radius())
+                cameras.zoom(camera, cameras.view(camera)).radius())
         + "viewing_angle=\"%s\" x=\"%s\" y=\"%s\" comm=\"0\"/> visibleObjects="
             .formatted(
                 Math.toDegrees(cameras.zoom(camera, 0).viewingAngle()),

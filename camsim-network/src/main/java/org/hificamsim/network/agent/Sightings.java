@@ -47,7 +47,7 @@ public final class Sightings {
 
   private int look(long step, int camera, int[] coverage) {
     Pose pose = cameras.pose(camera);
-    ZoomLevel zoom = cameras.zoom(camera, cameras.level(camera));
+    ZoomLevel zoom = cameras.zoom(camera, cameras.view(camera));
     int seen = 0;
     for (int target = 0; target < coverage.length; target++) {
       if (targets.present(target)) {

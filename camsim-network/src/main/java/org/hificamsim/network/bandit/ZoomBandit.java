@@ -90,7 +90,7 @@ public final class ZoomBandit implements CameraBandit {
 
   private double range() {
     int camera = agent.camera();
-    return world.cameras().zoom(camera, world.cameras().level(camera)).radius();
+    return world.cameras().zoom(camera, world.cameras().view(camera)).radius();
   }
 
   /** The arm whose range is nearest from above, for a range that no arm has set. */

@@ -33,7 +33,7 @@ final class CamSimOverlap implements OverlapTable.Pair {
   }
 
   private double range(int camera) {
-    return cameras.zoom(camera, cameras.level(camera)).radius();
+    return cameras.zoom(camera, cameras.view(camera)).radius();
   }
 
   /** In square metres, of the camera at (x1, y1) with range a and a later one with range b. */

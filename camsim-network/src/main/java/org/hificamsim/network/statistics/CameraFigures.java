@@ -79,7 +79,7 @@ public final class CameraFigures {
   }
 
   private double worth(int camera) {
-    double range = cameras.zoom(camera, cameras.level(camera)).radius();
+    double range = cameras.zoom(camera, cameras.view(camera)).radius();
     return 0.95 * (1 - range / MAX_RANGE) - 0.15;
   }
 

@@ -85,6 +85,6 @@ public final class OverlapTable {
         cameras.x(camera),
         cameras.y(camera),
         cameras.heading(camera),
-        cameras.zoom(camera, cameras.level(camera)));
+        cameras.zoom(camera, cameras.view(camera)));
   }
 }

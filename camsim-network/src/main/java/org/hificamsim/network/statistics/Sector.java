@@ -19,7 +19,7 @@ record Sector(double x, double y, double heading, double angle, double radius) {
         cameras.y(camera),
         cameras.heading(camera),
         cameras.zoom(camera, 0).viewingAngle(),
-        cameras.zoom(camera, cameras.level(camera)).radius());
+        cameras.zoom(camera, cameras.view(camera)).radius());
   }
 
   /** Whether the point lies inside. */

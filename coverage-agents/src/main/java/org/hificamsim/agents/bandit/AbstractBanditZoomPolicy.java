@@ -2,12 +2,12 @@ package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
-import org.hificamsim.agents.choice.LevelTable;
+import org.hificamsim.agents.choice.ViewTable;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * What every bandit here learns: for each camera and level, its arms, how often the level was used
+ * What every bandit here learns: for each camera and view, its arms, how often the view was used
  * and the average number of targets detected with it.
  *
  * <p>The reward is the utility U_i of Eq 7.3, the number of targets that the camera detected. The
@@ -18,18 +18,18 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final CameraTask<AbstractBanditZoomPolicy> LEARNING =
       (network, policy, from, to) -> policy.learn(network, from, to);
 
-  private LevelTable table;
+  private ViewTable table;
   private double[] means;
   private long[] pulls;
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    table = new LevelTable(network);
+    table = new ViewTable(network);
     means = new double[table.size()];
     pulls = new long[table.size()];
   }
 
-  /** Credits each online camera's current level with what it just detected. */
+  /** Credits each online camera's current view with what it just detected. */
   @Override
   public final void learn(NetworkView network) {
     network.divide(this, LEARNING);
@@ -38,7 +38,7 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   private void learn(NetworkView network, int from, int to) {
     for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
-        credit(table.offset(camera) + network.level(camera), network.detected(camera));
+        credit(table.offset(camera) + network.view(camera), network.detected(camera));
       }
     }
   }
@@ -48,19 +48,19 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
     means[arm] += (detected - means[arm]) / pulls[arm];
   }
 
-  /** What a camera has learned of each level, NaN for one never used. */
+  /** What a camera has learned of each view, NaN for one never used. */
   @Override
   public final String estimates(
       NetworkView network, int camera, double[] estimates, double[] counts) {
-    for (int level = 0; level < network.levels(camera); level++) {
-      int arm = table.offset(camera) + level;
-      counts[level] = pulls[arm];
-      estimates[level] = pulls[arm] == 0 ? Double.NaN : means[arm];
+    for (int view = 0; view < network.views(camera); view++) {
+      int arm = table.offset(camera) + view;
+      counts[view] = pulls[arm];
+      estimates[view] = pulls[arm] == 0 ? Double.NaN : means[arm];
     }
     return "mean reward";
   }
 
-  /** The index of the camera's narrowest level among all cameras' arms. */
+  /** The index of the camera's narrowest view among all cameras' arms. */
   final int offset(int camera) {
     return table.offset(camera);
   }

@@ -7,12 +7,12 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The epsilon-greedy bandit (thesis 7.4.3, Eq 7.3): each camera takes the level with the best
+ * The epsilon-greedy bandit (thesis 7.4.3, Eq 7.3): each camera takes the view with the best
  * average number of detected targets, and explores with probability epsilon.
  *
- * <p>A level never used counts as 0. Open in the thesis and so an option: which of equally good
- * levels is best ({@code ties}), what exploring draws from ({@code explore}), whether epsilon
- * decays ({@code epsilon-decay}, {@code epsilon-min}).
+ * <p>A view never used counts as 0. Open in the thesis and so an option: which of equally good
+ * views is best ({@code ties}), what exploring draws from ({@code explore}), whether epsilon decays
+ * ({@code epsilon-decay}, {@code epsilon-min}).
  */
 public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
   public static final String NAME = "epsilon-greedy";
@@ -44,7 +44,7 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    int levels = network.levels(camera);
-    return choice.choose(camera, levels, ties.best(means(), offset(camera), levels));
+    int views = network.views(camera);
+    return choice.choose(camera, views, ties.best(means(), offset(camera), views));
   }
 }

@@ -6,7 +6,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The softmax bandit: each camera draws its level with probability proportional to {@code
+ * The softmax bandit: each camera draws its view with probability proportional to {@code
  * exp(average / temperature)}, the average being of numbers of detected targets.
  */
 public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
@@ -17,7 +17,7 @@ public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
   private SplittableRandom[] randoms;
 
   /**
-   * @param temperature in targets, above 0: the smaller, the closer to always taking the best level
+   * @param temperature in targets, above 0: the smaller, the closer to always taking the best view
    */
   public SoftmaxZoomPolicy(double temperature) {
     this.temperature = temperature;
@@ -43,32 +43,32 @@ public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    double sum = weigh(offset(camera), network.levels(camera));
+    double sum = weigh(offset(camera), network.views(camera));
     double drawn = randoms[camera].nextDouble() * sum;
-    return levelAt(drawn, offset(camera), network.levels(camera));
+    return levelAt(drawn, offset(camera), network.views(camera));
   }
 
   /** Weighs relative to the largest average, whose weight is 1: nothing overflows. */
-  private double weigh(int offset, int levels) {
+  private double weigh(int offset, int views) {
     double most = 0;
-    for (int arm = offset; arm < offset + levels; arm++) {
+    for (int arm = offset; arm < offset + views; arm++) {
       most = Math.max(most, means()[arm]);
     }
     double sum = 0;
-    for (int arm = offset; arm < offset + levels; arm++) {
+    for (int arm = offset; arm < offset + views; arm++) {
       weights[arm] = StrictMath.exp((means()[arm] - most) / temperature);
       sum += weights[arm];
     }
     return sum;
   }
 
-  private int levelAt(double drawn, int offset, int levels) {
+  private int levelAt(double drawn, int offset, int views) {
     double left = drawn;
-    int level = 0;
-    while (level < levels - 1 && left >= weights[offset + level]) {
-      left -= weights[offset + level];
-      level++;
+    int view = 0;
+    while (view < views - 1 && left >= weights[offset + view]) {
+      left -= weights[offset + view];
+      view++;
     }
-    return level;
+    return view;
   }
 }

@@ -6,9 +6,9 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The UCB1 bandit (Auer, Cesa-Bianchi and Fischer 2002): each camera uses every level once, then
- * the one with the largest upper confidence bound {@code mean + c sqrt(ln n / n_level)}, n being
- * the number of its decisions so far.
+ * The UCB1 bandit (Auer, Cesa-Bianchi and Fischer 2002): each camera uses every view once, then the
+ * one with the largest upper confidence bound {@code mean + c sqrt(ln n / n_level)}, n being the
+ * number of its decisions so far.
  *
  * <p>Rewards are numbers of detected targets over the number of all targets of the scenario, so in
  * [0, 1] as the bound assumes.
@@ -50,17 +50,17 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    bound(offset(camera), network.levels(camera));
-    return ties.best(bounds, offset(camera), network.levels(camera));
+    bound(offset(camera), network.views(camera));
+    return ties.best(bounds, offset(camera), network.views(camera));
   }
 
-  private void bound(int offset, int levels) {
+  private void bound(int offset, int views) {
     double pulls = 0;
-    for (int arm = offset; arm < offset + levels; arm++) {
+    for (int arm = offset; arm < offset + views; arm++) {
       pulls += pulls()[arm];
     }
     double logarithm = StrictMath.log(Math.max(1, pulls));
-    for (int arm = offset; arm < offset + levels; arm++) {
+    for (int arm = offset; arm < offset + views; arm++) {
       long own = pulls()[arm];
       bounds[arm] =
           own == 0

@@ -70,7 +70,7 @@ public final class FixedZoomPolicy implements ZoomPolicy {
   }
 
   private static int checked(NetworkView network, int camera, int level) {
-    int widest = network.levels(camera) - 1;
+    int widest = network.views(camera) - 1;
     if (level < 0 || level > widest) {
       throw new InputException(
           "policy fixed: level of camera '"

@@ -5,7 +5,7 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.CameraRandoms;
 import org.hificamsim.core.policy.NetworkView;
 
-/** A level drawn uniformly for each camera at each step (thesis 7.4.2). */
+/** A view drawn uniformly for each camera at each step (thesis 7.4.2). */
 public final class RandomZoomPolicy extends AbstractDistributedZoomPolicy {
   public static final String NAME = "random";
 
@@ -23,6 +23,6 @@ public final class RandomZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    return randoms[camera].nextInt(network.levels(camera));
+    return randoms[camera].nextInt(network.views(camera));
   }
 }

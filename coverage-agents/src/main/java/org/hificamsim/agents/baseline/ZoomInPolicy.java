@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Every camera at its narrowest level, always: the counterpart of {@link ZoomOutPolicy}. */
+/** Every camera at its narrowest view, always: the counterpart of {@link ZoomOutPolicy}. */
 public final class ZoomInPolicy implements ZoomPolicy {
   public static final String NAME = "zoom-in";
 
@@ -14,7 +14,7 @@ public final class ZoomInPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
-    Arrays.fill(levels, 0, network.cameras(), 0);
+  public void decide(NetworkView network, int[] views) {
+    Arrays.fill(views, 0, network.cameras(), 0);
   }
 }

@@ -3,7 +3,7 @@ package org.hificamsim.agents.baseline;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Every camera at its widest level, always (thesis 7.4.2). */
+/** Every camera at its widest view, always (thesis 7.4.2). */
 public final class ZoomOutPolicy implements ZoomPolicy {
   public static final String NAME = "zoom-out";
 
@@ -13,9 +13,9 @@ public final class ZoomOutPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
+  public void decide(NetworkView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
-      levels[camera] = network.levels(camera) - 1;
+      views[camera] = network.views(camera) - 1;
     }
   }
 }

@@ -5,30 +5,30 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * A policy without a centre: each online camera chooses its own next level. The run's threads share
+ * A policy without a centre: each online camera chooses its own next view. The run's threads share
  * the cameras.
  */
 public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
   private final CameraTask<int[]> choosing = this::chooseAll;
 
-  /** The next level of an online camera. It must not read what another camera's choice writes. */
+  /** The next view of an online camera. It must not read what another camera's choice writes. */
   protected abstract int choose(NetworkView network, int camera);
 
   /** Called instead of {@link #choose} for a camera that is offline. */
   protected void skip(int camera) {}
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
-    network.divide(levels, choosing);
+  public void decide(NetworkView network, int[] views) {
+    network.divide(views, choosing);
   }
 
   /**
-   * Fills in the levels of the online cameras from {@code from} up to, not including, {@code to}.
+   * Fills in the views of the online cameras from {@code from} up to, not including, {@code to}.
    */
-  protected void chooseAll(NetworkView network, int[] levels, int from, int to) {
+  protected void chooseAll(NetworkView network, int[] views, int from, int to) {
     for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
-        levels[camera] = choose(network, camera);
+        views[camera] = choose(network, camera);
       } else {
         skip(camera);
       }

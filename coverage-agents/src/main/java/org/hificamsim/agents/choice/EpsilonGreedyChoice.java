@@ -5,7 +5,7 @@ import java.util.SplittableRandom;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
-/** Takes the best level, but explores with probability epsilon; each camera on its own. */
+/** Takes the best view, but explores with probability epsilon; each camera on its own. */
 public final class EpsilonGreedyChoice {
   private final EpsilonSchedule schedule;
   private final Exploration exploration;
@@ -22,7 +22,7 @@ public final class EpsilonGreedyChoice {
     return new EpsilonGreedyChoice(
         EpsilonSchedule.from(options),
         options.choice(
-            "explore", Exploration.OTHER, "exploring draws a level other than the best, or any"));
+            "explore", Exploration.OTHER, "exploring draws a view other than the best, or any"));
   }
 
   /** Gives each camera its generator and its first epsilon. */
@@ -32,11 +32,11 @@ public final class EpsilonGreedyChoice {
     Arrays.fill(epsilon, schedule.start());
   }
 
-  /** The camera's next level: {@code best}, or what exploring draws out of {@code levels}. */
-  public int choose(int camera, int levels, int best) {
+  /** The camera's next view: {@code best}, or what exploring draws out of {@code views}. */
+  public int choose(int camera, int views, int best) {
     double probability = epsilon[camera];
     epsilon[camera] = schedule.next(probability);
     SplittableRandom random = randoms[camera];
-    return random.nextDouble() < probability ? exploration.draw(random, levels, best) : best;
+    return random.nextDouble() < probability ? exploration.draw(random, views, best) : best;
   }
 }

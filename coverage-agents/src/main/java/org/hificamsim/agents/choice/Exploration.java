@@ -4,24 +4,24 @@ import java.util.SplittableRandom;
 
 /** What exploring draws from, uniformly; the thesis leaves it open. */
 public enum Exploration {
-  /** Every level but the best one. */
+  /** Every view but the best one. */
   OTHER,
-  /** Every level, the best one included. */
+  /** Every view, the best one included. */
   ANY;
 
   /**
-   * Draws a level in [0, {@code levels}); the best one where there is no other.
+   * Draws a view in [0, {@code views}); the best one where there is no other.
    *
-   * @param best the level that exploiting would take
+   * @param best the view that exploiting would take
    */
-  public int draw(SplittableRandom random, int levels, int best) {
+  public int draw(SplittableRandom random, int views, int best) {
     if (this == ANY) {
-      return random.nextInt(levels);
+      return random.nextInt(views);
     }
-    if (levels == 1) {
+    if (views == 1) {
       return best;
     }
-    int drawn = random.nextInt(levels - 1);
+    int drawn = random.nextInt(views - 1);
     return drawn < best ? drawn : drawn + 1;
   }
 }

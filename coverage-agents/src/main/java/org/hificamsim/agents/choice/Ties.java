@@ -2,35 +2,35 @@ package org.hificamsim.agents.choice;
 
 import org.hificamsim.core.registry.Options;
 
-/** Which of several equally good levels a camera takes; the thesis does not say. */
+/** Which of several equally good views a camera takes; the thesis does not say. */
 public enum Ties {
   WIDEST,
   NARROWEST;
 
   /** The option {@code ties}. */
   public static Ties from(Options options, Ties defaultValue) {
-    return options.choice("ties", defaultValue, "which of equally good levels: widest, narrowest");
+    return options.choice("ties", defaultValue, "which of equally good views: widest, narrowest");
   }
 
-  /** The level to take of so many equally good ones. */
-  public int best(int levels) {
-    return this == WIDEST ? levels - 1 : 0;
+  /** The view to take of so many equally good ones. */
+  public int best(int views) {
+    return this == WIDEST ? views - 1 : 0;
   }
 
   /**
-   * The level with the largest value.
+   * The view with the largest value.
    *
-   * @param values holds the value of level l at {@code from + l}; infinite values are allowed, NaN
+   * @param values holds the value of view l at {@code from + l}; infinite values are allowed, NaN
    *     is not
-   * @param levels the number of levels, 1 or more
+   * @param views the number of views, 1 or more
    */
-  public int best(double[] values, int from, int levels) {
+  public int best(double[] values, int from, int views) {
     int best = 0;
     double most = values[from];
-    for (int level = 1; level < levels; level++) {
-      double value = values[from + level];
+    for (int view = 1; view < views; view++) {
+      double value = values[from + view];
       boolean better = value > most || (value == most && this == WIDEST);
-      best = better ? level : best;
+      best = better ? view : best;
       most = better ? value : most;
     }
     return best;

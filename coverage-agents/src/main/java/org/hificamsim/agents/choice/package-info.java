@@ -1,2 +1,2 @@
-/** How a camera picks among its levels: ties, exploration, randomness of its own. */
+/** How a camera picks among its views: ties, exploration, randomness of its own. */
 package org.hificamsim.agents.choice;

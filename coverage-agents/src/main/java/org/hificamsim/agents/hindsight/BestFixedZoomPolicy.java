@@ -8,7 +8,7 @@ import org.hificamsim.core.registry.Options;
  * The constant configuration with the best performance (Eq 7.2) over the very run that follows:
  * what the best fixed zoom of each camera would have been, in hindsight.
  *
- * <p>Exact where each camera has a level that includes what its others detect, as under any model
+ * <p>Exact where each camera has a view that includes what its others detect, as under any model
  * that falls with distance on round fields of view, and wherever the search ends within {@code
  * nodes}; otherwise the best configuration found until then.
  */
@@ -48,15 +48,15 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
+  public void decide(NetworkView network, int[] views) {
     if (best == null) {
       ConstantSearch search = new ConstantSearch(run, nodes);
-      best = search.levels();
+      best = search.views();
       proven = search.proven();
     }
     for (int camera = 0; camera < best.length; camera++) {
       if (network.online(camera)) {
-        levels[camera] = best[camera];
+        views[camera] = best[camera];
       }
     }
   }

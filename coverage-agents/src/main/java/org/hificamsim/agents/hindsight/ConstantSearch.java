@@ -10,16 +10,16 @@ import java.util.List;
  * The search for the constant configuration with the best performance over a run that has been
  * seen: branch and bound over the cameras, from what coordinate ascent finds.
  *
- * <p>A level whose detections another level of the camera includes is left out; where each camera
- * has one level left, there is nothing to search. The bound of a partial configuration lets every
- * undecided camera detect at all its levels at once.
+ * <p>A view whose detections another view of the camera includes is left out; where each camera has
+ * one view left, there is nothing to search. The bound of a partial configuration lets every
+ * undecided camera detect at all its views at once.
  */
 final class ConstantSearch {
-  private record Option(int level, long bound) {}
+  private record Option(int view, long bound) {}
 
   private final RunDetections run;
   private final List<int[]> candidates = new ArrayList<>();
-  private final BitSet[] anyLevel;
+  private final BitSet[] anyView;
   private final int[] k;
   private final int[] trial;
   private int[] best;
@@ -33,31 +33,31 @@ final class ConstantSearch {
   ConstantSearch(RunDetections run, long nodes) {
     this.run = run;
     this.nodesLeft = nodes;
-    this.anyLevel = new BitSet[run.cameras()];
+    this.anyView = new BitSet[run.cameras()];
     this.k = new int[run.moments()];
     this.trial = new int[run.cameras()];
     for (int camera = 0; camera < run.cameras(); camera++) {
       candidates.add(candidates(camera));
-      anyLevel[camera] = new BitSet();
-      for (int level : candidates.get(camera)) {
-        anyLevel[camera].or(run.detected(camera, level));
+      anyView[camera] = new BitSet();
+      for (int view : candidates.get(camera)) {
+        anyView[camera].or(run.detected(camera, view));
       }
       trial[camera] = candidates.get(camera)[candidates.get(camera).length - 1];
     }
     ascend();
     Arrays.fill(k, 0);
     for (int camera = 0; camera < run.cameras(); camera++) {
-      count(anyLevel[camera], 1);
+      count(anyView[camera], 1);
     }
     branch(0);
   }
 
-  /** One level per camera. */
-  int[] levels() {
+  /** One view per camera. */
+  int[] views() {
     return best.clone();
   }
 
-  /** The performance of {@link #levels} over the run. */
+  /** The performance of {@link #views} over the run. */
   long performance() {
     return bestPerformance;
   }
@@ -67,34 +67,34 @@ final class ConstantSearch {
     return complete;
   }
 
-  /** The camera's levels without those that another includes; of equal ones the narrowest stays. */
+  /** The camera's views without those that another includes; of equal ones the narrowest stays. */
   private int[] candidates(int camera) {
     List<Integer> kept = new ArrayList<>();
-    for (int level = 0; level < run.levels(camera); level++) {
-      if (!superfluous(camera, level)) {
-        kept.add(level);
+    for (int view = 0; view < run.views(camera); view++) {
+      if (!superfluous(camera, view)) {
+        kept.add(view);
       }
     }
     return kept.stream().mapToInt(Integer::intValue).toArray();
   }
 
-  private boolean superfluous(int camera, int level) {
-    for (int other = 0; other < run.levels(camera); other++) {
-      boolean within = other != level && minus(camera, level, camera, other).isEmpty();
-      if (within && (other < level || !minus(camera, other, camera, level).isEmpty())) {
+  private boolean superfluous(int camera, int view) {
+    for (int other = 0; other < run.views(camera); other++) {
+      boolean within = other != view && minus(camera, view, camera, other).isEmpty();
+      if (within && (other < view || !minus(camera, other, camera, view).isEmpty())) {
         return true;
       }
     }
     return false;
   }
 
-  private BitSet minus(int camera, int level, int otherCamera, int otherLevel) {
-    BitSet rest = (BitSet) run.detected(camera, level).clone();
+  private BitSet minus(int camera, int view, int otherCamera, int otherLevel) {
+    BitSet rest = (BitSet) run.detected(camera, view).clone();
     rest.andNot(run.detected(otherCamera, otherLevel));
     return rest;
   }
 
-  /** Changes one camera after the other to its best level, until none gets better. */
+  /** Changes one camera after the other to its best view, until none gets better. */
   private void ascend() {
     for (int camera = 0; camera < trial.length; camera++) {
       count(run.detected(camera, trial[camera]), 1);
@@ -112,9 +112,9 @@ final class ConstantSearch {
 
   private boolean improve(int camera) {
     boolean better = false;
-    for (int level : candidates.get(camera)) {
+    for (int view : candidates.get(camera)) {
       int before = trial[camera];
-      exchange(camera, level);
+      exchange(camera, view);
       long performance = run.performance(k);
       if (performance > bestPerformance) {
         bestPerformance = performance;
@@ -127,10 +127,10 @@ final class ConstantSearch {
     return better;
   }
 
-  private void exchange(int camera, int level) {
+  private void exchange(int camera, int view) {
     count(run.detected(camera, trial[camera]), -1);
-    count(run.detected(camera, level), 1);
-    trial[camera] = level;
+    count(run.detected(camera, view), 1);
+    trial[camera] = view;
   }
 
   private void branch(int camera) {
@@ -147,31 +147,31 @@ final class ConstantSearch {
         complete = false;
         return;
       }
-      BitSet lost = lost(camera, option.level());
+      BitSet lost = lost(camera, option.view());
       count(lost, -1);
-      trial[camera] = option.level();
+      trial[camera] = option.view();
       branch(camera + 1);
       count(lost, 1);
     }
   }
 
-  /** The camera's levels with their bounds, the most promising first. */
+  /** The camera's views with their bounds, the most promising first. */
   private List<Option> options(int camera) {
     List<Option> options = new ArrayList<>();
-    for (int level : candidates.get(camera)) {
-      BitSet lost = lost(camera, level);
+    for (int view : candidates.get(camera)) {
+      BitSet lost = lost(camera, view);
       count(lost, -1);
-      options.add(new Option(level, run.performance(k)));
+      options.add(new Option(view, run.performance(k)));
       count(lost, 1);
     }
     options.sort(Comparator.comparingLong(Option::bound).reversed());
     return options;
   }
 
-  /** The moments that the camera detects at some level but not at this one. */
-  private BitSet lost(int camera, int level) {
-    BitSet lost = (BitSet) anyLevel[camera].clone();
-    lost.andNot(run.detected(camera, level));
+  /** The moments that the camera detects at some view but not at this one. */
+  private BitSet lost(int camera, int view) {
+    BitSet lost = (BitSet) anyView[camera].clone();
+    lost.andNot(run.detected(camera, view));
     return lost;
   }
 

@@ -7,10 +7,10 @@ import java.util.List;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * What each camera would have detected at each of its levels over a whole run.
+ * What each camera would have detected at each of its views over a whole run.
  *
  * <p>A moment is one target present in one step; the moments of a step follow each other. Each
- * camera and level has the set of moments that it detects.
+ * camera and view has the set of moments that it detects.
  */
 final class RunDetections {
   private final List<BitSet[]> seen = new ArrayList<>();
@@ -21,9 +21,9 @@ final class RunDetections {
   /** Adds a step, as the network is now. */
   void add(NetworkView network) {
     for (int camera = seen.size(); camera < network.cameras(); camera++) {
-      BitSet[] levels = new BitSet[network.levels(camera)];
-      Arrays.setAll(levels, level -> new BitSet());
-      seen.add(levels);
+      BitSet[] views = new BitSet[network.views(camera)];
+      Arrays.setAll(views, view -> new BitSet());
+      seen.add(views);
     }
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
@@ -36,8 +36,8 @@ final class RunDetections {
 
   private void look(NetworkView network, int target, int moment) {
     for (int camera = 0; camera < network.cameras(); camera++) {
-      for (int level = 0; network.online(camera) && level < network.levels(camera); level++) {
-        seen.get(camera)[level].set(moment, network.oracle().detects(camera, level, target));
+      for (int view = 0; network.online(camera) && view < network.views(camera); view++) {
+        seen.get(camera)[view].set(moment, network.oracle().detects(camera, view, target));
       }
     }
   }
@@ -50,13 +50,13 @@ final class RunDetections {
     return moments;
   }
 
-  int levels(int camera) {
+  int views(int camera) {
     return seen.get(camera).length;
   }
 
-  /** The moments that a camera detects at a level. */
-  BitSet detected(int camera, int level) {
-    return seen.get(camera)[level];
+  /** The moments that a camera detects at a view. */
+  BitSet detected(int camera, int view) {
+    return seen.get(camera)[view];
   }
 
   /**

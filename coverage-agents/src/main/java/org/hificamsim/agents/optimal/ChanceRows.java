@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * What each online camera's levels are worth in a step: rows of chances, by target. A level that is
+ * What each online camera's views are worth in a step: rows of chances, by target. A view that is
  * nowhere better than another one of its camera is left out; of equal ones the narrowest stays.
  */
 final class ChanceRows {
@@ -14,7 +14,7 @@ final class ChanceRows {
   private final int[] present;
   private final int[] cameraOf;
   private final int[] firstRow;
-  private final int[] levelOf;
+  private final int[] viewOf;
   private final int[] begin;
   private int[] target = new int[16];
   private double[] chance = new double[16];
@@ -22,9 +22,9 @@ final class ChanceRows {
   private int cameras;
 
   ChanceRows(OracleView network) {
-    int levels = 0;
+    int views = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
-      levels += network.levels(camera);
+      views += network.views(camera);
     }
     who = new int[network.targets()];
     chances = new double[network.targets()];
@@ -32,8 +32,8 @@ final class ChanceRows {
     present = new int[network.targets()];
     cameraOf = new int[network.cameras()];
     firstRow = new int[network.cameras() + 1];
-    levelOf = new int[levels];
-    begin = new int[levels + 1];
+    viewOf = new int[views];
+    begin = new int[views + 1];
   }
 
   /** Takes the network as it is now; returns whether any target is present. */
@@ -62,9 +62,9 @@ final class ChanceRows {
   /** Adds the rows of a camera from an index on; returns the index behind the last. */
   private int addRows(OracleView network, int camera, int from) {
     int rows = from;
-    for (int level = 0; level < network.levels(camera); level++) {
-      int count = network.chances(camera, level, who, chances);
-      append(rows, level, count);
+    for (int view = 0; view < network.views(camera); view++) {
+      int count = network.chances(camera, view, who, chances);
+      append(rows, view, count);
       if (!isDominated(rows, from, rows)) {
         rows = withoutDominated(from, rows);
       }
@@ -72,7 +72,7 @@ final class ChanceRows {
     return rows;
   }
 
-  private void append(int row, int level, int count) {
+  private void append(int row, int view, int count) {
     int end = begin[row] + count;
     if (end > target.length) {
       target = Arrays.copyOf(target, 2 * end);
@@ -80,7 +80,7 @@ final class ChanceRows {
     }
     System.arraycopy(who, 0, target, begin[row], count);
     System.arraycopy(chances, 0, chance, begin[row], count);
-    levelOf[row] = level;
+    viewOf[row] = view;
     begin[row + 1] = end;
   }
 
@@ -109,7 +109,7 @@ final class ChanceRows {
     int count = begin[row + 1] - begin[row];
     System.arraycopy(target, begin[row], target, begin[to], count);
     System.arraycopy(chance, begin[row], chance, begin[to], count);
-    levelOf[to] = levelOf[row];
+    viewOf[to] = viewOf[row];
     begin[to + 1] = begin[to] + count;
   }
 
@@ -152,9 +152,9 @@ final class ChanceRows {
     return firstRow[camera];
   }
 
-  /** The level behind a row. */
-  int level(int row) {
-    return levelOf[row];
+  /** The view behind a row. */
+  int view(int row) {
+    return viewOf[row];
   }
 
   /** Adds a row's chances, times a factor, to the coverage of targets. */

@@ -4,7 +4,7 @@ import org.hificamsim.agents.search.CoverageSolver;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Finds the configuration of candidate levels with the best k_min (Eq 7.1) where targets are, and
+ * Finds the configuration of candidate views with the best k_min (Eq 7.1) where targets are, and
  * counts where it gave up the proof.
  */
 final class ConfigurationSearch {
@@ -21,8 +21,8 @@ final class ConfigurationSearch {
     solver = new CoverageSolver(sets.problem(), nodes);
   }
 
-  /** Writes the best configuration into {@code levels}; leaves them when no target is present. */
-  void decide(NetworkView network, CandidateLevels candidates, int[] levels) {
+  /** Writes the best configuration into {@code views}; leaves them when no target is present. */
+  void decide(NetworkView network, CandidateViews candidates, int[] views) {
     if (!sets.fill(network, candidates)) {
       return;
     }
@@ -32,7 +32,7 @@ final class ConfigurationSearch {
     int online = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        levels[camera] = sets.levelOf(solver.chosen(online++));
+        views[camera] = sets.viewOf(solver.chosen(online++));
       }
     }
   }

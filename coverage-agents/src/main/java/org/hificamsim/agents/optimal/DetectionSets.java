@@ -5,7 +5,7 @@ import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * The detection sets of each camera's candidate levels over the targets that are present, in order
+ * The detection sets of each camera's candidate views over the targets that are present, in order
  * of preference, as a coverage problem.
  *
  * <p>A set that is included in a more preferred one of the same camera is left out: it would never
@@ -15,14 +15,14 @@ final class DetectionSets {
   private final Preference preference;
   private final CoverageProblem problem;
   private final int[] placeOf;
-  private final int[] levelOf;
+  private final int[] viewOf;
   private final int allWords;
   private final long[] seen;
   private final long[] union;
   private final long[] masks;
   private final int[] order;
   private final int[] sizes;
-  private final int[] levelOfRow;
+  private final int[] viewOfRow;
   private int targets;
   private boolean everyTarget;
   private int words;
@@ -32,19 +32,19 @@ final class DetectionSets {
     int most = 0;
     int all = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
-      most = Math.max(most, network.levels(camera));
-      all += network.levels(camera);
+      most = Math.max(most, network.views(camera));
+      all += network.views(camera);
     }
     problem = new CoverageProblem(network.cameras(), all, network.targets());
     placeOf = new int[network.targets()];
-    levelOf = new int[all];
+    viewOf = new int[all];
     allWords = CoverageProblem.wordsFor(network.targets());
     seen = new long[most * allWords];
     union = new long[allWords];
     masks = new long[most * allWords];
     order = new int[most];
     sizes = new int[most];
-    levelOfRow = new int[most];
+    viewOfRow = new int[most];
   }
 
   /** The problem that {@link #fill} fills. */
@@ -52,9 +52,9 @@ final class DetectionSets {
     return problem;
   }
 
-  /** The level behind a set of the problem. */
-  int levelOf(int set) {
-    return levelOf[set];
+  /** The view behind a set of the problem. */
+  int viewOf(int set) {
+    return viewOf[set];
   }
 
   /**
@@ -62,7 +62,7 @@ final class DetectionSets {
    *
    * @return whether any target is present; if none is, the problem stays as it was
    */
-  boolean fill(NetworkView network, CandidateLevels candidates) {
+  boolean fill(NetworkView network, CandidateViews candidates) {
     findPresent(network);
     if (targets == 0) {
       return false;
@@ -88,7 +88,7 @@ final class DetectionSets {
     everyTarget = targets == network.targets();
   }
 
-  private void add(NetworkView network, int camera, CandidateLevels candidates) {
+  private void add(NetworkView network, int camera, CandidateViews candidates) {
     network.oracle().detections(camera, seen, allWords);
     int whole = firstThatSeesAll(camera, candidates);
     if (whole == 0 || (whole > 0 && preference.mostTargets())) {
@@ -100,17 +100,17 @@ final class DetectionSets {
   }
 
   /** The first candidate that detects all that any of them does; -1 when there is none. */
-  private int firstThatSeesAll(int camera, CandidateLevels candidates) {
+  private int firstThatSeesAll(int camera, CandidateViews candidates) {
     int count = candidates.count(camera);
     Arrays.fill(union, 0);
     for (int i = 0; i < count; i++) {
-      int from = candidates.level(camera, i) * allWords;
+      int from = candidates.view(camera, i) * allWords;
       for (int word = 0; word < allWords; word++) {
         union[word] |= seen[from + word];
       }
     }
     for (int i = 0; i < count; i++) {
-      int from = candidates.level(camera, i) * allWords;
+      int from = candidates.view(camera, i) * allWords;
       if (Arrays.equals(union, 0, allWords, seen, from, from + allWords)) {
         return i;
       }
@@ -118,7 +118,7 @@ final class DetectionSets {
     return -1;
   }
 
-  private void addInOrder(int camera, CandidateLevels candidates) {
+  private void addInOrder(int camera, CandidateViews candidates) {
     int count = candidates.count(camera);
     for (int i = 0; i < count; i++) {
       look(camera, candidates, i, i);
@@ -133,14 +133,14 @@ final class DetectionSets {
   }
 
   private void addSet(int row) {
-    levelOf[problem.sets()] = levelOfRow[row];
+    viewOf[problem.sets()] = viewOfRow[row];
     problem.addSet(masks, row * words);
   }
 
   /** Copies what a camera sees as candidate i, by target, into a row, by target present. */
-  private void look(int camera, CandidateLevels candidates, int i, int row) {
-    levelOfRow[row] = candidates.level(camera, i);
-    int from = levelOfRow[row] * allWords;
+  private void look(int camera, CandidateViews candidates, int i, int row) {
+    viewOfRow[row] = candidates.view(camera, i);
+    int from = viewOfRow[row] * allWords;
     int to = row * words;
     if (everyTarget) {
       System.arraycopy(seen, from, masks, to, words);

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.OracleView;
 
 /**
- * Finds the configuration with the best least expected coverage: of one level for each camera, the
+ * Finds the configuration with the best least expected coverage: of one view for each camera, the
  * greatest minimum over the targets of the sum of their chances.
  *
  * <p>For any weights of the targets that add up to 1, the sum over the cameras of their best
@@ -49,11 +49,11 @@ final class ExpectedSearch {
   }
 
   /**
-   * Writes the best configuration into {@code levels}; leaves them when no target is present.
+   * Writes the best configuration into {@code views}; leaves them when no target is present.
    *
    * @return whether it is proven to be the best
    */
-  boolean decide(OracleView network, int[] levels) {
+  boolean decide(OracleView network, int[] views) {
     value = -1;
     bound = 0;
     if (!rows.fill(network)) {
@@ -64,7 +64,7 @@ final class ExpectedSearch {
     measure();
     bound = proven ? value : bound;
     for (int camera = 0; camera < rows.cameras(); camera++) {
-      levels[rows.camera(camera)] = rows.level(best[camera]);
+      views[rows.camera(camera)] = rows.view(best[camera]);
     }
     return proven;
   }

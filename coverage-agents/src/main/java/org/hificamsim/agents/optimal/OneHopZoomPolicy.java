@@ -7,18 +7,18 @@ import org.hificamsim.core.registry.Options;
 
 /**
  * The configuration with the best k_min (Eq 7.1) among those in which no camera moves by more than
- * one level: thesis 7.4.1's "reachable from the current zoom level", found exactly at each step.
+ * one view: thesis 7.4.1's "reachable from the current zoom level", found exactly at each step.
  *
  * <p>Which of several best configurations is taken decides what can be reached next. It is the one
- * in which camera 0 is at the level that the option {@code ties} prefers, then camera 1, and so on;
- * the widest by default. With no target present the levels stay.
+ * in which camera 0 is at the view that the option {@code ties} prefers, then camera 1, and so on;
+ * the widest by default. With no target present the views stay.
  */
 public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   public static final String NAME = "one-hop";
 
   private final Preference preference;
   private final int nodes;
-  private CandidateLevels candidates;
+  private CandidateViews candidates;
   private ConfigurationSearch search;
 
   /**
@@ -55,21 +55,21 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    candidates = new CandidateLevels(network);
+    candidates = new CandidateViews(network);
     search = new ConfigurationSearch(network, preference, nodes);
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
+  public void decide(NetworkView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       candidates.clear(camera);
-      int lowest = Math.max(0, network.level(camera) - 1);
-      int highest = Math.min(network.levels(camera) - 1, network.level(camera) + 1);
+      int lowest = Math.max(0, network.view(camera) - 1);
+      int highest = Math.min(network.views(camera) - 1, network.view(camera) + 1);
       for (int i = 0; i <= highest - lowest; i++) {
         candidates.add(camera, preference.widest() ? highest - i : lowest + i);
       }
     }
-    search.decide(network, candidates, levels);
+    search.decide(network, candidates, views);
   }
 
   @Override

@@ -10,7 +10,7 @@ import org.hificamsim.core.registry.Options;
  * that can be done without knowing the luck that will be drawn ({@code docs/detection.md}). Found
  * exactly at each step by {@link ExpectedSearch}. By a threshold it looks for the best k_min, as
  * {@link OptimalZoomPolicy} does, but without telling what it could not prove. With no target
- * present the levels stay.
+ * present the views stay.
  */
 public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPolicy {
   public static final String NAME = "optimal-expected";
@@ -45,8 +45,8 @@ public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPo
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
-    unprovenSteps += search.decide(network.oracle(), levels) ? 0 : 1;
+  public void decide(NetworkView network, int[] views) {
+    unprovenSteps += search.decide(network.oracle(), views) ? 0 : 1;
     gap += search.bound() - search.value();
   }
 

@@ -9,17 +9,17 @@ import org.hificamsim.core.registry.Options;
  * The configuration with the best k_min of all (Eq 7.1), found exactly at each step: the upper
  * bound that thesis 7.4.1 calls greedy, computed there by trying all Z^C configurations.
  *
- * <p>A camera with a level proven to detect all that its others detect stays at that level, the
- * narrowest such; where all cameras have one, there is nothing to search. Otherwise levels that
- * another one dominates are left out, and among configurations of the remaining levels with the
- * best k_min it is the one in which camera 0 detects most targets, then at its narrowest level,
- * then camera 1, and so on. With no target present the levels stay.
+ * <p>A camera with a view proven to detect all that its others detect stays at that view, the
+ * narrowest such; where all cameras have one, there is nothing to search. Otherwise views that
+ * another one dominates are left out, and among configurations of the remaining views with the best
+ * k_min it is the one in which camera 0 detects most targets, then at its narrowest view, then
+ * camera 1, and so on. With no target present the views stay.
  */
 public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   public static final String NAME = "optimal";
 
   private final int nodes;
-  private CandidateLevels candidates;
+  private CandidateViews candidates;
   private ConfigurationSearch search;
   private int revision;
   private boolean settled;
@@ -47,20 +47,20 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    candidates = new CandidateLevels(network);
+    candidates = new CandidateViews(network);
     findCandidates(network);
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
+  public void decide(NetworkView network, int[] views) {
     if (network.revision() != revision) {
       findCandidates(network);
     }
     if (!settled) {
       search = search != null ? search : newSearch(network);
-      search.decide(network, candidates, levels);
+      search.decide(network, candidates, views);
     } else if (anyPresent(network)) {
-      settle(network, levels);
+      settle(network, views);
     }
   }
 
@@ -83,18 +83,18 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
     settled = true;
     for (int camera = 0; camera < network.cameras(); camera++) {
       candidates.clear(camera);
-      for (int level = 0; level < network.levels(camera); level++) {
-        candidates.add(camera, level);
+      for (int view = 0; view < network.views(camera); view++) {
+        candidates.add(camera, view);
       }
       candidates.removeDominated(network, camera);
       settled &= candidates.count(camera) == 1 || !network.online(camera);
     }
   }
 
-  private void settle(NetworkView network, int[] levels) {
+  private void settle(NetworkView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        levels[camera] = candidates.level(camera, 0);
+        views[camera] = candidates.view(camera, 0);
       }
     }
   }

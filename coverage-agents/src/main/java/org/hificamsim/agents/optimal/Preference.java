@@ -15,12 +15,12 @@ public enum Preference {
     this.widest = widest;
   }
 
-  /** Whether a level that detects more targets comes first, before its width counts. */
+  /** Whether a view that detects more targets comes first, before its width counts. */
   boolean mostTargets() {
     return mostTargets;
   }
 
-  /** Whether the wider of two levels comes first. */
+  /** Whether the wider of two views comes first. */
   boolean widest() {
     return widest;
   }

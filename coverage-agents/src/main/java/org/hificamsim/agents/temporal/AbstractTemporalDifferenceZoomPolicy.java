@@ -8,7 +8,7 @@ import org.hificamsim.core.policy.NetworkView;
 
 /**
  * Temporal-difference learning (thesis 7.4.4): each camera learns the values Q(s, a) of its
- * actions, which are its levels, in its states.
+ * actions, which are its views, in its states.
  *
  * <p>An action is rewarded for the count that it led to; rewarding it for the change of the step
  * after would teach nothing. A camera that was offline in between gets no reward for what it
@@ -57,7 +57,7 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   protected final int choose(NetworkView network, int camera) {
     int count = network.detected(camera);
     int state = q.state(network, camera);
-    int action = choice.choose(camera, network.levels(camera), greedy(camera, state));
+    int action = choice.choose(camera, network.views(camera), greedy(camera, state));
     if (lastState[camera] != NONE) {
       learn(camera, count, nextValue(camera, state, action));
     }
@@ -85,11 +85,11 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
 
   /** In blocks, for speed alone: {@link ActionValues#fetch}. */
   @Override
-  protected final void chooseAll(NetworkView network, int[] levels, int from, int to) {
+  protected final void chooseAll(NetworkView network, int[] views, int from, int to) {
     for (int first = from; first < to; first += ActionValues.BLOCK) {
       int end = Math.min(to, first + ActionValues.BLOCK);
       q.fetch(network, lastState, first, end);
-      super.chooseAll(network, levels, first, end);
+      super.chooseAll(network, views, first, end);
     }
   }
 
@@ -101,9 +101,9 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   public final String estimates(
       NetworkView network, int camera, double[] estimates, double[] counts) {
     int state = q.state(network, camera);
-    for (int level = 0; level < network.levels(camera); level++) {
-      estimates[level] = q.value(camera, state, level);
-      counts[level] = Double.NaN;
+    for (int view = 0; view < network.views(camera); view++) {
+      estimates[view] = q.value(camera, state, view);
+      counts[view] = Double.NaN;
     }
     return "Q";
   }

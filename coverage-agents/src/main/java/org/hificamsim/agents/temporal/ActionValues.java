@@ -41,7 +41,7 @@ public final class ActionValues {
   private final Ties ties;
   private final double initialValue;
   private final int counts;
-  private final int[] levels;
+  private final int[] views;
 
   /** By camera; a row for each state: its actions' values, then a bound on those but the best. */
   private final double[][] values;
@@ -60,8 +60,8 @@ public final class ActionValues {
     ties = settings.ties();
     initialValue = settings.initialValue();
     counts = reading.counts(network.targets());
-    levels = IntStream.range(0, network.cameras()).map(network::levels).toArray();
-    if (size(Arrays.stream(levels).max().orElse(1)) > MAX_VALUES) {
+    views = IntStream.range(0, network.cameras()).map(network::views).toArray();
+    if (size(Arrays.stream(views).max().orElse(1)) > MAX_VALUES) {
       throw new InputException(
           "a camera's table of action values needs more than "
               + MAX_VALUES
@@ -69,63 +69,63 @@ public final class ActionValues {
               + network.targets()
               + " targets. Maybe give the option state=none");
     }
-    boolean whole = Arrays.stream(levels).mapToLong(this::size).sum() <= MAX_WHOLE;
-    values = new double[levels.length][0];
-    best = new int[levels.length][0];
-    for (int camera = 0; camera < levels.length; camera++) {
+    boolean whole = Arrays.stream(views).mapToLong(this::size).sum() <= MAX_WHOLE;
+    values = new double[views.length][0];
+    best = new int[views.length][0];
+    for (int camera = 0; camera < views.length; camera++) {
       resize(camera, whole ? counts : Math.min(counts, FIRST_COUNTS));
     }
   }
 
-  private long size(int ofLevels) {
-    return (long) counts * reading.statesPerCount(ofLevels) * width(ofLevels);
+  private long size(int ofViews) {
+    return (long) counts * reading.statesPerCount(ofViews) * width(ofViews);
   }
 
-  private static int width(int ofLevels) {
-    return ofLevels + 1;
+  private static int width(int ofViews) {
+    return ofViews + 1;
   }
 
   /** The number of a camera's present state. */
   public int state(NetworkView network, int camera) {
-    return state(camera, network.level(camera), network.detected(camera));
+    return state(camera, network.view(camera), network.detected(camera));
   }
 
   /**
    * The number of a camera's state, from 0.
    *
-   * @param level level in [0, levels of the camera)
+   * @param view view in [0, views of the camera)
    * @param detected number of targets in [0, all targets]
    */
-  public int state(int camera, int level, int detected) {
-    return reading.state(level, detected, levels[camera]);
+  public int state(int camera, int view, int detected) {
+    return reading.state(view, detected, views[camera]);
   }
 
-  /** Whether the camera has levels enough to ever be at this one. */
-  public boolean knows(int camera, int level) {
-    return reading != StateReading.LEVEL_COUNT || level < levels[camera];
+  /** Whether the camera has views enough to ever be at this one. */
+  public boolean knows(int camera, int view) {
+    return reading != StateReading.LEVEL_COUNT || view < views[camera];
   }
 
   /** The best action in a state. */
   public int best(int camera, int state) {
     int[] actions = best[camera];
-    return state < actions.length ? actions[state] : ties.best(levels[camera]);
+    return state < actions.length ? actions[state] : ties.best(views[camera]);
   }
 
-  /** What a camera answers to another one's state: its best action of the levels that both have. */
-  public int answer(int camera, int level, int detected, int levelsOfOther) {
-    int state = state(camera, level, detected);
-    if (levelsOfOther >= levels[camera]) {
+  /** What a camera answers to another one's state: its best action of the views that both have. */
+  public int answer(int camera, int view, int detected, int viewsOfOther) {
+    int state = state(camera, view, detected);
+    if (viewsOfOther >= views[camera]) {
       return best(camera, state);
     }
     return state < best[camera].length
-        ? ties.best(values[camera], state * width(levels[camera]), levelsOfOther)
-        : ties.best(levelsOfOther);
+        ? ties.best(values[camera], state * width(views[camera]), viewsOfOther)
+        : ties.best(viewsOfOther);
   }
 
   /** The value of an action in a state. */
   public double value(int camera, int state, int action) {
     double[] table = values[camera];
-    int row = state * width(levels[camera]);
+    int row = state * width(views[camera]);
     return row < table.length ? table[row + action] : initialValue;
   }
 
@@ -133,8 +133,8 @@ public final class ActionValues {
   public void set(int camera, int state, int action, double value) {
     grow(camera, state);
     double[] table = values[camera];
-    int row = state * width(levels[camera]);
-    int bound = row + levels[camera];
+    int row = state * width(views[camera]);
+    int bound = row + views[camera];
     int bestAction = best[camera][state];
     table[row + action] = value;
     if (action == bestAction ? value <= table[bound] : value >= table[row + bestAction]) {
@@ -146,9 +146,9 @@ public final class ActionValues {
 
   private void findBest(int camera, int state) {
     double[] table = values[camera];
-    int row = state * width(levels[camera]);
-    int end = row + levels[camera];
-    best[camera][state] = ties.best(table, row, levels[camera]);
+    int row = state * width(views[camera]);
+    int end = row + views[camera];
+    best[camera][state] = ties.best(table, row, views[camera]);
     table[end] = Double.NEGATIVE_INFINITY;
     for (int i = row; i < end; i++) {
       if (i != row + best[camera][state]) {
@@ -161,18 +161,17 @@ public final class ActionValues {
   private void grow(int camera, int state) {
     int states = best[camera].length;
     if (state >= states) {
-      int perCount = reading.statesPerCount(levels[camera]);
+      int perCount = reading.statesPerCount(views[camera]);
       resize(camera, Math.min(counts, Math.max(2 * states, state + perCount) / perCount));
     }
   }
 
   private void resize(int camera, int toCounts) {
     int before = best[camera].length;
-    int states = toCounts * reading.statesPerCount(levels[camera]);
+    int states = toCounts * reading.statesPerCount(views[camera]);
     best[camera] = Arrays.copyOf(best[camera], states);
-    values[camera] = Arrays.copyOf(values[camera], states * width(levels[camera]));
-    Arrays.fill(
-        values[camera], before * width(levels[camera]), values[camera].length, initialValue);
+    values[camera] = Arrays.copyOf(values[camera], states * width(views[camera]));
+    Arrays.fill(values[camera], before * width(views[camera]), values[camera].length, initialValue);
     for (int state = before; state < states; state++) {
       findBest(camera, state);
     }
@@ -186,7 +185,7 @@ public final class ActionValues {
    */
   void fetch(NetworkView network, int[] lastStates, int from, int to) {
     double sum = 0;
-    for (int camera = from; camera < to && levels.length > MAX_CACHED; camera++) {
+    for (int camera = from; camera < to && views.length > MAX_CACHED; camera++) {
       sum += read(camera, state(network, camera)) + read(camera, Math.max(0, lastStates[camera]));
     }
     fetched = sum;
@@ -194,8 +193,8 @@ public final class ActionValues {
 
   /** Both ends of a row. */
   private double read(int camera, int state) {
-    int row = state * width(levels[camera]);
+    int row = state * width(views[camera]);
     double[] table = values[camera];
-    return row < table.length ? table[row] + table[row + levels[camera]] + best[camera][state] : 0;
+    return row < table.length ? table[row] + table[row + views[camera]] + best[camera][state] : 0;
   }
 }

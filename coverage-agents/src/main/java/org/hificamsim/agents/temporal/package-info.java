@@ -1,5 +1,5 @@
 /**
- * Temporal-difference learning, one learner per camera with its zoom levels as actions (thesis
+ * Temporal-difference learning, one learner per camera with its zoom views as actions (thesis
  * 7.4.4).
  */
 package org.hificamsim.agents.temporal;

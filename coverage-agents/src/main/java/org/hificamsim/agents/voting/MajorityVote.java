@@ -2,14 +2,14 @@ package org.hificamsim.agents.voting;
 
 import java.util.Arrays;
 
-/** Counts votes for levels and names the winner (thesis 7.4.5, majority voting). */
+/** Counts votes for views and names the winner (thesis 7.4.5, majority voting). */
 final class MajorityVote {
   private final VoteTies ties;
   private final int[] votes;
 
-  MajorityVote(VoteTies ties, int levels) {
+  MajorityVote(VoteTies ties, int views) {
     this.ties = ties;
-    votes = new int[levels];
+    votes = new int[views];
   }
 
   /** Forgets all votes. */
@@ -17,12 +17,12 @@ final class MajorityVote {
     Arrays.fill(votes, 0);
   }
 
-  void vote(int level) {
-    votes[level]++;
+  void vote(int view) {
+    votes[view]++;
   }
 
   /**
-   * The level with most votes.
+   * The view with most votes.
    *
    * @param own the camera's own action, which also wins where nobody voted
    */
@@ -30,10 +30,10 @@ final class MajorityVote {
     int winner = own;
     int most = ties == VoteTies.OWN ? votes[own] : 0;
     for (int i = 0; i < votes.length; i++) {
-      int level = ties == VoteTies.NARROWEST ? i : votes.length - 1 - i;
-      if (votes[level] > most) {
-        winner = level;
-        most = votes[level];
+      int view = ties == VoteTies.NARROWEST ? i : votes.length - 1 - i;
+      if (votes[view] > most) {
+        winner = view;
+        most = votes[view];
       }
     }
     return winner;

@@ -14,8 +14,8 @@ import org.hificamsim.core.registry.Options;
  * nearest neighbours.
  *
  * <p>At each decision a camera sends its state to its neighbours; each answers with the action that
- * its own table holds best for that state. Where cameras differ in their number of levels, a
- * neighbour picks among the levels that both have, and one that lacks the level the camera is at
+ * its own table holds best for that state. Where cameras differ in their number of views, a
+ * neighbour picks among the views that both have, and one that lacks the view the camera is at
  * abstains. All answers come from the tables as they stood before the step's updates. Exploring
  * starts from the vote's outcome, so it is asked for in either case.
  */
@@ -60,16 +60,16 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     elected = new int[network.cameras()];
     messages = new long[network.cameras()];
     votes = new MajorityVote[network.cameras()];
-    Arrays.setAll(votes, camera -> new MajorityVote(settings.ties(), network.levels(camera)));
+    Arrays.setAll(votes, camera -> new MajorityVote(settings.ties(), network.views(camera)));
     nearest = new NearestCameras(network, settings.neighbours());
   }
 
   /** All vote on the values as they stand, before any camera learns. */
   @Override
-  public void decide(NetworkView network, int[] levels) {
+  public void decide(NetworkView network, int[] views) {
     nearest.update(network);
     network.divide(elected, electing);
-    super.decide(network, levels);
+    super.decide(network, views);
   }
 
   @Override
@@ -84,7 +84,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   }
 
   private int elect(NetworkView network, int camera) {
-    int level = network.level(camera);
+    int view = network.view(camera);
     int detected = network.detected(camera);
     int own = q().best(camera, q().state(network, camera));
     MajorityVote vote = votes[camera];
@@ -95,8 +95,8 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     int asked = nearest.count(camera);
     for (int i = 0; i < asked; i++) {
       int neighbour = nearest.neighbour(camera, i);
-      if (q().knows(neighbour, level)) {
-        vote.vote(q().answer(neighbour, level, detected, network.levels(camera)));
+      if (q().knows(neighbour, view)) {
+        vote.vote(q().answer(neighbour, view, detected, network.views(camera)));
       }
     }
     messages[camera] += 2L * asked;

@@ -3,7 +3,7 @@ package org.hificamsim.agents.voting;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Who votes on a camera's next level and what a draw does.
+ * Who votes on a camera's next view and what a draw does.
  *
  * @param neighbours the number k of nearest cameras that are asked, 0 or more; not published
  * @param ownVote whether the camera's own best action counts as a vote
@@ -11,7 +11,7 @@ import org.hificamsim.core.registry.Options;
 public record VoteSettings(int neighbours, OwnVote ownVote, VoteTies ties) {
   private static final int MAX_NEIGHBOURS = 10_000;
 
-  /** Whether a camera votes on its own next level; thesis 7.4.5 says that it does. */
+  /** Whether a camera votes on its own next view; thesis 7.4.5 says that it does. */
   public enum OwnVote {
     YES,
     NO

@@ -17,9 +17,9 @@ class EpsilonGreedyZoomPolicyTest {
   @Test
   void startsAtTheLevelThatTiesPrefer() {
     network.step(network.begin(greedy(0, Ties.WIDEST), 1));
-    assertEquals(3, network.level(0));
+    assertEquals(3, network.view(0));
     network.step(network.begin(greedy(0, Ties.NARROWEST), 1));
-    assertEquals(0, network.level(0));
+    assertEquals(0, network.view(0));
   }
 
   @Test
@@ -28,7 +28,7 @@ class EpsilonGreedyZoomPolicyTest {
     EpsilonGreedyZoomPolicy policy = network.begin(greedy(0, Ties.WIDEST), 1);
     for (int step = 0; step < 100; step++) {
       network.step(policy);
-      assertEquals(3, network.level(0));
+      assertEquals(3, network.view(0));
     }
   }
 
@@ -39,9 +39,9 @@ class EpsilonGreedyZoomPolicyTest {
     int atBest = 0;
     for (int step = 0; step < 10_000; step++) {
       network.step(policy);
-      atBest += network.level(0) == 1 ? 1 : 0;
+      atBest += network.view(0) == 1 ? 1 : 0;
     }
-    assertTrue(atBest > 8_800 && atBest < 9_200, "at the best level in " + atBest + " steps");
+    assertTrue(atBest > 8_800 && atBest < 9_200, "at the best view in " + atBest + " steps");
   }
 
   @Test

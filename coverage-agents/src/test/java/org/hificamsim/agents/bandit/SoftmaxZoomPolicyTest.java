@@ -21,9 +21,9 @@ class SoftmaxZoomPolicyTest {
       sum += Math.exp(mean / temperature);
     }
     double chiSquare = 0;
-    for (int level = 0; level < 4; level++) {
-      double expected = 100_000 * Math.exp(means[level] / temperature) / sum;
-      chiSquare += Math.pow(times[level] - expected, 2) / expected;
+    for (int view = 0; view < 4; view++) {
+      double expected = 100_000 * Math.exp(means[view] / temperature) / sum;
+      chiSquare += Math.pow(times[view] - expected, 2) / expected;
     }
     assertTrue(chiSquare < 16.3, "chi-square with 3 degrees of freedom is " + chiSquare);
   }
@@ -42,17 +42,17 @@ class SoftmaxZoomPolicyTest {
     }
   }
 
-  /** Shows each level once, so that averages are exact, and counts the levels drawn after. */
+  /** Shows each view once, so that averages are exact, and counts the views drawn after. */
   private int[] afterLearning(SoftmaxZoomPolicy policy, int steps) {
-    for (int level = 0; level < 4; level++) {
-      network.setLevel(0, level);
+    for (int view = 0; view < 4; view++) {
+      network.setLevel(0, view);
       network.observe();
       policy.learn(network);
     }
     int[] times = new int[4];
     for (int step = 0; step < steps; step++) {
       network.step(policy);
-      times[network.level(0)]++;
+      times[network.view(0)]++;
     }
     return times;
   }

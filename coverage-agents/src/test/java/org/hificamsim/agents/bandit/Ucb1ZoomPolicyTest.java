@@ -17,7 +17,7 @@ class Ucb1ZoomPolicyTest {
     int[] order = new int[3];
     for (int step = 0; step < 3; step++) {
       network.step(policy);
-      order[step] = network.level(0);
+      order[step] = network.view(0);
     }
     assertArrayEquals(new int[] {2, 1, 0}, order);
   }
@@ -27,7 +27,7 @@ class Ucb1ZoomPolicyTest {
     Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(0, Ties.WIDEST), 1);
     for (int step = 0; step < 50; step++) {
       network.step(policy);
-      assertTrue(step < 3 || network.level(0) == 1);
+      assertTrue(step < 3 || network.view(0) == 1);
     }
   }
 
@@ -42,17 +42,17 @@ class Ucb1ZoomPolicyTest {
     }
     for (int n = 3; n < 500; n++) {
       int best = 2;
-      for (int level = 1; level >= 0; level--) {
-        best = bound(c, means, pulls, n, level) > bound(c, means, pulls, n, best) ? level : best;
+      for (int view = 1; view >= 0; view--) {
+        best = bound(c, means, pulls, n, view) > bound(c, means, pulls, n, best) ? view : best;
       }
       network.step(policy);
-      assertEquals(best, network.level(0), "decision " + n);
+      assertEquals(best, network.view(0), "decision " + n);
       pulls[best]++;
     }
-    assertTrue(pulls[1] > 300, "used the best level " + pulls[1] + " times");
+    assertTrue(pulls[1] > 300, "used the best view " + pulls[1] + " times");
   }
 
-  private static double bound(double c, double[] means, int[] pulls, int n, int level) {
-    return means[level] + c * Math.sqrt(StrictMath.log(n) / pulls[level]);
+  private static double bound(double c, double[] means, int[] pulls, int n, int view) {
+    return means[view] + c * Math.sqrt(StrictMath.log(n) / pulls[view]);
   }
 }

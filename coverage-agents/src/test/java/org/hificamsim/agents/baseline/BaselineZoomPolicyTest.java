@@ -59,7 +59,7 @@ class BaselineZoomPolicyTest {
     int[] times = new int[5];
     for (int step = 0; step < 50_000; step++) {
       network.step(policy);
-      times[network.level(0)]++;
+      times[network.view(0)]++;
     }
     double chiSquare = 0;
     for (int count : times) {
@@ -77,7 +77,7 @@ class BaselineZoomPolicyTest {
     for (int step = 0; step < 100; step++) {
       network.step(policy);
       other.step(same);
-      assertEquals(network.level(1), other.level(1));
+      assertEquals(network.view(1), other.view(1));
     }
   }
 

@@ -72,9 +72,9 @@ class EpsilonGreedyChoiceTest {
       times[choice.choose(0, 5, 3)]++;
     }
     double chiSquare = 0;
-    for (int level = 0; level < 5; level++) {
-      double expected = DRAWS * (level == 3 ? best : other);
-      chiSquare += Math.pow(times[level] - expected, 2) / expected;
+    for (int view = 0; view < 5; view++) {
+      double expected = DRAWS * (view == 3 ? best : other);
+      chiSquare += Math.pow(times[view] - expected, 2) / expected;
     }
     assertTrue(chiSquare < 18.5, "chi-square with 4 degrees of freedom is " + chiSquare);
   }

@@ -27,7 +27,7 @@ class BestFixedZoomPolicyTest {
     ConstantSearch search = new ConstantSearch(run, Long.MAX_VALUE);
     assertTrue(search.proven());
     assertEquals(bestByTryingAll(run), search.performance());
-    assertEquals(search.performance(), performance(run, search.levels()));
+    assertEquals(search.performance(), performance(run, search.views()));
   }
 
   @Test
@@ -35,7 +35,7 @@ class BestFixedZoomPolicyTest {
     RunDetections run = randomRun(new SplittableRandom(1), 6, 4, 30, 0.5);
     ConstantSearch search = new ConstantSearch(run, 0);
     assertFalse(search.proven());
-    assertEquals(search.performance(), performance(run, search.levels()));
+    assertEquals(search.performance(), performance(run, search.views()));
     assertTrue(search.performance() <= bestByTryingAll(run));
   }
 
@@ -46,7 +46,7 @@ class BestFixedZoomPolicyTest {
     network.see(0, 2, 0);
     RunDetections run = new RunDetections();
     run.add(network);
-    assertArrayEquals(new int[] {1, 0}, new ConstantSearch(run, 10).levels());
+    assertArrayEquals(new int[] {1, 0}, new ConstantSearch(run, 10).views());
   }
 
   @Test
@@ -59,10 +59,10 @@ class BestFixedZoomPolicyTest {
     network.see(0, 2, 1);
     policy.rehearse(network);
     policy.begin(network, new SplittableRandom(0));
-    int[] levels = {0};
+    int[] views = {0};
     for (int step = 0; step < 3; step++) {
-      policy.decide(network, levels);
-      assertEquals(1, levels[0]);
+      policy.decide(network, views);
+      assertEquals(1, views[0]);
     }
     assertTrue(policy.proven());
   }
@@ -75,10 +75,10 @@ class BestFixedZoomPolicyTest {
     for (int step = 0; step < steps; step++) {
       ToyNetwork network = new ToyNetwork(targets, sizes);
       for (int camera = 0; camera < cameras; camera++) {
-        for (int level = 0; level < LEVELS; level++) {
+        for (int view = 0; view < LEVELS; view++) {
           network.see(
               camera,
-              level,
+              view,
               random
                   .ints(0, targets)
                   .limit(targets)
@@ -93,28 +93,28 @@ class BestFixedZoomPolicyTest {
   }
 
   private static long bestByTryingAll(RunDetections run) {
-    int[] levels = new int[run.cameras()];
+    int[] views = new int[run.cameras()];
     long best = 0;
     do {
-      best = Math.max(best, performance(run, levels));
-    } while (next(levels));
+      best = Math.max(best, performance(run, views));
+    } while (next(views));
     return best;
   }
 
-  private static boolean next(int[] levels) {
-    for (int camera = 0; camera < levels.length; camera++) {
-      levels[camera] = (levels[camera] + 1) % LEVELS;
-      if (levels[camera] != 0) {
+  private static boolean next(int[] views) {
+    for (int camera = 0; camera < views.length; camera++) {
+      views[camera] = (views[camera] + 1) % LEVELS;
+      if (views[camera] != 0) {
         return true;
       }
     }
     return false;
   }
 
-  private static long performance(RunDetections run, int[] levels) {
+  private static long performance(RunDetections run, int[] views) {
     int[] k = new int[run.moments()];
-    for (int camera = 0; camera < levels.length; camera++) {
-      run.detected(camera, levels[camera]).stream().forEach(moment -> k[moment]++);
+    for (int camera = 0; camera < views.length; camera++) {
+      run.detected(camera, views[camera]).stream().forEach(moment -> k[moment]++);
     }
     return run.performance(Arrays.copyOf(k, k.length));
   }

@@ -6,9 +6,7 @@ import org.hificamsim.agents.toy.ToyNetwork;
 final class BestConfiguration {
   private BestConfiguration() {}
 
-  /**
-   * The best k_min over all levels in [lowest, highest] of each camera; the network is restored.
-   */
+  /** The best k_min over all views in [lowest, highest] of each camera; the network is restored. */
   static int kMin(ToyNetwork network, int[] lowest, int[] highest) {
     int[] before = network.currentLevels();
     int best = kMin(network, lowest, highest, 0);
@@ -25,8 +23,8 @@ final class BestConfiguration {
       return network.kMin();
     }
     int best = 0;
-    for (int level = lowest[camera]; level <= highest[camera]; level++) {
-      network.setLevel(camera, level);
+    for (int view = lowest[camera]; view <= highest[camera]; view++) {
+      network.setLevel(camera, view);
       best = Math.max(best, kMin(network, lowest, highest, camera + 1));
     }
     return best;

@@ -49,7 +49,7 @@ class OneHopZoomPolicyTest {
     network.setLevel(0, 1);
     Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
     network.decide(network.begin(new OneHopZoomPolicy(preference), 1));
-    assertEquals(1, network.level(0));
+    assertEquals(1, network.view(0));
   }
 
   @Test
@@ -58,7 +58,7 @@ class OneHopZoomPolicyTest {
     network.setLevel(0, 1);
     network.showTarget(0, false);
     network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST), 1));
-    assertEquals(1, network.level(0));
+    assertEquals(1, network.view(0));
   }
 
   private static void compare(GeometricNetwork network, Preference preference) {
@@ -69,13 +69,13 @@ class OneHopZoomPolicyTest {
       int[] highest = new int[before.length];
       for (int camera = 0; camera < before.length; camera++) {
         lowest[camera] = Math.max(0, before[camera] - 1);
-        highest[camera] = Math.min(network.levels(camera) - 1, before[camera] + 1);
+        highest[camera] = Math.min(network.views(camera) - 1, before[camera] + 1);
       }
       network.decide(policy);
       network.observe();
       int found = network.kMin();
       for (int camera = 0; camera < before.length; camera++) {
-        assertTrue(Math.abs(network.level(camera) - before[camera]) <= 1);
+        assertTrue(Math.abs(network.view(camera) - before[camera]) <= 1);
       }
       assertEquals(BestConfiguration.kMin(network, lowest, highest), found);
       network.scatter();

@@ -14,27 +14,27 @@ import org.junit.jupiter.api.Test;
 
 /** Against all configurations, one by one. */
 class OptimalExpectedZoomPolicyTest {
-  /** Chances at random: some 0, some 1, some levels equal, some better than others throughout. */
+  /** Chances at random: some 0, some 1, some views equal, some better than others throughout. */
   private static final class Chances extends ToyNetwork {
     private final double[][][] chances;
 
-    Chances(int targets, int[] levels, SplittableRandom random) {
-      super(targets, levels);
-      chances = new double[levels.length][][];
-      for (int camera = 0; camera < levels.length; camera++) {
-        chances[camera] = new double[levels[camera]][targets];
-        for (int level = 0; level < levels[camera]; level++) {
+    Chances(int targets, int[] views, SplittableRandom random) {
+      super(targets, views);
+      chances = new double[views.length][][];
+      for (int camera = 0; camera < views.length; camera++) {
+        chances[camera] = new double[views[camera]][targets];
+        for (int view = 0; view < views[camera]; view++) {
           for (int target = 0; target < targets; target++) {
             double drawn = Math.max(0, Math.min(1, random.nextDouble(-0.5, 1.2)));
-            chances[camera][level][target] = random.nextInt(4) == 0 ? Math.rint(drawn) : drawn;
+            chances[camera][view][target] = random.nextInt(4) == 0 ? Math.rint(drawn) : drawn;
           }
         }
       }
     }
 
     @Override
-    public double chance(int camera, int level, int target) {
-      return chances[camera][level][target];
+    public double chance(int camera, int view, int target) {
+      return chances[camera][view][target];
     }
 
     double least(int[] at) {
@@ -54,8 +54,8 @@ class OptimalExpectedZoomPolicyTest {
         return least(at);
       }
       double best = 0;
-      for (int level = 0; level < levels(camera); level++) {
-        at[camera] = level;
+      for (int view = 0; view < views(camera); view++) {
+        at[camera] = view;
         best = Math.max(best, best(at, camera + 1));
       }
       return best;
@@ -63,11 +63,11 @@ class OptimalExpectedZoomPolicyTest {
   }
 
   private static Chances network(int cameras, int targets, SplittableRandom random) {
-    int[] levels = new int[cameras];
+    int[] views = new int[cameras];
     for (int camera = 0; camera < cameras; camera++) {
-      levels[camera] = 1 + random.nextInt(4);
+      views[camera] = 1 + random.nextInt(4);
     }
-    return new Chances(targets, levels, random);
+    return new Chances(targets, views, random);
   }
 
   @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)

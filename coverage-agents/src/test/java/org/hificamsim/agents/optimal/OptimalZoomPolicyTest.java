@@ -44,18 +44,18 @@ class OptimalZoomPolicyTest {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
     network.decide(policy);
-    int[] levels = network.currentLevels();
+    int[] views = network.currentLevels();
     long asked = network.globalQueries();
     for (int step = 0; step < 100; step++) {
       network.scatter();
       network.decide(policy);
-      assertArrayEquals(levels, network.currentLevels());
+      assertArrayEquals(views, network.currentLevels());
     }
     assertEquals(asked, network.globalQueries());
-    for (int camera = 0; camera < levels.length; camera++) {
-      for (int level = 0; level < network.levels(camera); level++) {
-        assertTrue(network.dominates(camera, levels[camera], level));
-        assertTrue(level >= levels[camera] || !network.dominates(camera, level, levels[camera]));
+    for (int camera = 0; camera < views.length; camera++) {
+      for (int view = 0; view < network.views(camera); view++) {
+        assertTrue(network.dominates(camera, views[camera], view));
+        assertTrue(view >= views[camera] || !network.dominates(camera, view, views[camera]));
       }
     }
   }
@@ -86,23 +86,23 @@ class OptimalZoomPolicyTest {
   @Test
   void keepsTheLevelsOfCamerasWithADominatingLevelTooWhileNoTargetIsPresent() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
-    int[] levels = network.currentLevels();
+    int[] views = network.currentLevels();
     OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
     for (int target = 0; target < network.targets(); target++) {
       network.showTarget(target, false);
     }
     network.decide(policy);
-    assertArrayEquals(levels, network.currentLevels());
+    assertArrayEquals(views, network.currentLevels());
     network.showTarget(0, true);
     network.decide(policy);
-    assertFalse(Arrays.equals(levels, network.currentLevels()));
+    assertFalse(Arrays.equals(views, network.currentLevels()));
   }
 
   @Test
   void ofEquallyGoodLevelsTakesTheOneThatDetectsMostThenTheNarrowest() {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 0, 1).see(0, 1, 0, 1).see(0, 2, 0, 1);
     network.decide(network.begin(new OptimalZoomPolicy(), 1));
-    assertEquals(1, network.level(0));
+    assertEquals(1, network.view(0));
   }
 
   @Test
@@ -122,7 +122,7 @@ class OptimalZoomPolicyTest {
         network.decide(policy);
         network.observe();
         int found = network.kMin();
-        int[] widest = Arrays.stream(levels(network)).map(count -> count - 1).toArray();
+        int[] widest = Arrays.stream(views(network)).map(count -> count - 1).toArray();
         assertEquals(
             BestConfiguration.kMin(network, new int[widest.length], widest),
             found,
@@ -135,10 +135,10 @@ class OptimalZoomPolicyTest {
     assertTrue(positive > worlds / 10, "only " + positive + " cases could cover all targets");
   }
 
-  private static int[] levels(ToyNetwork network) {
-    int[] levels = new int[network.cameras()];
-    Arrays.setAll(levels, network::levels);
-    return levels;
+  private static int[] views(ToyNetwork network) {
+    int[] views = new int[network.cameras()];
+    Arrays.setAll(views, network::views);
+    return views;
   }
 
   @Test

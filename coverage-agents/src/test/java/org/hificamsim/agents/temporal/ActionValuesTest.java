@@ -23,7 +23,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
 
 class ActionValuesTest {
-  /** So many cameras, levels and targets that tables do not have all their states at first. */
+  /** So many cameras, views and targets that tables do not have all their states at first. */
   private static final int CAMERAS = 40;
 
   private static final int LEVELS = 5;
@@ -31,16 +31,16 @@ class ActionValuesTest {
 
   @Property(tries = 200)
   void theBestActionIsFoundAfterAnyUpdates(
-      @ForAll @IntRange(min = 1, max = 6) int levels, @ForAll Ties ties, @ForAll long seed) {
+      @ForAll @IntRange(min = 1, max = 6) int views, @ForAll Ties ties, @ForAll long seed) {
     ActionValues values =
-        new ActionValues(new ToyNetwork(2, levels), settings(StateReading.COUNT, 0, ties));
+        new ActionValues(new ToyNetwork(2, views), settings(StateReading.COUNT, 0, ties));
     SplittableRandom random = new SplittableRandom(seed);
-    double[] plain = new double[levels];
+    double[] plain = new double[views];
     for (int i = 0; i < 100; i++) {
-      int action = random.nextInt(levels);
+      int action = random.nextInt(views);
       plain[action] = random.nextInt(-3, 4); // few values, so that many are equal
       values.set(0, 1, action, plain[action]);
-      assertEquals(ties.best(plain, 0, levels), values.best(0, 1), "update " + i);
+      assertEquals(ties.best(plain, 0, views), values.best(0, 1), "update " + i);
     }
   }
 
@@ -89,9 +89,9 @@ class ActionValuesTest {
       for (int detected = 0; detected < 10; detected++) {
         assertEquals(2, values.value(0, detected, 0));
         assertEquals(ties.best(LEVELS), values.best(0, detected));
-        for (int levels = 1; levels <= LEVELS + 1; levels++) {
-          int both = Math.min(levels, LEVELS);
-          assertEquals(ties.best(both), values.answer(0, 0, detected, levels));
+        for (int views = 1; views <= LEVELS + 1; views++) {
+          int both = Math.min(views, LEVELS);
+          assertEquals(ties.best(both), values.answer(0, 0, detected, views));
         }
       }
     }
@@ -102,8 +102,8 @@ class ActionValuesTest {
     for (StateReading reading : StateReading.values()) {
       ActionValues values = new ActionValues(bigNetwork(), settings(reading));
       for (int detected = 0; detected <= 40; detected++) {
-        for (int level = 0; level < LEVELS; level++) {
-          int state = values.state(0, level, detected);
+        for (int view = 0; view < LEVELS; view++) {
+          int state = values.state(0, view, detected);
           values.set(0, state, 1, 3);
           assertEquals(1, values.best(0, state));
         }
@@ -150,7 +150,7 @@ class ActionValuesTest {
 
   @Test
   void theLargestTableThatFitsIsTaken() {
-    int counts = (1 << 28) / 128; // a row has an entry for each of 127 levels, and one more
+    int counts = (1 << 28) / 128; // a row has an entry for each of 127 views, and one more
     TemporalDifferenceSettings settings = settings(StateReading.COUNT);
     ActionValues values = new ActionValues(oneCamera(127, counts - 1), settings);
     assertEquals(126, values.best(0, counts - 1));
@@ -164,7 +164,7 @@ class ActionValuesTest {
   }
 
   /** A network that says how large it is, and no more. */
-  private static NetworkView oneCamera(int levels, int targets) {
+  private static NetworkView oneCamera(int views, int targets) {
     return (NetworkView)
         Proxy.newProxyInstance(
             NetworkView.class.getClassLoader(),
@@ -172,7 +172,7 @@ class ActionValuesTest {
             (proxy, method, arguments) ->
                 switch (method.getName()) {
                   case "cameras" -> 1;
-                  case "levels" -> levels;
+                  case "levels" -> views;
                   case "targets" -> targets;
                   default -> throw new UnsupportedOperationException(method.getName());
                 });
@@ -186,9 +186,9 @@ class ActionValuesTest {
   }
 
   private static ToyNetwork bigNetwork() {
-    int[] levels = new int[CAMERAS];
-    Arrays.fill(levels, LEVELS);
-    return new ToyNetwork(TARGETS, levels);
+    int[] views = new int[CAMERAS];
+    Arrays.fill(views, LEVELS);
+    return new ToyNetwork(TARGETS, views);
   }
 
   private static TemporalDifferenceSettings settings(StateReading reading) {

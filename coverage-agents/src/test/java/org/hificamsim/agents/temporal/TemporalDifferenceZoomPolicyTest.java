@@ -18,7 +18,7 @@ class TemporalDifferenceZoomPolicyTest {
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
-  /** Two levels; the narrow one detects two targets, the wide one (the start) none. */
+  /** Two views; the narrow one detects two targets, the wide one (the start) none. */
   private final ToyNetwork network = new ToyNetwork(2, 2).see(0, 0, 0, 1);
 
   @Test
@@ -28,7 +28,7 @@ class TemporalDifferenceZoomPolicyTest {
           begun(name + ":epsilon=0,alpha=0.5,gamma=0,ties=narrowest");
       start();
       network.step(policy);
-      assertEquals(0, network.level(0));
+      assertEquals(0, network.view(0));
       network.decide(policy);
       ActionValues values = policy.q();
       assertEquals(1, values.value(0, values.state(0, 1, 0), 0), "half of the two targets gained");
@@ -89,9 +89,9 @@ class TemporalDifferenceZoomPolicyTest {
       int atBest = 0;
       for (int step = 0; step < 5_000; step++) {
         network.step(policy);
-        atBest += network.level(0) == 0 ? 1 : 0;
+        atBest += network.view(0) == 0 ? 1 : 0;
       }
-      assertTrue(atBest > 4_200, name + " at the best level in " + atBest + " steps");
+      assertTrue(atBest > 4_200, name + " at the best view in " + atBest + " steps");
     }
   }
 
@@ -172,7 +172,7 @@ class TemporalDifferenceZoomPolicyTest {
     assertTrue(refused.getMessage().contains("state=none"), refused.getMessage());
   }
 
-  /** From the wide level to the narrow one, then explores away from it. */
+  /** From the wide view to the narrow one, then explores away from it. */
   private ActionValues forcedRound(AbstractTemporalDifferenceZoomPolicy policy) {
     ActionValues values = policy.q();
     int wide = values.state(0, 1, 0);
@@ -182,9 +182,9 @@ class TemporalDifferenceZoomPolicyTest {
     values.set(0, narrow, 1, 3);
     start();
     network.step(policy);
-    assertEquals(0, network.level(0), "explores away from the best, which is the wide level");
+    assertEquals(0, network.view(0), "explores away from the best, which is the wide view");
     network.decide(policy);
-    assertEquals(1, network.level(0), "explores away from the best, which is the narrow level");
+    assertEquals(1, network.view(0), "explores away from the best, which is the narrow view");
     return values;
   }
 

@@ -3,14 +3,14 @@ package org.hificamsim.agents.toy;
 import java.util.SplittableRandom;
 
 /**
- * A toy world in the plane: each camera detects, at each level, the targets of each size within a
+ * A toy world in the plane: each camera detects, at each view, the targets of each size within a
  * ring of distances and inside its angle of view. Targets jump to new places on request.
  */
 public final class GeometricNetwork extends ToyNetwork {
   /** What the random worlds are made of. */
   public record Kind(
       int cameras,
-      int levels,
+      int views,
       int targets,
       int sizes,
       boolean nested,
@@ -25,8 +25,8 @@ public final class GeometricNetwork extends ToyNetwork {
   private final double[][] target;
   private final int[] size;
 
-  private GeometricNetwork(Kind kind, int[] levels, SplittableRandom random) {
-    super(kind.targets, levels);
+  private GeometricNetwork(Kind kind, int[] views, SplittableRandom random) {
+    super(kind.targets, views);
     this.kind = kind;
     this.random = random;
     camera = new double[kind.cameras][];
@@ -34,12 +34,12 @@ public final class GeometricNetwork extends ToyNetwork {
     for (int c = 0; c < kind.cameras; c++) {
       double angle = kind.sectors ? 0.5 + random.nextDouble(2 * Math.PI) : 2 * Math.PI;
       camera[c] = new double[] {anywhere(), anywhere(), random.nextDouble(2 * Math.PI), angle};
-      ring[c] = new double[levels[c]][kind.sizes][];
-      for (int level = 0; level < levels[c]; level++) {
-        double outer = kind.reach * (level + 1) / levels[c];
+      ring[c] = new double[views[c]][kind.sizes][];
+      for (int view = 0; view < views[c]; view++) {
+        double outer = kind.reach * (view + 1) / views[c];
         for (int s = 0; s < kind.sizes; s++) {
           double inner = kind.nested ? 0 : random.nextDouble(outer);
-          ring[c][level][s] = new double[] {inner, inner + random.nextDouble(outer - inner)};
+          ring[c][view][s] = new double[] {inner, inner + random.nextDouble(outer - inner)};
         }
       }
     }
@@ -54,11 +54,11 @@ public final class GeometricNetwork extends ToyNetwork {
   /** A random world; the same for the same kind and seed. */
   public static GeometricNetwork random(Kind kind, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
-    int[] levels = new int[kind.cameras];
+    int[] views = new int[kind.cameras];
     for (int c = 0; c < kind.cameras; c++) {
-      levels[c] = kind.levels < 0 ? 1 + random.nextInt(-kind.levels) : kind.levels;
+      views[c] = kind.views < 0 ? 1 + random.nextInt(-kind.views) : kind.views;
     }
-    return new GeometricNetwork(kind, levels, random);
+    return new GeometricNetwork(kind, views, random);
   }
 
   /** Puts every target somewhere else. */
@@ -67,9 +67,9 @@ public final class GeometricNetwork extends ToyNetwork {
       target[t] = new double[] {anywhere(), anywhere()};
     }
     for (int c = 0; c < cameras(); c++) {
-      for (int level = 0; level < levels(c); level++) {
+      for (int view = 0; view < views(c); view++) {
         for (int t = 0; t < targets(); t++) {
-          see(c, level, t, sees(c, level, t));
+          see(c, view, t, sees(c, view, t));
         }
       }
     }
@@ -93,12 +93,12 @@ public final class GeometricNetwork extends ToyNetwork {
     return random.nextDouble(kind.field);
   }
 
-  private boolean sees(int c, int level, int t) {
+  private boolean sees(int c, int view, int t) {
     double dx = target[t][0] - camera[c][0];
     double dy = target[t][1] - camera[c][1];
     double distance = Math.hypot(dx, dy);
     double turn = Math.abs(Math.IEEEremainder(Math.atan2(dy, dx) - camera[c][2], 2 * Math.PI));
-    double[] within = ring[c][level][size[t]];
+    double[] within = ring[c][view][size[t]];
     return turn <= camera[c][3] / 2 && distance >= within[0] && distance <= within[1];
   }
 
@@ -128,9 +128,9 @@ public final class GeometricNetwork extends ToyNetwork {
   }
 
   @Override
-  protected boolean provenSuperset(int c, int level, int other) {
+  protected boolean provenSuperset(int c, int view, int other) {
     for (int s = 0; s < kind.sizes; s++) {
-      double[] outer = ring[c][level][s];
+      double[] outer = ring[c][view][s];
       double[] inner = ring[c][other][s];
       if (outer[0] > inner[0] || outer[1] < inner[1]) {
         return false;

@@ -11,8 +11,8 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * policies as the engine does and counts their use of global knowledge.
  */
 public class ToyNetwork implements OracleView {
-  private final int[] levels;
-  private final int[] level;
+  private final int[] views;
+  private final int[] view;
   private final int targets;
   private final boolean[] online;
   private final boolean[] present;
@@ -24,25 +24,25 @@ public class ToyNetwork implements OracleView {
   private long step;
   private long globalQueries;
 
-  /** All cameras online at their widest level, all targets present, nothing detected. */
-  public ToyNetwork(int targets, int... levels) {
+  /** All cameras online at their widest view, all targets present, nothing detected. */
+  public ToyNetwork(int targets, int... views) {
     this.targets = targets;
-    this.levels = levels.clone();
-    level = Arrays.stream(levels).map(count -> count - 1).toArray();
-    chosen = new int[levels.length];
-    detected = new int[levels.length];
-    online = new boolean[levels.length];
+    this.views = views.clone();
+    view = Arrays.stream(views).map(count -> count - 1).toArray();
+    chosen = new int[views.length];
+    detected = new int[views.length];
+    online = new boolean[views.length];
     Arrays.fill(online, true);
     present = new boolean[targets];
     Arrays.fill(present, true);
     coverage = new int[targets];
-    detects = new boolean[levels.length][][];
-    for (int camera = 0; camera < levels.length; camera++) {
-      detects[camera] = new boolean[levels[camera]][targets];
+    detects = new boolean[views.length][][];
+    for (int camera = 0; camera < views.length; camera++) {
+      detects[camera] = new boolean[views[camera]][targets];
     }
   }
 
-  /** Sets what a camera detects at one level to exactly these targets. */
+  /** Sets what a camera detects at one view to exactly these targets. */
   public final ToyNetwork see(int camera, int atLevel, int... seen) {
     Arrays.fill(detects[camera][atLevel], false);
     for (int target : seen) {
@@ -72,24 +72,24 @@ public class ToyNetwork implements OracleView {
     step++;
   }
 
-  /** Lets the policy decide and applies its levels. */
+  /** Lets the policy decide and applies its views. */
   public final void decide(ZoomPolicy policy) {
-    System.arraycopy(level, 0, chosen, 0, level.length);
+    System.arraycopy(view, 0, chosen, 0, view.length);
     policy.decide(this, chosen);
-    for (int camera = 0; camera < level.length; camera++) {
+    for (int camera = 0; camera < view.length; camera++) {
       if (online[camera]) {
-        level[camera] = chosen[camera];
+        view[camera] = chosen[camera];
       }
     }
   }
 
-  /** Counts what the cameras detect at their levels. */
+  /** Counts what the cameras detect at their views. */
   public final void observe() {
     Arrays.fill(detected, 0);
     Arrays.fill(coverage, 0);
-    for (int camera = 0; camera < level.length; camera++) {
+    for (int camera = 0; camera < view.length; camera++) {
       for (int target = 0; target < targets && online[camera]; target++) {
-        if (present[target] && detects[camera][level[camera]][target]) {
+        if (present[target] && detects[camera][view[camera]][target]) {
           detected[camera]++;
           coverage[target]++;
         }
@@ -112,11 +112,11 @@ public class ToyNetwork implements OracleView {
   }
 
   public final int[] currentLevels() {
-    return level.clone();
+    return view.clone();
   }
 
   public final void setLevel(int camera, int to) {
-    level[camera] = to;
+    view[camera] = to;
   }
 
   /** Starts the policy on this network. */
@@ -137,7 +137,7 @@ public class ToyNetwork implements OracleView {
 
   @Override
   public final int cameras() {
-    return levels.length;
+    return views.length;
   }
 
   @Override
@@ -166,18 +166,18 @@ public class ToyNetwork implements OracleView {
   }
 
   @Override
-  public final int levels(int camera) {
-    return levels[camera];
+  public final int views(int camera) {
+    return views[camera];
   }
 
   @Override
-  public final int level(int camera) {
-    return level[camera];
+  public final int view(int camera) {
+    return view[camera];
   }
 
   @Override
   public ZoomLevel zoom(int camera, int atLevel) {
-    return new ZoomLevel(1.0 + atLevel, 1, levels[camera], Double.NaN, 2 * Math.PI);
+    return new ZoomLevel(1.0 + atLevel, 1, views[camera], Double.NaN, 2 * Math.PI);
   }
 
   @Override
@@ -219,7 +219,7 @@ public class ToyNetwork implements OracleView {
 
   @Override
   public final double confidence(int camera, int target) {
-    return detects[camera][level[camera]][target] ? 1 : 0;
+    return detects[camera][view[camera]][target] ? 1 : 0;
   }
 
   @Override

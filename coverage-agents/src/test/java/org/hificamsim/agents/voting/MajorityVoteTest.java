@@ -45,8 +45,8 @@ class MajorityVoteTest {
   private static int winner(VoteTies ties, int own, int... votes) {
     MajorityVote vote = new MajorityVote(ties, 4);
     vote.open();
-    for (int level : votes) {
-      vote.vote(level);
+    for (int view : votes) {
+      vote.vote(view);
     }
     return vote.winner(own);
   }

@@ -55,7 +55,7 @@ class QbSarsaZoomPolicyTest {
     policy.q().set(1, policy.q().state(1, 2, 1), 0, 1);
     policy.q().set(1, policy.q().state(1, 2, 0), 1, 1);
     network.decide(policy);
-    assertEquals(0, network.level(0), "asked for a count of 1 although it detects none itself");
+    assertEquals(0, network.view(0), "asked for a count of 1 although it detects none itself");
   }
 
   @ParameterizedTest
@@ -66,7 +66,7 @@ class QbSarsaZoomPolicyTest {
     prefer(policy, 0, 2, own);
     prefer(policy, 1, 1, 1);
     network.decide(policy);
-    assertEquals(own, network.level(0));
+    assertEquals(own, network.view(0));
   }
 
   @ParameterizedTest
@@ -77,7 +77,7 @@ class QbSarsaZoomPolicyTest {
     prefer(policy, 1, 1, 3);
     policy.q().set(1, policy.q().state(1, 1, 0), best, 0.5);
     network.decide(policy);
-    assertEquals(best, network.level(0));
+    assertEquals(best, network.view(0));
   }
 
   @Test
@@ -88,7 +88,7 @@ class QbSarsaZoomPolicyTest {
     prefer(policy, 2, 2, 0);
     network.switchCamera(1, false);
     network.decide(policy);
-    assertEquals(0, network.level(0));
+    assertEquals(0, network.view(0));
     assertEquals(4, policy.messages());
   }
 
@@ -116,9 +116,9 @@ class QbSarsaZoomPolicyTest {
     int atBest = 0;
     for (int step = 0; step < 5_000; step++) {
       network.step(policy);
-      atBest += network.level(2) == 1 ? 1 : 0;
+      atBest += network.view(2) == 1 ? 1 : 0;
     }
-    assertTrue(atBest > 3_800, "at the best level in " + atBest + " steps");
+    assertTrue(atBest > 3_800, "at the best view in " + atBest + " steps");
   }
 
   private ToyNetwork learned(String spec) {
@@ -130,7 +130,7 @@ class QbSarsaZoomPolicyTest {
     return network;
   }
 
-  /** Five cameras for which the middle of three levels detects most. */
+  /** Five cameras for which the middle of three views detects most. */
   private static ToyNetwork world() {
     ToyNetwork network = new ToyNetwork(3, 3, 3, 3, 3, 3);
     for (int camera = 0; camera < 5; camera++) {
@@ -139,10 +139,10 @@ class QbSarsaZoomPolicyTest {
     return network;
   }
 
-  /** Makes the action the camera's best at that level with nothing detected. */
-  private static void prefer(QbSarsaZoomPolicy policy, int camera, int level, int action) {
+  /** Makes the action the camera's best at that view with nothing detected. */
+  private static void prefer(QbSarsaZoomPolicy policy, int camera, int view, int action) {
     ActionValues values = policy.q();
-    values.set(camera, values.state(camera, level, 0), action, 1);
+    values.set(camera, values.state(camera, view, 0), action, 1);
   }
 
   private QbSarsaZoomPolicy begun(ToyNetwork network, String spec) {

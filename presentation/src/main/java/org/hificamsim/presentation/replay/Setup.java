@@ -79,8 +79,7 @@ public record Setup(
   private static CameraPose pose(World world, int camera, DetectedRanges ranges) {
     CameraSpec spec = world.cameraSpec(camera);
     Cameras cameras = world.cameras();
-    List<Level> levels =
-        ranges.levels(cameras.levels(camera), level -> cameras.zoom(camera, level));
+    List<Level> levels = ranges.levels(cameras.views(camera), level -> cameras.zoom(camera, level));
     double angle = cameras.zoom(camera, 0).viewingAngle();
     return new CameraPose(spec.x(), spec.y(), Math.toRadians(spec.heading()), angle, levels);
   }

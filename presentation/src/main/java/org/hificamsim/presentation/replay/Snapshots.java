@@ -30,7 +30,7 @@ public final class Snapshots {
   /** What the agents' estimates are ("mean reward", "Q"); empty where they have none. */
   public String estimated(NetworkView network) {
     if (estimated == null) {
-      int most = IntStream.range(0, network.cameras()).map(network::levels).max().orElse(0);
+      int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
       estimated =
           network.cameras() == 0
               ? ""
@@ -44,7 +44,7 @@ public final class Snapshots {
     Frame frame = Frame.blank(setup, network.step(), !estimated(network).isEmpty());
     for (int camera = 0; camera < network.cameras(); camera++) {
       frame.online()[camera] = network.online(camera);
-      frame.level()[camera] = network.level(camera);
+      frame.level()[camera] = network.view(camera);
       frame.detected()[camera] = network.detected(camera);
     }
     for (int target = 0; target < network.targets(); target++) {
@@ -89,6 +89,6 @@ public final class Snapshots {
         network.cameraY(camera),
         network.cameraHeading(camera),
         network.zoom(camera, 0).viewingAngle(),
-        ranges.levels(network.levels(camera), level -> network.zoom(camera, level)));
+        ranges.levels(network.views(camera), level -> network.zoom(camera, level)));
   }
 }

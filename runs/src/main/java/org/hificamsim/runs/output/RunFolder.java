@@ -67,7 +67,7 @@ public final class RunFolder implements Closeable {
   private void zooms(int run, NetworkView network) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        int level = network.level(camera);
+        int level = network.view(camera);
         zooms.row(
             run,
             network.step(),

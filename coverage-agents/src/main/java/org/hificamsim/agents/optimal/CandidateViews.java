@@ -1,17 +1,17 @@
 package org.hificamsim.agents.optimal;
 
-import org.hificamsim.agents.choice.LevelTable;
+import org.hificamsim.agents.choice.ViewTable;
 import org.hificamsim.core.policy.NetworkView;
 
-/** The levels that each camera may take at the next step, widest or narrowest first. */
-final class CandidateLevels {
-  private final LevelTable table;
-  private final int[] levels;
+/** The views that each camera may take at the next step, widest or narrowest first. */
+final class CandidateViews {
+  private final ViewTable table;
+  private final int[] views;
   private final int[] counts;
 
-  CandidateLevels(NetworkView network) {
-    table = new LevelTable(network);
-    levels = new int[table.size()];
+  CandidateViews(NetworkView network) {
+    table = new ViewTable(network);
+    views = new int[table.size()];
     counts = new int[network.cameras()];
   }
 
@@ -21,8 +21,8 @@ final class CandidateLevels {
   }
 
   /** Adds a candidate after the camera's others. */
-  void add(int camera, int level) {
-    levels[table.offset(camera) + counts[camera]] = level;
+  void add(int camera, int view) {
+    views[table.offset(camera) + counts[camera]] = view;
     counts[camera]++;
   }
 
@@ -31,8 +31,8 @@ final class CandidateLevels {
   }
 
   /** The camera's i-th candidate. */
-  int level(int camera, int i) {
-    return levels[table.offset(camera) + i];
+  int view(int camera, int i) {
+    return views[table.offset(camera) + i];
   }
 
   /**
@@ -44,15 +44,14 @@ final class CandidateLevels {
     for (int i = counts[camera] - 1; i >= 0; i--) {
       if (dominated(network, camera, i)) {
         counts[camera]--;
-        System.arraycopy(levels, first + i + 1, levels, first + i, counts[camera] - i);
+        System.arraycopy(views, first + i + 1, views, first + i, counts[camera] - i);
       }
     }
   }
 
   private boolean dominated(NetworkView network, int camera, int i) {
     for (int other = 0; other < counts[camera]; other++) {
-      if (other != i
-          && network.oracle().dominates(camera, level(camera, other), level(camera, i))) {
+      if (other != i && network.oracle().dominates(camera, view(camera, other), view(camera, i))) {
         return true;
       }
     }

@@ -9,16 +9,16 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 
 /**
- * Where a sight finds what it knows of a camera's zoom level: rows, one for each zoom level, with
- * one entry for each size class of targets. Cameras with equal zoom levels share a row.
+ * Where a sight finds what it knows of a camera's zoom view: rows, one for each zoom view, with one
+ * entry for each size class of targets. Cameras with equal zoom views share a row.
  */
-final class LevelRows {
+final class ViewRows {
   private final Cameras cameras;
   private final double[] sizes;
   private final int[] sizeClass;
   private final ObjIntConsumer<ZoomLevel> newRow;
   private final Map<ZoomLevel, Integer> known = new HashMap<>();
-  private final int[] firstLevel;
+  private final int[] firstView;
   private final ZoomLevel[] zooms;
   private final int[] rows;
   private final boolean[] allRound;
@@ -27,22 +27,22 @@ final class LevelRows {
   /**
    * No rows yet.
    *
-   * @param newRow takes a zoom level and the first entry of its row, when it is met first
+   * @param newRow takes a zoom view and the first entry of its row, when it is met first
    */
-  LevelRows(Cameras cameras, Targets targets, ObjIntConsumer<ZoomLevel> newRow) {
+  ViewRows(Cameras cameras, Targets targets, ObjIntConsumer<ZoomLevel> newRow) {
     this.cameras = cameras;
     this.newRow = newRow;
     this.sizes = distinctSizes(targets);
     this.sizeClass = new int[targets.count()];
     Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, targets.size(target)));
-    this.firstLevel = new int[cameras.count()];
-    int levels = 0;
-    for (int camera = 0; camera < firstLevel.length; camera++) {
-      firstLevel[camera] = levels;
-      levels += cameras.levels(camera);
+    this.firstView = new int[cameras.count()];
+    int views = 0;
+    for (int camera = 0; camera < firstView.length; camera++) {
+      firstView[camera] = views;
+      views += cameras.views(camera);
     }
-    zooms = new ZoomLevel[levels];
-    rows = new int[levels];
+    zooms = new ZoomLevel[views];
+    rows = new int[views];
     allRound = new boolean[cameras.count()];
   }
 
@@ -54,13 +54,13 @@ final class LevelRows {
     revision = cameras.revision();
     for (int camera = 0; camera < cameras.count(); camera++) {
       allRound[camera] = cameras.zoom(camera, 0).allRound();
-      for (int level = 0; level < cameras.levels(camera); level++) {
-        refresh(firstLevel[camera] + level, cameras.zoom(camera, level));
+      for (int view = 0; view < cameras.views(camera); view++) {
+        refresh(firstView[camera] + view, cameras.zoom(camera, view));
       }
     }
   }
 
-  @SuppressWarnings("ReferenceEquality") // the map below tells equal levels
+  @SuppressWarnings("ReferenceEquality") // the map below tells equal views
   private void refresh(int entry, ZoomLevel zoom) {
     if (zooms[entry] != zoom) {
       zooms[entry] = zoom;
@@ -84,14 +84,14 @@ final class LevelRows {
     return sizes[of];
   }
 
-  /** The first entry of a camera's row at a level. */
-  int row(int camera, int level) {
-    return rows[firstLevel[camera] + level];
+  /** The first entry of a camera's row at a view. */
+  int row(int camera, int view) {
+    return rows[firstView[camera] + view];
   }
 
-  /** The entry for a camera at a level and a target. */
-  int entry(int camera, int level, int target) {
-    return row(camera, level) + sizeClass[target];
+  /** The entry for a camera at a view and a target. */
+  int entry(int camera, int view, int target) {
+    return row(camera, view) + sizeClass[target];
   }
 
   /** Whether the camera sees all round. */
