@@ -97,6 +97,11 @@ public final class ChanceTable {
     return luck < greatest[bin] && luck < inFull(distance);
   }
 
+  /** The same where something in between lets only a part of the chance through. */
+  public boolean detects(double distance, double luck, double transmittance) {
+    return transmittance == 1 ? detects(distance, luck) : luck < transmittance * inFull(distance);
+  }
+
   /**
    * The chance that a target is detected, to about twice {@value #TOLERANCE}, in [0, 1].
    *

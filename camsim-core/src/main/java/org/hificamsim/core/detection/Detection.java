@@ -121,6 +121,18 @@ public final class Detection {
     return certain ? value >= threshold : luck < chance(value);
   }
 
+  /**
+   * The same where something is in between: a threshold takes as much of the value as gets through,
+   * chance as much of the chance.
+   *
+   * @param transmittance how much gets through, in [0, 1]
+   */
+  public boolean detects(double value, double luck, double transmittance) {
+    return certain
+        ? transmittance > 0 && value * transmittance >= threshold
+        : luck < transmittance * chance(value);
+  }
+
   /** The distances detected at a zoom level; the model must not depend on the bearing. */
   public DetectedDistances distances(double size, ZoomLevel zoom) {
     return found.computeIfAbsent(

@@ -6,6 +6,7 @@ import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.SightLines;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
@@ -19,6 +20,7 @@ import org.hificamsim.core.world.World;
 final class BearingSight implements Sight {
   private final Cameras cameras;
   private final Targets targets;
+  private final SightLines lines;
   private final Visibility visibility;
   private final Detection detection;
   private long step;
@@ -26,6 +28,7 @@ final class BearingSight implements Sight {
   BearingSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
     this.targets = world.targets();
+    this.lines = world.sightLines();
     this.visibility = visibility;
     this.detection = visibility.detection();
   }
@@ -37,7 +40,7 @@ final class BearingSight implements Sight {
 
   @Override
   public boolean detects(int camera, int view, int target) {
-    Pose pose = cameras.pose(camera);
+    Pose pose = cameras.pose(camera, view);
     ZoomLevel zoom = cameras.zoom(camera, view);
     double x = targets.x(target);
     double y = targets.y(target);
@@ -45,19 +48,29 @@ final class BearingSight implements Sight {
     if (!(distance <= zoom.radius()) || !visibility.isInAngle(pose, zoom, x, y)) {
       return false;
     }
+    double through = through(camera, target);
+    if (through == 0) {
+      return false;
+    }
     double cosine = pose.cosine(x, y);
     double luck = visibility.luck(step, camera, target);
-    return detects(targets.size(target), distance, cosine, AngleBracket.about(cosine), zoom, luck);
+    double about = AngleBracket.about(cosine);
+    return detects(targets.size(target), distance, cosine, about, zoom, luck, through);
   }
 
   @Override
   public double chance(int camera, int view, int target) {
     return visibility.chance(
-        cameras.pose(camera),
+        cameras.pose(camera, view),
         cameras.zoom(camera, view),
         targets.x(target),
         targets.y(target),
-        targets.size(target));
+        targets.size(target),
+        through(camera, target));
+  }
+
+  private double through(int camera, int target) {
+    return lines.open() ? 1 : lines.transmittance(camera, target);
   }
 
   @Override
@@ -70,45 +83,63 @@ final class BearingSight implements Sight {
     return Sight.roundedUp(cameras.zoom(camera, view).radius());
   }
 
-  /** Distance and cosine are computed once for all views. */
+  /** Distance, luck and what gets through are found once for all views. */
   @Override
   public void mark(
       int camera, int views, PointGrid grid, int from, int to, long[] masks, int words) {
-    Pose pose = cameras.pose(camera);
     double widest = cameras.zoom(camera, 0).widestRadius();
     for (int i = from; i < to; i++) {
-      double x = grid.x(i);
-      double y = grid.y(i);
-      double distance = pose.distance(x, y);
-      if (!(distance <= widest)) {
-        continue;
-      }
+      double distance = cameras.pose(camera).distance(grid.x(i), grid.y(i));
       int target = grid.point(i);
-      double size = targets.size(target);
-      double cosine = pose.cosine(x, y);
-      double about = AngleBracket.about(cosine);
-      double luck = visibility.luck(step, camera, target);
-      for (int view = 0; view < views; view++) {
-        ZoomLevel zoom = cameras.zoom(camera, view);
-        if (distance <= zoom.radius()
-            && visibility.isInAngle(pose, zoom, x, y)
-            && detects(size, distance, cosine, about, zoom, luck)) {
-          masks[view * words + (target >> 6)] |= 1L << target;
-        }
+      double through = distance <= widest ? through(camera, target) : 0;
+      if (through > 0) {
+        mark(camera, views, target, distance, through, masks, words);
+      }
+    }
+  }
+
+  /** The angle off the axis is found once for each pan angle. */
+  private void mark(
+      int camera, int views, int target, double distance, double through, long[] masks, int words) {
+    double x = targets.x(target);
+    double y = targets.y(target);
+    double size = targets.size(target);
+    double luck = visibility.luck(step, camera, target);
+    int zooms = cameras.zooms(camera);
+    double cosine = 0;
+    double about = 0;
+    for (int view = 0; view < views; view++) {
+      Pose pose = cameras.pose(camera, view);
+      if (view % zooms == 0) {
+        cosine = pose.cosine(x, y);
+        about = AngleBracket.about(cosine);
+      }
+      ZoomLevel zoom = cameras.zoom(camera, view);
+      if (distance <= zoom.radius()
+          && visibility.isInAngle(pose, zoom, x, y)
+          && detects(size, distance, cosine, about, zoom, luck, through)) {
+        masks[view * words + (target >> 6)] |= 1L << target;
       }
     }
   }
 
   private boolean detects(
-      double size, double distance, double cosine, double about, ZoomLevel zoom, double luck) {
-    boolean detects = decides(size, distance, AngleBracket.lower(about), zoom, luck);
-    return detects == decides(size, distance, AngleBracket.upper(about), zoom, luck)
+      double size,
+      double distance,
+      double cosine,
+      double about,
+      ZoomLevel zoom,
+      double luck,
+      double through) {
+    boolean detects = decides(size, distance, AngleBracket.lower(about), zoom, luck, through);
+    return detects == decides(size, distance, AngleBracket.upper(about), zoom, luck, through)
         ? detects
-        : decides(size, distance, Math.acos(cosine), zoom, luck);
+        : decides(size, distance, Math.acos(cosine), zoom, luck, through);
   }
 
   private boolean decides(
-      double size, double distance, double offAxis, ZoomLevel zoom, double luck) {
-    return detection.detects(detection.model().confidence(size, distance, offAxis, zoom), luck);
+      double size, double distance, double offAxis, ZoomLevel zoom, double luck, double through) {
+    double value = detection.model().confidence(size, distance, offAxis, zoom);
+    return detection.detects(value, luck, through);
   }
 }

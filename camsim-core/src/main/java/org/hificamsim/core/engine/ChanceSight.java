@@ -6,6 +6,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.SightLines;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
@@ -13,6 +14,8 @@ import org.hificamsim.core.world.World;
 final class ChanceSight implements Sight {
   private final Cameras cameras;
   private final Targets targets;
+  private final SightLines lines;
+  private final boolean open;
   private final Visibility visibility;
   private final ViewRows rows;
   private ChanceTable[] tables = new ChanceTable[1];
@@ -21,6 +24,8 @@ final class ChanceSight implements Sight {
   ChanceSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
     this.targets = world.targets();
+    this.lines = world.sightLines();
+    this.open = lines.open();
     this.visibility = visibility;
     this.rows = new ViewRows(cameras, targets, this::newRow);
     rows.refresh();
@@ -45,15 +50,16 @@ final class ChanceSight implements Sight {
   @Override
   public boolean detects(int camera, int view, int target) {
     double distance = distance(camera, target);
-    return isInSight(camera, view, target, distance)
-        && table(camera, view, target).detects(distance, visibility.luck(step, camera, target));
+    return isInView(camera, view, target, distance)
+        && table(camera, view, target)
+            .detects(distance, visibility.luck(step, camera, target), through(camera, target));
   }
 
   @Override
   public double chance(int camera, int view, int target) {
     double distance = distance(camera, target);
-    return isInSight(camera, view, target, distance)
-        ? table(camera, view, target).chance(distance)
+    return isInView(camera, view, target, distance)
+        ? through(camera, target) * table(camera, view, target).chance(distance)
         : 0;
   }
 
@@ -61,19 +67,27 @@ final class ChanceSight implements Sight {
     return cameras.pose(camera).distance(targets.x(target), targets.y(target));
   }
 
-  private boolean isInSight(int camera, int view, int target, double distance) {
+  private boolean isInView(int camera, int view, int target, double distance) {
     ZoomLevel zoom = cameras.zoom(camera, view);
     return distance <= zoom.radius()
-        && (rows.allRound(camera)
+        && (rows.allRound(camera, view)
             || visibility.isInAngle(
-                cameras.pose(camera), zoom, targets.x(target), targets.y(target)));
+                cameras.pose(camera, view),
+                zoom,
+                rows.cosine(camera, view),
+                targets.x(target),
+                targets.y(target)));
+  }
+
+  private double through(int camera, int target) {
+    return open ? 1 : lines.transmittance(camera, target);
   }
 
   private ChanceTable table(int camera, int view, int target) {
     return tables[rows.entry(camera, view, target)];
   }
 
-  /** Distance and luck are found once for all views. */
+  /** Distance, luck and what gets through are found once for all views. */
   @Override
   public void mark(
       int camera, int views, PointGrid grid, int from, int to, long[] masks, int words) {
@@ -81,11 +95,12 @@ final class ChanceSight implements Sight {
     for (int i = from; i < to; i++) {
       int target = grid.point(i);
       double distance = cameras.pose(camera).distance(grid.x(i), grid.y(i));
-      if (distance <= widest) {
+      double through = distance <= widest ? through(camera, target) : 0;
+      if (through > 0) {
         double luck = visibility.luck(step, camera, target);
         for (int view = 0; view < views; view++) {
-          if (isInSight(camera, view, target, distance)
-              && table(camera, view, target).detects(distance, luck)) {
+          if (isInView(camera, view, target, distance)
+              && table(camera, view, target).detects(distance, luck, through)) {
             masks[view * words + (target >> 6)] |= 1L << target;
           }
         }

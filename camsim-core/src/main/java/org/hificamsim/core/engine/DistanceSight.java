@@ -7,20 +7,23 @@ import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.SightLines;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
- * The sight of models that depend on distance alone: the model is asked once per zoom view and
+ * The sight of models that depend on distance alone: the model is asked once per zoom level and
  * target size, and observing is a test of the squared distance.
  *
  * <p>Reaches are kept in {@linkplain ViewRows rows}. Nearly all are a single interval, held in two
- * flat arrays; the others are looked up in full. Where there is one size and the interval begins at
- * 0, what is seen is a disc, which has an array and a loop of its own.
+ * flat arrays; the others are looked up in full. Where there is one size, the interval begins at 0
+ * and nothing stands in between, what is seen is a disc, which has an array and a loop of its own.
  */
 final class DistanceSight implements Sight {
   private final Cameras cameras;
   private final Targets targets;
+  private final SightLines lines;
+  private final boolean open;
   private final Visibility visibility;
   private final ViewRows rows;
   private DetectedDistances[] reach = new DetectedDistances[1];
@@ -32,6 +35,8 @@ final class DistanceSight implements Sight {
   DistanceSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
     this.targets = world.targets();
+    this.lines = world.sightLines();
+    this.open = lines.open();
     this.visibility = visibility;
     this.rows = new ViewRows(cameras, targets, this::newRow);
     rows.refresh();
@@ -65,28 +70,46 @@ final class DistanceSight implements Sight {
     single[at] = set.intervals() == 1;
     from[at] = set.intervals() == 0 ? Double.POSITIVE_INFINITY : set.from(0);
     to[at] = set.intervals() == 0 ? -1 : set.to(set.intervals() - 1);
-    boolean whole = rows.sizes() == 1 && single[at] && from[at] == 0;
+    boolean whole = open && rows.sizes() == 1 && single[at] && from[at] == 0;
     disc[at] = whole ? Math.nextUp(to[at]) : Double.NaN;
   }
 
   @Override
   public boolean detects(int camera, int view, int target) {
     double squared = cameras.pose(camera).squaredDistance(targets.x(target), targets.y(target));
-    return detects(camera, view, target, squared);
+    return isInView(camera, view, target, squared)
+        && (open || passes(camera, view, target, lines.transmittance(camera, target)));
   }
 
-  private boolean detects(int camera, int view, int target, double squared) {
+  /** Whether the target is near and wide enough off the axis to be detected in the open. */
+  private boolean isInView(int camera, int view, int target, double squared) {
     int at = rows.entry(camera, view, target);
     if (!(squared >= from[at] && squared <= to[at])) {
       return false;
     }
     return (single[at] || reach[at].contains(squared))
-        && (rows.allRound(camera) || isInAngle(camera, view, target));
+        && (rows.allRound(camera, view) || isInAngle(camera, view, target));
   }
 
   private boolean isInAngle(int camera, int view, int target) {
     return visibility.isInAngle(
-        cameras.pose(camera), cameras.zoom(camera, view), targets.x(target), targets.y(target));
+        cameras.pose(camera, view),
+        cameras.zoom(camera, view),
+        rows.cosine(camera, view),
+        targets.x(target),
+        targets.y(target));
+  }
+
+  /** Whether enough of a target that is in view gets through. */
+  private boolean passes(int camera, int view, int target, double transmittance) {
+    if (transmittance == 0 || transmittance == 1) {
+      return transmittance == 1;
+    }
+    double distance = cameras.pose(camera).distance(targets.x(target), targets.y(target));
+    ZoomLevel zoom = cameras.zoom(camera, view);
+    double value =
+        visibility.detection().model().confidence(targets.size(target), distance, 0, zoom);
+    return visibility.detection().detects(value, 0, transmittance);
   }
 
   @Override
@@ -102,7 +125,7 @@ final class DistanceSight implements Sight {
   @Override
   public int look(int camera, int view, PointGrid grid, int begin, int end, int[] counts) {
     double below = disc[rows.row(camera, view)];
-    return below > 0 && rows.allRound(camera)
+    return below > 0 && rows.allRound(camera, view)
         ? lookAllRound(cameras.pose(camera), below, grid, begin, end, counts)
         : Sight.super.look(camera, view, grid, begin, end, counts);
   }
@@ -125,6 +148,7 @@ final class DistanceSight implements Sight {
     return seen;
   }
 
+  /** What is in between is found once for all views, when a first one has the target in view. */
   @Override
   public void mark(
       int camera, int views, PointGrid grid, int begin, int end, long[] masks, int words) {
@@ -132,9 +156,14 @@ final class DistanceSight implements Sight {
     for (int i = begin; i < end; i++) {
       double squared = pose.squaredDistance(grid.x(i), grid.y(i));
       int target = grid.point(i);
-      for (int view = 0; view < views; view++) {
-        if (detects(camera, view, target, squared)) {
-          masks[view * words + (target >> 6)] |= 1L << target;
+      double transmittance = open ? 1 : Double.NaN;
+      for (int view = 0; view < views && transmittance != 0; view++) {
+        if (isInView(camera, view, target, squared)) {
+          transmittance =
+              Double.isNaN(transmittance) ? lines.transmittance(camera, target) : transmittance;
+          if (passes(camera, view, target, transmittance)) {
+            masks[view * words + (target >> 6)] |= 1L << target;
+          }
         }
       }
     }
@@ -142,8 +171,8 @@ final class DistanceSight implements Sight {
 
   @Override
   public boolean dominates(int camera, int view, int other) {
-    if (cameras.zoom(camera, view).viewingAngle() < cameras.zoom(camera, other).viewingAngle()) {
-      return false;
+    if (lines.partial() || !includesAngle(camera, view, other)) {
+      return view == other;
     }
     for (int size = 0; size < rows.sizes(); size++) {
       DetectedDistances mine = reach[rows.row(camera, view) + size];
@@ -152,5 +181,12 @@ final class DistanceSight implements Sight {
       }
     }
     return true;
+  }
+
+  private boolean includesAngle(int camera, int view, int other) {
+    return rows.allRound(camera, view)
+        || (cameras.pan(camera, view) == cameras.pan(camera, other)
+            && cameras.zoom(camera, view).viewingAngle()
+                >= cameras.zoom(camera, other).viewingAngle());
   }
 }

@@ -1,5 +1,6 @@
 package org.hificamsim.core.engine;
 
+import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.world.Cameras;
@@ -21,12 +22,12 @@ final class GridChoice {
   private GridChoice() {}
 
   /** An empty grid with room for all targets. */
-  static PointGrid of(World world) {
+  static PointGrid of(World world, Sight sight) {
     int targets = world.targets().count();
     if ((long) world.cameras().count() * targets < MIN_PAIRS) {
       return PointGrid.single(targets);
     }
-    PointGrid grid = grid(world, SIDE * meanRadius(world.cameras()));
+    PointGrid grid = grid(world, SIDE * meanReach(world.cameras(), sight));
     return grid.cells() < MIN_CELLS ? PointGrid.single(targets) : grid;
   }
 
@@ -41,11 +42,20 @@ final class GridChoice {
         field.minX(), field.minY(), field.width(), field.height(), side, world.targets().count());
   }
 
-  private static double meanRadius(Cameras cameras) {
+  private static double meanReach(Cameras cameras, Sight sight) {
     double sum = 0;
     for (int camera = 0; camera < cameras.count(); camera++) {
-      sum += cameras.zoom(camera, cameras.views(camera) - 1).radius();
+      sum += reach(cameras, sight, camera);
     }
     return sum / cameras.count();
+  }
+
+  /** Of its widest view; through a lens, which has the whole field in reach, what is detected. */
+  private static double reach(Cameras cameras, Sight sight, int camera) {
+    int last = cameras.views(camera) - 1;
+    ZoomLevel zoom = cameras.zoom(camera, last);
+    return zoom.hasLens()
+        ? Math.max(sight.reach(camera, 0), sight.reach(camera, last))
+        : zoom.radius();
   }
 }

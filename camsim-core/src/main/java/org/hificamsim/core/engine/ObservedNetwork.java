@@ -8,6 +8,7 @@ import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.SightLines;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
@@ -15,6 +16,7 @@ import org.hificamsim.core.world.World;
 final class ObservedNetwork implements OracleView {
   private final Cameras cameras;
   private final Targets targets;
+  private final SightLines lines;
   private final Visibility visibility;
   private final Sight sight;
   private final int[] detected;
@@ -29,17 +31,27 @@ final class ObservedNetwork implements OracleView {
   private long step;
 
   ObservedNetwork(World world, Visibility visibility, Workers workers) {
-    this(world, visibility, workers, GridChoice.of(world));
+    this(world, visibility, workers, Sight.of(world, visibility));
+  }
+
+  private ObservedNetwork(World world, Visibility visibility, Workers workers, Sight sight) {
+    this(world, visibility, workers, sight, GridChoice.of(world, sight));
   }
 
   /**
    * @param grid empty, with room for all targets
    */
   ObservedNetwork(World world, Visibility visibility, Workers workers, PointGrid grid) {
+    this(world, visibility, workers, Sight.of(world, visibility), grid);
+  }
+
+  private ObservedNetwork(
+      World world, Visibility visibility, Workers workers, Sight sight, PointGrid grid) {
     this.cameras = world.cameras();
     this.targets = world.targets();
+    this.lines = world.sightLines();
     this.visibility = visibility;
-    this.sight = Sight.of(world, visibility);
+    this.sight = sight;
     this.detected = new int[cameras.count()];
     this.coverage = new int[targets.count()];
     this.phantoms = visibility.detection().rule().phantoms() > 0;
@@ -100,11 +112,14 @@ final class ObservedNetwork implements OracleView {
     int end = workers.first(worker + 1, detected.length);
     for (int camera = workers.first(worker, detected.length); camera < end; camera++) {
       detected[camera] =
-          cameras.online(camera) ? look(camera, cameras.view(camera), counts[worker]) : 0;
+          cameras.online(camera) ? look(camera, cameras.seeing(camera), counts[worker]) : 0;
     }
   }
 
   private int look(int camera, int view, int[] count) {
+    if (view == Cameras.NO_VIEW) {
+      return 0;
+    }
     if (grid.cells() == 1) {
       return sight.look(camera, view, grid, 0, grid.count(), count);
     }
@@ -186,6 +201,26 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
+  public int zooms(int camera) {
+    return cameras.zooms(camera);
+  }
+
+  @Override
+  public double pan(int camera, int view) {
+    return cameras.pan(camera, view);
+  }
+
+  @Override
+  public int seeing(int camera) {
+    return cameras.seeing(camera);
+  }
+
+  @Override
+  public boolean reaches(int camera, int view) {
+    return cameras.reaches(camera, view);
+  }
+
+  @Override
   public int detected(int camera) {
     return detected[camera];
   }
@@ -222,16 +257,18 @@ final class ObservedNetwork implements OracleView {
 
   @Override
   public double confidence(int camera, int target) {
-    if (!targets.present(target)) {
+    int view = cameras.seeing(camera);
+    if (!targets.present(target) || view == Cameras.NO_VIEW) {
       return 0;
     }
-    return DetectionModel.clamp(
+    double value =
         visibility.value(
-            cameras.pose(camera),
-            cameras.zoom(camera, cameras.view(camera)),
+            cameras.pose(camera, view),
+            cameras.zoom(camera, view),
             targets.x(target),
             targets.y(target),
-            targets.size(target)));
+            targets.size(target));
+    return DetectionModel.clamp(value * lines.transmittance(camera, target));
   }
 
   @Override

@@ -26,6 +26,7 @@ public final class Simulation {
   private final StepCoverage coverage = new StepCoverage();
   private final int[] views;
   private final boolean byChance;
+  private final boolean jumps;
   private boolean started;
   private long step;
 
@@ -61,6 +62,7 @@ public final class Simulation {
     this.listeners = listeners.toArray(StepListener[]::new);
     this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
     this.byChance = !detection.certain();
+    this.jumps = policy.jumps();
     this.views = new int[world.cameras().count()];
     policy.begin(network, new SplittableRandom(seed));
   }
@@ -142,6 +144,7 @@ public final class Simulation {
         apply(camera, views[camera]);
       }
     }
+    world.cameras().advance();
   }
 
   private void apply(int camera, int view) {
@@ -151,6 +154,10 @@ public final class Simulation {
               .formatted(
                   policy.name(), view, network.cameraName(camera), network.views(camera) - 1));
     }
-    world.cameras().zoomTo(camera, view);
+    if (jumps) {
+      world.cameras().jumpTo(camera, view);
+    } else {
+      world.cameras().turnTo(camera, view);
+    }
   }
 }

@@ -9,8 +9,8 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.Targets;
 
 /**
- * Where a sight finds what it knows of a camera's zoom view: rows, one for each zoom view, with one
- * entry for each size class of targets. Cameras with equal zoom views share a row.
+ * Where a sight finds what it knows of a camera's view: rows, one for each zoom level, with one
+ * entry for each size class of targets. Views with equal zoom levels share a row.
  */
 final class ViewRows {
   private final Cameras cameras;
@@ -21,13 +21,14 @@ final class ViewRows {
   private final int[] firstView;
   private final ZoomLevel[] zooms;
   private final int[] rows;
+  private final double[] cosines;
   private final boolean[] allRound;
   private int revision = -1;
 
   /**
    * No rows yet.
    *
-   * @param newRow takes a zoom view and the first entry of its row, when it is met first
+   * @param newRow takes a zoom level and the first entry of its row, when it is met first
    */
   ViewRows(Cameras cameras, Targets targets, ObjIntConsumer<ZoomLevel> newRow) {
     this.cameras = cameras;
@@ -43,7 +44,8 @@ final class ViewRows {
     }
     zooms = new ZoomLevel[views];
     rows = new int[views];
-    allRound = new boolean[cameras.count()];
+    cosines = new double[views];
+    allRound = new boolean[views];
   }
 
   /** Takes note of cameras that changed since the last call. */
@@ -53,17 +55,18 @@ final class ViewRows {
     }
     revision = cameras.revision();
     for (int camera = 0; camera < cameras.count(); camera++) {
-      allRound[camera] = cameras.zoom(camera, 0).allRound();
       for (int view = 0; view < cameras.views(camera); view++) {
         refresh(firstView[camera] + view, cameras.zoom(camera, view));
       }
     }
   }
 
-  @SuppressWarnings("ReferenceEquality") // the map below tells equal views
+  @SuppressWarnings("ReferenceEquality") // the map below tells equal levels
   private void refresh(int entry, ZoomLevel zoom) {
     if (zooms[entry] != zoom) {
       zooms[entry] = zoom;
+      allRound[entry] = zoom.allRound();
+      cosines[entry] = Math.cos(zoom.viewingAngle() / 2);
       rows[entry] = known.computeIfAbsent(zoom, this::add);
     }
   }
@@ -94,9 +97,14 @@ final class ViewRows {
     return row(camera, view) + sizeClass[target];
   }
 
-  /** Whether the camera sees all round. */
-  boolean allRound(int camera) {
-    return allRound[camera];
+  /** Whether the camera sees all round in a view. */
+  boolean allRound(int camera, int view) {
+    return allRound[firstView[camera] + view];
+  }
+
+  /** The cosine of half the opening angle of a view. */
+  double cosine(int camera, int view) {
+    return cosines[firstView[camera] + view];
   }
 
   private static double[] distinctSizes(Targets targets) {

@@ -9,8 +9,10 @@ import org.hificamsim.core.metrics.CoveredTargets;
  *
  * <p>Cameras and targets are numbered from 0 and keep their number for the whole run; the counts
  * include those that a later event adds, which are not online (not present) until then, and stay so
- * after an event removes them. Zoom views are numbered from 0, the narrowest. What was detected is
- * what the last observation saw: at a decision that is the step before (0 everywhere at the first).
+ * after an event removes them. A camera's views are each of its zoom levels at each of its pan
+ * angles: all levels of the first angle, from the narrowest, then those of the next; a camera that
+ * cannot turn has its levels alone. What was detected is what the last observation saw: at a
+ * decision that is the step before (0 everywhere at the first).
  *
  * <p>This is what cameras know between them. Positions of targets, and what a camera would detect
  * at another view, are in {@link OracleView}.
@@ -40,14 +42,40 @@ public interface NetworkView extends CoveredTargets {
   /** Radians, 0 is +y and pi/2 is +x; not normalised. */
   double cameraHeading(int camera);
 
-  /** The number of zoom views of this camera, 1 or more. */
+  /** The number of views of this camera, 1 or more. */
   int views(int camera);
 
-  /** The camera's current view. */
+  /** The number of its zoom levels: {@code view % zooms} is a view's level. */
+  default int zooms(int camera) {
+    return views(camera);
+  }
+
+  /** The view that the camera chose last. */
   int view(int camera);
 
-  /** One of the camera's zoom views. */
+  /**
+   * The view through which the camera sees: the one it chose unless it is still on its way, see
+   * {@link org.hificamsim.core.scenario.Moving}; -1 while it sees nothing.
+   */
+  default int seeing(int camera) {
+    return view(camera);
+  }
+
+  /**
+   * Whether the camera could be in a view by the end of this step; where moves take no time,
+   * whether the view is at most one level and one pan angle away.
+   */
+  default boolean reaches(int camera, int view) {
+    return Math.abs(view - view(camera)) <= 1;
+  }
+
+  /** The zoom level of one of the camera's views. */
   ZoomLevel zoom(int camera, int view);
+
+  /** The pan angle of one of the camera's views: radians off its heading, to the right. */
+  default double pan(int camera, int view) {
+    return 0;
+  }
 
   /** How many targets the camera detected at the last observation; 0 while offline. */
   int detected(int camera);
@@ -60,6 +88,34 @@ public interface NetworkView extends CoveredTargets {
    * view, in [0, 1]; 0 outside the field of view, or when the target is not present.
    */
   double confidence(int camera, int target);
+
+  /** Whether the camera detects a target where both are now; as observed when asked in learn. */
+  default boolean sees(int camera, int target) {
+    int view = seeing(camera);
+    return online(camera) && view >= 0 && present(target) && oracle().detects(camera, view, target);
+  }
+
+  /** How far a target is that the camera {@link #sees}, metres; NaN for one that it does not. */
+  default double distance(int camera, int target) {
+    return sees(camera, target)
+        ? Math.hypot(
+            oracle().targetX(target) - cameraX(camera), oracle().targetY(target) - cameraY(camera))
+        : Double.NaN;
+  }
+
+  /**
+   * Where in its picture the camera {@link #sees} a target: radians off the view's axis, to the
+   * right, in [-pi, pi]; NaN for one that it does not see.
+   */
+  default double bearing(int camera, int target) {
+    if (!sees(camera, target)) {
+      return Double.NaN;
+    }
+    double dx = oracle().targetX(target) - cameraX(camera);
+    double dy = oracle().targetY(target) - cameraY(camera);
+    double axis = cameraHeading(camera) + pan(camera, seeing(camera));
+    return Math.IEEEremainder(Math.atan2(dx, dy) - axis, 2 * Math.PI);
+  }
 
   /** The same network with what no camera knows, for upper bounds and records; see there. */
   OracleView oracle();

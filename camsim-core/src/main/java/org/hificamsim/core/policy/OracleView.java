@@ -51,7 +51,8 @@ public interface OracleView extends NetworkView, DetectionChances {
 
   @Override
   default int chances(int camera, int[] targets, double[] chances) {
-    return online(camera) ? chances(camera, view(camera), targets, chances) : 0;
+    int view = seeing(camera);
+    return online(camera) && view >= 0 ? chances(camera, view, targets, chances) : 0;
   }
 
   /**

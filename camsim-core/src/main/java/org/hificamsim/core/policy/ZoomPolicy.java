@@ -35,6 +35,14 @@ public interface ZoomPolicy {
    */
   void decide(NetworkView network, int[] views);
 
+  /**
+   * Whether its cameras need no time for a move: a bound on what is possible, and no policy that a
+   * network could run.
+   */
+  default boolean jumps() {
+    return false;
+  }
+
   /** Called once per step after the observation under the views just chosen. */
   default void learn(NetworkView network) {}
 

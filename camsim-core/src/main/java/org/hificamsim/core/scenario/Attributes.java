@@ -58,6 +58,18 @@ final class Attributes {
     return text == null ? OptionalInt.empty() : OptionalInt.of(parse(name, text, min, max));
   }
 
+  /** Whether the file gives an attribute that has not been read. */
+  boolean has(String name) {
+    return rest.containsKey(name);
+  }
+
+  /** An error where the file gives an attribute that has no place here. */
+  void refuse(String name, String expected) {
+    if (has(name)) {
+      throw invalid(name, expected);
+    }
+  }
+
   /** Any text, even none. */
   String text(String name, String expected) {
     return required(name, expected);

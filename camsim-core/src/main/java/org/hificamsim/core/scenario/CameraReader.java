@@ -1,6 +1,7 @@
 package org.hificamsim.core.scenario;
 
 import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.Set;
@@ -10,11 +11,20 @@ import java.util.function.Consumer;
 final class CameraReader {
   private final Range across;
   private final Range along;
+  private final Clearing clearing;
+  private final OpticsReader optics;
   private final AgentCheck agents;
   private final Consumer<String> warnings;
   private final Set<String> names = new HashSet<>();
 
-  CameraReader(Field field, AgentCheck agents, Consumer<String> warnings) {
+  CameraReader(
+      Field field,
+      Clearing clearing,
+      OpticsReader optics,
+      AgentCheck agents,
+      Consumer<String> warnings) {
+    this.clearing = clearing;
+    this.optics = optics;
     across = inField(field.minX(), field.maxX());
     along = inField(field.minY(), field.maxY());
     this.agents = agents;
@@ -37,9 +47,11 @@ final class CameraReader {
     }
     double x = attributes.number("x", across);
     double y = attributes.number("y", along);
+    clearing.requireFree(attributes, x, y);
     double heading = attributes.number("heading");
-    double angle = attributes.number("viewing_angle", Range.OPENING_ANGLE);
-    double range = attributes.number("range", Range.LENGTH);
+    Optional<OpticsSpec> itsOptics = optics.named(attributes);
+    double angle = viewingAngle(attributes, itsOptics);
+    double range = range(attributes, itsOptics);
     AgentSpec agent = agent(attributes);
     agents.check(agent, added, attributes::invalid);
     return new CameraSpec(
@@ -50,7 +62,23 @@ final class CameraReader {
         angle,
         range,
         agent,
+        itsOptics,
         attributes.leftOver(warnings, "min_zoom", "max_zoom", "zoom_steps"));
+  }
+
+  /** A camera with a lens needs none: it has its widest angle of view. */
+  private static double viewingAngle(Attributes attributes, Optional<OpticsSpec> optics) {
+    List<Double> angles = optics.map(OpticsSpec::anglesOfView).orElse(List.of());
+    return angles.isEmpty() || attributes.has("viewing_angle")
+        ? attributes.number("viewing_angle", Range.OPENING_ANGLE)
+        : angles.get(angles.size() - 1);
+  }
+
+  /** A camera with a lens needs none: it has its reach, or 0 for one without an end. */
+  private static double range(Attributes attributes, Optional<OpticsSpec> optics) {
+    return optics.filter(one -> one.law() != OpticsLaw.ROUND).isEmpty() || attributes.has("range")
+        ? attributes.number("range", Range.LENGTH)
+        : optics.get().reach().orElse(0);
   }
 
   /** An event that changes a camera, some of whose attributes have been read already. */

@@ -18,6 +18,8 @@ import org.hificamsim.core.detection.DetectionRule;
  * @param threshold detection threshold, if the file sets one
  * @param detect how a confidence becomes a detection, if the file says so
  * @param mountHeight height of all cameras over the target plane, metres (Eq 3.2), if given
+ * @param stepTime how long a step takes, seconds, above 0; 1 unless the file says otherwise
+ * @param surroundings obstacles and what else stands in the field
  * @param zooms candidate radii common to all cameras, metres, rising; empty for a plain CamSim
  *     scenario, where each camera has its range alone
  * @param cameras those of the start, in file order, with unique names
@@ -34,6 +36,8 @@ public record Scenario(
     OptionalDouble threshold,
     Optional<DetectionRule> detect,
     OptionalDouble mountHeight,
+    double stepTime,
+    Surroundings surroundings,
     List<Double> zooms,
     List<CameraSpec> cameras,
     List<TargetSpec> targets,
@@ -47,6 +51,39 @@ public record Scenario(
     targets = List.copyOf(targets);
     events = List.copyOf(events);
     extras = Map.copyOf(extras);
+  }
+
+  /** A scenario in an open field, whose steps take a second. */
+  public Scenario(
+      String name,
+      Field field,
+      StepOrder order,
+      Headings headings,
+      OptionalDouble threshold,
+      Optional<DetectionRule> detect,
+      OptionalDouble mountHeight,
+      List<Double> zooms,
+      List<CameraSpec> cameras,
+      List<TargetSpec> targets,
+      List<ScenarioEvent> events,
+      Optional<VisionGraph> visionGraph,
+      Map<String, String> extras) {
+    this(
+        name,
+        field,
+        order,
+        headings,
+        threshold,
+        detect,
+        mountHeight,
+        1,
+        Surroundings.NONE,
+        zooms,
+        cameras,
+        targets,
+        events,
+        visionGraph,
+        extras);
   }
 
   /** Whether the file is in the coverage study's dialect, recognised by its zoom list. */
@@ -106,6 +143,11 @@ public record Scenario(
     return withTargets(target -> target.withMovement(movement));
   }
 
+  /** The same scenario with other obstacles, occlusion or floorplan. */
+  public Scenario withSurroundings(Surroundings newSurroundings) {
+    return changed(draft -> draft.surroundings = newSurroundings);
+  }
+
   /** The same scenario with one camera more, after those of the start. */
   public Scenario withCamera(CameraSpec added) {
     return changed(
@@ -143,6 +185,7 @@ public record Scenario(
     private OptionalDouble threshold;
     private Optional<DetectionRule> detect;
     private OptionalDouble mountHeight;
+    private Surroundings surroundings;
     private List<Double> zooms;
     private List<CameraSpec> cameras;
     private List<TargetSpec> targets;
@@ -155,6 +198,7 @@ public record Scenario(
       threshold = of.threshold;
       detect = of.detect;
       mountHeight = of.mountHeight;
+      surroundings = of.surroundings;
       zooms = of.zooms;
       cameras = of.cameras;
       targets = of.targets;
@@ -170,6 +214,8 @@ public record Scenario(
           threshold,
           detect,
           mountHeight,
+          of.stepTime,
+          surroundings,
           zooms,
           cameras,
           targets,

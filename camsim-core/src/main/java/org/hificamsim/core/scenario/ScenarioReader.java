@@ -30,6 +30,11 @@ public final class ScenarioReader {
           "cameras",
           "camera",
           "zoom",
+          "optics",
+          "obstacles",
+          "wall",
+          "polygon",
+          "pillar",
           "objects",
           "object",
           "object_with_waypoints",
@@ -41,7 +46,10 @@ public final class ScenarioReader {
           "neighbour");
 
   private static final Set<String> WITHOUT_ATTRIBUTES =
-      Set.of("cameras", "zoom", "objects", "events");
+      Set.of("cameras", "zoom", "obstacles", "objects", "events");
+
+  private static final Range STEP_TIME =
+      new Range("a number above 0 and at most 1e9 (s)", value -> value > 0 && value <= 1e9);
 
   private final Path path;
   private final XmlElement root;
@@ -123,9 +131,15 @@ public final class ScenarioReader {
     Optional<DetectionRule> detect =
         or(Optional.empty(), none -> detect(attributes, threshold.isPresent()));
     OptionalDouble mountHeight = number(attributes, "mount_height", Range.POSITIVE_LENGTH);
+    double stepTime = number(attributes, "step", STEP_TIME).orElse(1);
+    Surroundings surroundings =
+        new SurroundingsReader(root, field, warnings, faults).surroundings(attributes);
     List<Double> zooms = or(List.of(), none -> new ZoomListReader(root).zooms());
-    CameraReader cameraReader = new CameraReader(field, agents, warnings);
-    TargetReader targetReader = new TargetReader(field, zooming, movements, warnings);
+    Clearing clearing = new Clearing(surroundings, warnings);
+    OpticsReader opticsReader = new OpticsReader(warnings);
+    faults.each(root.all("optics"), opticsReader::optics);
+    CameraReader cameraReader = new CameraReader(field, clearing, opticsReader, agents, warnings);
+    TargetReader targetReader = new TargetReader(field, clearing, zooming, movements, warnings);
     List<CameraSpec> cameras = faults.each(root.all("camera"), cameraReader::camera);
     List<TargetSpec> targets = targets(targetReader);
     List<ScenarioEvent> events =
@@ -141,6 +155,8 @@ public final class ScenarioReader {
         threshold,
         detect,
         mountHeight,
+        stepTime,
+        surroundings,
         zooms,
         cameras,
         targets,

@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.obstacle.Obstacle;
 
 /**
  * Writes scenarios as XML that {@link ScenarioReader} reads back as an equal scenario; comments and
@@ -38,14 +40,23 @@ public final class ScenarioWriter {
     scenario.threshold().ifPresent(value -> attributes.put("threshold", value));
     scenario.detect().ifPresent(rule -> attributes.put("detect", rule.text()));
     scenario.mountHeight().ifPresent(value -> attributes.put("mount_height", value));
+    if (scenario.stepTime() != 1) {
+      attributes.put("step", scenario.stepTime());
+    }
+    surroundings(attributes, scenario.surroundings());
     attributes.putAll(new TreeMap<>(scenario.extras()));
     open("root", Map.of());
     open("simulation", attributes);
+    obstacles(scenario.surroundings().obstacles());
     open("cameras", Map.of());
+    allCameras(scenario)
+        .flatMap(camera -> camera.optics().stream())
+        .distinct()
+        .forEach(optics -> empty("optics", optics(optics)));
     if (!scenario.zooms().isEmpty()) {
       indent();
       out.append("<zoom>")
-          .append(scenario.zooms().stream().map(String::valueOf).collect(Collectors.joining(" ")))
+          .append(listed(scenario.zooms().stream().map(String::valueOf)))
           .append("</zoom>");
     }
     for (CameraSpec camera : scenario.cameras()) {
@@ -65,6 +76,83 @@ public final class ScenarioWriter {
     close();
   }
 
+  private static Stream<CameraSpec> allCameras(Scenario scenario) {
+    return Stream.concat(
+        scenario.cameras().stream(),
+        scenario.events().stream()
+            .filter(ScenarioEvent.AddCamera.class::isInstance)
+            .map(event -> ((ScenarioEvent.AddCamera) event).camera()));
+  }
+
+  private static void surroundings(Map<String, Object> attributes, Surroundings surroundings) {
+    if (surroundings.occlusion() != Occlusion.NONE) {
+      attributes.put("occlusion", Spelling.of(surroundings.occlusion()));
+    }
+    surroundings
+        .floorplan()
+        .ifPresent(
+            floorplan -> {
+              attributes.put("floorplan", floorplan.file());
+              attributes.put("floorplan_min_x", floorplan.area().minX());
+              attributes.put("floorplan_max_x", floorplan.area().maxX());
+              attributes.put("floorplan_min_y", floorplan.area().minY());
+              attributes.put("floorplan_max_y", floorplan.area().maxY());
+            });
+  }
+
+  private void obstacles(List<Obstacle> obstacles) {
+    if (obstacles.isEmpty()) {
+      return;
+    }
+    open("obstacles", Map.of());
+    obstacles.forEach(this::obstacle);
+    close();
+  }
+
+  private void obstacle(Obstacle obstacle) {
+    Map<String, Object> attributes = new LinkedHashMap<>();
+    String name = "polygon";
+    if (obstacle instanceof Obstacle.Wall wall) {
+      name = "wall";
+      attributes.put("x1", wall.x1());
+      attributes.put("y1", wall.y1());
+      attributes.put("x2", wall.x2());
+      attributes.put("y2", wall.y2());
+    } else if (obstacle instanceof Obstacle.Pillar pillar) {
+      name = "pillar";
+      attributes.put("x", pillar.x());
+      attributes.put("y", pillar.y());
+      attributes.put("radius", pillar.radius());
+    } else if (obstacle instanceof Obstacle.Polygon polygon) {
+      attributes.put(
+          "points", listed(polygon.points().stream().map(point -> point.x() + "," + point.y())));
+    }
+    if (obstacle.transmittance() != 0) {
+      attributes.put("transmittance", obstacle.transmittance());
+    }
+    empty(name, attributes);
+  }
+
+  private static Map<String, Object> optics(OpticsSpec optics) {
+    Map<String, Object> attributes = new LinkedHashMap<>();
+    attributes.put("name", optics.name());
+    attributes.put("law", Spelling.of(optics.law()));
+    optics.pixels().ifPresent(value -> attributes.put("pixels", value));
+    if (!optics.anglesOfView().isEmpty()) {
+      attributes.put("hfov", listed(optics.anglesOfView().stream().map(String::valueOf)));
+    }
+    optics.reach().ifPresent(value -> attributes.put("reach", value));
+    attributes.put("pan", listed(optics.pans().stream().map(String::valueOf)));
+    optics.panSpeed().ifPresent(value -> attributes.put("pan_speed", value));
+    attributes.put("zoom_time", optics.zoomTime());
+    attributes.put("moving", Spelling.of(optics.moving()));
+    return attributes;
+  }
+
+  private static String listed(Stream<String> items) {
+    return items.collect(Collectors.joining(" "));
+  }
+
   private static Map<String, Object> camera(CameraSpec camera) {
     Map<String, Object> attributes = new LinkedHashMap<>();
     attributes.put("name", camera.name());
@@ -73,6 +161,7 @@ public final class ScenarioWriter {
     attributes.put("heading", camera.heading());
     attributes.put("viewing_angle", camera.viewingAngle());
     attributes.put("range", camera.range());
+    camera.optics().ifPresent(optics -> attributes.put("optics", optics.name()));
     AgentSpec agent = camera.agent();
     agent.algorithm().ifPresent(value -> attributes.put("ai_algorithm", value));
     agent.comm().ifPresent(value -> attributes.put("comm", value));
@@ -90,7 +179,7 @@ public final class ScenarioWriter {
     attributes.put("features", target.features());
     if (target.origin() == TargetSpec.Origin.OBJECT_WITH_WAYPOINTS) {
       attributes.put("speed", target.speed());
-      attributes.put("size", target.size());
+      size(target, attributes);
       attributes.putAll(new TreeMap<>(target.extras()));
       withWaypoints("object_with_waypoints", attributes, target.movement().waypoints());
       return;
@@ -100,12 +189,25 @@ public final class ScenarioWriter {
     withWaypoints("object", attributes, target.movement().waypoints());
   }
 
+  private static void size(TargetSpec target, Map<String, Object> attributes) {
+    if (target.extent().isEmpty()) {
+      attributes.put("size", target.size());
+    }
+    target
+        .extent()
+        .ifPresent(
+            extent -> {
+              attributes.put("width", extent.width());
+              attributes.put("height", extent.height());
+            });
+  }
+
   private static void motion(TargetSpec target, Map<String, Object> attributes) {
     attributes.put("x", target.x());
     attributes.put("y", target.y());
     attributes.put("heading", target.heading());
     attributes.put("speed", target.speed());
-    attributes.put("size", target.size());
+    size(target, attributes);
     attributes.put("mean", target.movement().mean());
     attributes.put("std", target.movement().std());
     attributes.putAll(new TreeMap<>(target.extras()));

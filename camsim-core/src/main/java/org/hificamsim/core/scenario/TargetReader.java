@@ -2,6 +2,7 @@ package org.hificamsim.core.scenario;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
@@ -11,6 +12,7 @@ final class TargetReader {
   private static final Set<String> ON_PATH = Set.of("Waypoints", "Scripted");
 
   private final Field field;
+  private final Clearing clearing;
   private final boolean coverageDialect;
   private final Predicate<String> movements;
   private final Consumer<String> warnings;
@@ -21,10 +23,12 @@ final class TargetReader {
    */
   TargetReader(
       Field field,
+      Clearing clearing,
       boolean coverageDialect,
       Predicate<String> movements,
       Consumer<String> warnings) {
     this.field = field;
+    this.clearing = clearing;
     this.coverageDialect = coverageDialect;
     this.movements = movements;
     this.warnings = warnings;
@@ -41,7 +45,8 @@ final class TargetReader {
     Attributes attributes = new Attributes(element);
     double identity = identity(attributes);
     double speed = attributes.number("speed", Range.SPEED);
-    double size = size(attributes);
+    Optional<Extent> extent = extent(attributes);
+    double size = size(attributes, extent);
     List<Waypoint> waypoints = waypoints(element);
     if (waypoints.isEmpty()) {
       throw element.place().error("no <waypoint>, expected at least two");
@@ -54,6 +59,7 @@ final class TargetReader {
         -1,
         speed,
         size,
+        extent,
         new MovementSpec("epics.movement.Waypoints", 0, 1, waypoints),
         attributes.leftOver(warnings));
   }
@@ -73,10 +79,12 @@ final class TargetReader {
     Waypoint position = point(attributes);
     double heading = attributes.number("heading");
     double speed = attributes.number("speed", Range.SPEED);
-    double size = size(attributes);
+    Optional<Extent> extent = extent(attributes);
+    double size = size(attributes, extent);
     MovementSpec spec = movement(element, attributes, origin, movement);
     boolean onPath = spec.shortName().equals("Waypoints");
     Waypoint start = onPath && movement.isEmpty() ? spec.waypoints().get(0) : position;
+    clearing.requireFree(new Attributes(element), start.x(), start.y());
     if (!field.contains(start.x(), start.y()) && !(onPath && coverageDialect)) {
       warnings.accept(
           "%s: <%s> starts outside the field at (%s, %s); it stays there, turning, unless one step"
@@ -91,6 +99,7 @@ final class TargetReader {
         heading,
         speed,
         size,
+        extent,
         spec,
         attributes.leftOver(warnings, "move"));
   }
@@ -129,8 +138,22 @@ final class TargetReader {
     return identity;
   }
 
-  private static double size(Attributes attributes) {
-    return attributes.optionalNumber("size", Range.POSITIVE_LENGTH).orElse(TargetSpec.DEFAULT_SIZE);
+  private static double size(Attributes attributes, Optional<Extent> extent) {
+    if (extent.isPresent()) {
+      attributes.refuse("size", "none beside width and height, from which it follows");
+    }
+    double standard = extent.map(Extent::size).orElse(TargetSpec.DEFAULT_SIZE);
+    return attributes.optionalNumber("size", Range.POSITIVE_LENGTH).orElse(standard);
+  }
+
+  private static Optional<Extent> extent(Attributes attributes) {
+    if (!attributes.has("width") && !attributes.has("height")) {
+      return Optional.empty();
+    }
+    return Optional.of(
+        new Extent(
+            attributes.number("width", Range.POSITIVE_LENGTH),
+            attributes.number("height", Range.POSITIVE_LENGTH)));
   }
 
   private List<Waypoint> waypoints(XmlElement element) {
@@ -138,13 +161,16 @@ final class TargetReader {
     if (children.size() == 1) {
       throw children.get(0).place().error("one <waypoint>, expected none or at least two");
     }
-    return children.stream().map(this::waypoint).toList();
+    List<Waypoint> path = children.stream().map(this::waypoint).toList();
+    clearing.warnOfPath(element, path);
+    return path;
   }
 
   private Waypoint waypoint(XmlElement element) {
     Attributes attributes = new Attributes(element);
     Waypoint waypoint = point(attributes);
     attributes.leftOver(warnings);
+    clearing.requireFree(new Attributes(element), waypoint.x(), waypoint.y());
     if (!field.contains(waypoint.x(), waypoint.y()) && !coverageDialect) {
       warnings.accept(element.place() + ": <waypoint> lies outside the field, out of reach");
     }

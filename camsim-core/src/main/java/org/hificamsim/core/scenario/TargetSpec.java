@@ -1,6 +1,7 @@
 package org.hificamsim.core.scenario;
 
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * A target as the scenario gives it.
@@ -11,6 +12,7 @@ import java.util.Map;
  * @param heading in the unit of {@link Scenario#headings}
  * @param speed metres per step
  * @param size edge of its bounding box q, metres, above 0
+ * @param extent width and height, where the file gives them; the size follows from them
  * @param extras attributes that nothing here reads, kept for the writer
  */
 public record TargetSpec(
@@ -21,6 +23,7 @@ public record TargetSpec(
     double heading,
     double speed,
     double size,
+    Optional<Extent> extent,
     MovementSpec movement,
     Map<String, String> extras) {
   /** The largest object of the thesis's lab (Table 4.1). */
@@ -41,6 +44,25 @@ public record TargetSpec(
     extras = Map.copyOf(extras);
   }
 
+  /** A target that has a size alone. */
+  public TargetSpec(
+      Origin origin,
+      double features,
+      double x,
+      double y,
+      double heading,
+      double speed,
+      double size,
+      MovementSpec movement,
+      Map<String, String> extras) {
+    this(origin, features, x, y, heading, speed, size, Optional.empty(), movement, extras);
+  }
+
+  /** How wide it is, seen from above, metres. */
+  public double width() {
+    return extent.map(Extent::width).orElse(size);
+  }
+
   /** The name in result files: the features value, as CamSim prints it. */
   public String name() {
     return Double.toString(features);
@@ -48,13 +70,14 @@ public record TargetSpec(
 
   /** The same target at another speed. */
   public TargetSpec withSpeed(double newSpeed) {
-    return new TargetSpec(origin, features, x, y, heading, newSpeed, size, movement, extras);
+    return new TargetSpec(
+        origin, features, x, y, heading, newSpeed, size, extent, movement, extras);
   }
 
   /** The same target under another movement. */
   public TargetSpec withMovement(String name) {
     return new TargetSpec(
-        origin, features, x, y, heading, speed, size, movement.withName(name), extras);
+        origin, features, x, y, heading, speed, size, extent, movement.withName(name), extras);
   }
 
   /** The same target with another size, metres. */

@@ -15,6 +15,11 @@ public record Pose(double x, double y, double heading, double headingX, double h
     return new Pose(x, y, heading, Math.sin(heading), Math.cos(heading));
   }
 
+  /** The same place, turned by an angle, radians; a whole pose as it is for 0. */
+  public Pose turned(double angle) {
+    return angle == 0 ? this : of(x, y, heading + angle);
+  }
+
   /** The squared distance to a point, square metres. */
   public double squaredDistance(double atX, double atY) {
     double dx = atX - x;
@@ -29,10 +34,15 @@ public record Pose(double x, double y, double heading, double headingX, double h
 
   /** Whether a point is in the sector of this opening angle, radians, or on its border. */
   public boolean isInSector(double angle, double atX, double atY) {
+    return isInCone(Math.cos(angle / 2), atX, atY);
+  }
+
+  /** The same, from the cosine of half the angle. */
+  public boolean isInCone(double cosine, double atX, double atY) {
     double dx = atX - x;
     double dy = atY - y;
     double along = dx * headingX + dy * headingY;
-    return along >= Math.cos(angle / 2) * Math.sqrt(dx * dx + dy * dy);
+    return along >= cosine * Math.sqrt(dx * dx + dy * dy);
   }
 
   /** The cosine of {@link #offAxis}, as computed; NaN for the pose's own position. */

@@ -11,9 +11,11 @@ import org.hificamsim.core.detection.ZoomLevel;
  * <ol>
  *   <li>Reach: the target is not farther away than the zoom level's radius.
  *   <li>Angle: it is {@linkplain #isInAngle within the opening angle}.
+ *   <li>Line of sight: what is in between lets something of the target through.
  *   <li>Confidence: the detection model's {@linkplain #value value}.
- *   <li>Rule: the value is the threshold or more; or the {@linkplain #luck luck} of camera and
- *       target is below the chance of the value.
+ *   <li>Rule: the value, as much of it as gets through, is the threshold or more; or the
+ *       {@linkplain #luck luck} of camera and target is below the chance of the value, as much as
+ *       gets through.
  *   <li>Clamping: the {@linkplain #confidence confidence} is what the model {@linkplain
  *       DetectionModel#reported reports} for the value.
  * </ol>
@@ -83,24 +85,55 @@ public final class Visibility {
     return chance > 0 && luck.draw(step, camera, -1) < chance ? 1 : 0;
   }
 
+  /** The same as below with nothing in between. */
+  public double confidence(
+      Pose camera, ZoomLevel zoom, double x, double y, double size, double luck) {
+    return confidence(camera, zoom, x, y, size, luck, 1);
+  }
+
   /**
    * How sure a camera is of a target, see {@link #value}; 0 where it does not detect it.
    *
    * @param luck of the two in this step
+   * @param transmittance how much of the target gets through what is in between, in [0, 1]
    */
   public double confidence(
-      Pose camera, ZoomLevel zoom, double x, double y, double size, double luck) {
+      Pose camera,
+      ZoomLevel zoom,
+      double x,
+      double y,
+      double size,
+      double luck,
+      double transmittance) {
     double value = valueInSight(camera, zoom, x, y, size);
-    if (!detection.detects(value, luck)) {
+    if (!detection.detects(value, luck, transmittance)) {
       return 0;
     }
-    double reported = model.reported(value);
+    double reported = model.reported(certain ? value * transmittance : value);
     return certain ? reported : Math.max(reported, Double.MIN_VALUE);
   }
 
-  /** The chance that a camera detects a target, in [0, 1]; 1 or 0 by a threshold. */
+  /** The same as below with nothing in between. */
   public double chance(Pose camera, ZoomLevel zoom, double x, double y, double size) {
-    if (certain || model.dependsOnBearing()) {
+    return chance(camera, zoom, x, y, size, 1);
+  }
+
+  /**
+   * The chance that a camera detects a target, in [0, 1]; 1 or 0 by a threshold.
+   *
+   * @param transmittance how much of the target gets through what is in between, in [0, 1]
+   */
+  public double chance(
+      Pose camera, ZoomLevel zoom, double x, double y, double size, double transmittance) {
+    if (certain) {
+      double value = valueInSight(camera, zoom, x, y, size);
+      return detection.detects(value, 0, transmittance) ? 1 : 0;
+    }
+    return transmittance * chanceInTheOpen(camera, zoom, x, y, size);
+  }
+
+  private double chanceInTheOpen(Pose camera, ZoomLevel zoom, double x, double y, double size) {
+    if (model.dependsOnBearing()) {
       double value = valueInSight(camera, zoom, x, y, size);
       return Double.isNaN(value) ? 0 : detection.chance(value);
     }
@@ -130,18 +163,25 @@ public final class Visibility {
     }
     boolean byAngle = model.dependsOnBearing() || (asInCamSim && !zoom.allRound());
     double offAxis = byAngle ? camera.offAxis(x, y) : 0;
-    return isInAngle(camera, zoom, x, y, offAxis)
+    return isWithin(camera, zoom, x, y, offAxis)
         ? model.confidence(size, distance, offAxis, zoom)
         : Double.NaN;
   }
 
   /** Whether a point is within the opening angle at a zoom level. */
   public boolean isInAngle(Pose camera, ZoomLevel zoom, double x, double y) {
-    return isInAngle(camera, zoom, x, y, asInCamSim ? camera.offAxis(x, y) : 0);
+    return isWithin(camera, zoom, x, y, asInCamSim ? camera.offAxis(x, y) : 0);
+  }
+
+  /** The same, from the cosine of half the opening angle of a level that is not all round. */
+  public boolean isInAngle(Pose camera, ZoomLevel zoom, double cosine, double x, double y) {
+    return asInCamSim
+        ? camera.offAxis(x, y) < zoom.viewingAngle() / 2
+        : camera.isInCone(cosine, x, y);
   }
 
   /** The same where the angle is known, which CamSim's test alone looks at. */
-  private boolean isInAngle(Pose camera, ZoomLevel zoom, double x, double y, double offAxis) {
+  private boolean isWithin(Pose camera, ZoomLevel zoom, double x, double y, double offAxis) {
     if (zoom.allRound()) {
       return true;
     }

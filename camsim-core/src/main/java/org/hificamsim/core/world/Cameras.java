@@ -7,38 +7,59 @@ import org.hificamsim.core.visibility.Pose;
 /**
  * The cameras' state, one array a quantity, sized once for all cameras that will ever be added.
  *
- * <p>A camera keeps its number. It starts at its widest zoom level.
+ * <p>A camera keeps its number. Its views are each of its zoom levels at each of its pan angles,
+ * numbered from 0: all zoom levels of the first pan angle, from the narrowest, then those of the
+ * next. It starts at its widest level, ahead.
  */
 public final class Cameras {
+  /** What a camera that is on its way sees through, where it sees nothing. */
+  public static final int NO_VIEW = -1;
+
   private final String[] names;
-  private final Pose[] poses;
-  private final ZoomLevel[][] zooms;
-  private final int[] level;
+  private final Pose[] mounted;
+  private final ViewSet[] sets;
+  private final Pose[][] poses; // by camera and view
+  private final ZoomLevel[][] zooms; // likewise
+  private final int[] view;
   private final boolean[] online;
+  private Motion motion;
   private int revision;
 
   Cameras(int count) {
     names = new String[count];
-    poses = new Pose[count];
-    Arrays.fill(poses, Pose.of(0, 0, 0));
+    mounted = new Pose[count];
+    Arrays.fill(mounted, Pose.of(0, 0, 0));
+    sets = new ViewSet[count];
+    poses = new Pose[count][];
     zooms = new ZoomLevel[count][];
-    level = new int[count];
+    view = new int[count];
     online = new boolean[count];
   }
 
-  void define(int camera, String name, ZoomLevel[] levels) {
+  void define(int camera, String name, ViewSet set) {
     names[camera] = name;
-    zooms[camera] = levels;
-    level[camera] = levels.length - 1;
+    fit(camera, set);
+    view[camera] = set.home();
+  }
+
+  /** Lets moves take time, once all cameras are defined. */
+  void startMotion(double stepTime) {
+    if (Motion.takesTime(sets)) {
+      motion = new Motion(sets, stepTime);
+      for (int camera = 0; camera < view.length; camera++) {
+        motion.arrive(camera, view[camera]);
+      }
+    }
   }
 
   void place(int camera, Pose pose) {
-    poses[camera] = pose;
+    mounted[camera] = pose;
+    turn(camera);
     revision++;
   }
 
-  void refit(int camera, ZoomLevel[] levels) {
-    zooms[camera] = levels;
+  void refit(int camera, ViewSet set) {
+    fit(camera, set);
     revision++;
   }
 
@@ -47,14 +68,45 @@ public final class Cameras {
     revision++;
   }
 
-  /** Sets the zoom level. */
-  public void zoomTo(int camera, int newLevel) {
-    level[camera] = newLevel;
+  private void fit(int camera, ViewSet set) {
+    sets[camera] = set;
+    zooms[camera] = new ZoomLevel[set.count()];
+    Arrays.setAll(zooms[camera], set::zoom);
+    turn(camera);
+  }
+
+  private void turn(int camera) {
+    Pose pose = mounted[camera];
+    ViewSet set = sets[camera];
+    Pose[] byPan = new Pose[set.pans().size()];
+    Arrays.setAll(byPan, pan -> pose.turned(set.pans().get(pan)));
+    poses[camera] = new Pose[set.count()];
+    Arrays.setAll(poses[camera], one -> byPan[set.panOf(one)]);
+  }
+
+  /** Sends a camera towards a view. */
+  public void turnTo(int camera, int newView) {
+    view[camera] = newView;
+  }
+
+  /** Puts a camera into a view at once, however long it would have taken. */
+  public void jumpTo(int camera, int newView) {
+    view[camera] = newView;
+    if (motion != null) {
+      motion.arrive(camera, newView);
+    }
+  }
+
+  /** Moves cameras that are on their way for the time of a step. */
+  public void advance() {
+    if (motion != null) {
+      motion.advance(view, online);
+    }
   }
 
   /** How many cameras there will ever be. */
   public int count() {
-    return poses.length;
+    return mounted.length;
   }
 
   /** The name in the scenario file. */
@@ -67,39 +119,73 @@ public final class Cameras {
     return online[camera];
   }
 
-  /** Where the camera stands and which way it looks. */
+  /** Where the camera stands and which way it is mounted. */
   public Pose pose(int camera) {
-    return poses[camera];
+    return mounted[camera];
+  }
+
+  /** Where the camera stands and which way it looks in one of its views. */
+  public Pose pose(int camera, int ofView) {
+    return poses[camera][ofView];
   }
 
   /** Metres. */
   public double x(int camera) {
-    return poses[camera].x();
+    return mounted[camera].x();
   }
 
   /** Metres. */
   public double y(int camera) {
-    return poses[camera].y();
+    return mounted[camera].y();
   }
 
-  /** Radians, 0 is +y and pi/2 is +x; not normalised. */
+  /** The mounted heading: radians, 0 is +y and pi/2 is +x; not normalised. */
   public double heading(int camera) {
-    return poses[camera].heading();
+    return mounted[camera].heading();
   }
 
-  /** The number of zoom levels, 1 or more. */
+  /** The number of views, 1 or more. */
   public int views(int camera) {
     return zooms[camera].length;
   }
 
-  /** The current zoom level, from 0, the narrowest. */
-  public int view(int camera) {
-    return level[camera];
+  /** The number of zoom levels, 1 or more. */
+  public int zooms(int camera) {
+    return sets[camera].zooms().size();
   }
 
-  /** One of the zoom levels. */
-  public ZoomLevel zoom(int camera, int atLevel) {
-    return zooms[camera][atLevel];
+  /** The view that was chosen last, from 0. */
+  public int view(int camera) {
+    return view[camera];
+  }
+
+  /** The view through which the camera sees now; {@link #NO_VIEW} while it moves blindly. */
+  public int seeing(int camera) {
+    return motion == null ? view[camera] : motion.seeing(camera, view[camera]);
+  }
+
+  /** Whether the camera could be in a view by the end of a step, see {@link #steps}. */
+  public boolean reaches(int camera, int otherView) {
+    boolean takesTime = sets[camera].takesTime();
+    return takesTime ? motion.reaches(camera, otherView) : steps(camera, otherView);
+  }
+
+  /** Where moves take no time: one level and one pan angle at a time (thesis 7.4.1). */
+  private boolean steps(int camera, int otherView) {
+    ViewSet set = sets[camera];
+    int from = view[camera];
+    return Math.abs(set.zoomOf(from) - set.zoomOf(otherView)) <= 1
+        && Math.abs(set.panOf(from) - set.panOf(otherView)) <= 1;
+  }
+
+  /** The zoom level of one of the views. */
+  public ZoomLevel zoom(int camera, int ofView) {
+    return zooms[camera][ofView];
+  }
+
+  /** The pan angle of one of the views, radians off the mounted heading. */
+  public double pan(int camera, int ofView) {
+    return sets[camera].pan(ofView);
   }
 
   /** Changes whenever a camera is added, moved, refitted or switched off. */

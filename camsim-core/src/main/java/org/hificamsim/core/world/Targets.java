@@ -1,6 +1,8 @@
 package org.hificamsim.core.world;
 
 import java.util.Random;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.TargetOcclusion;
 import org.hificamsim.core.scenario.Field;
 
 /**
@@ -10,28 +12,35 @@ import org.hificamsim.core.scenario.Field;
  */
 public final class Targets {
   private final Field field;
+  private final Obstacles obstacles;
   private final String[] names;
   private final double[] x;
   private final double[] y;
   private final double[] heading;
   private final double[] speed;
   private final double[] size;
+  private final double[] width;
+  private final double[] radius; // of what hides others: 0 where the target is not present
   private final boolean[] present;
 
-  Targets(Field field, int count) {
+  Targets(Field field, Obstacles obstacles, int count) {
     this.field = field;
+    this.obstacles = obstacles;
     names = new String[count];
     x = new double[count];
     y = new double[count];
     heading = new double[count];
     speed = new double[count];
     size = new double[count];
+    width = new double[count];
+    radius = new double[count];
     present = new boolean[count];
   }
 
-  void define(int target, String name, double itsSize) {
+  void define(int target, String name, double itsSize, double itsWidth) {
     names[target] = name;
     size[target] = itsSize;
+    width[target] = itsWidth;
   }
 
   void appear(int target, double atX, double atY, double itsHeading, double itsSpeed) {
@@ -39,10 +48,12 @@ public final class Targets {
     y[target] = atY;
     heading[target] = itsHeading;
     speed[target] = itsSpeed;
+    radius[target] = width[target] / 2;
     present[target] = true;
   }
 
   void disappear(int target) {
+    radius[target] = 0;
     present[target] = false;
   }
 
@@ -86,6 +97,16 @@ public final class Targets {
     return size[target];
   }
 
+  /** How wide it is, seen from above, metres. */
+  public double width(int target) {
+    return width[target];
+  }
+
+  /** Whether another target hides this one from a point. */
+  boolean isHidden(int target, double fromX, double fromY) {
+    return TargetOcclusion.hidden(fromX, fromY, target, x, y, radius, radius.length);
+  }
+
   /** Turns the target. */
   public void turnTo(int target, double newHeading) {
     heading[target] = newHeading;
@@ -102,17 +123,29 @@ public final class Targets {
     y[target] = newY;
   }
 
+  /** The field that targets move in. */
+  public Field field() {
+    return field;
+  }
+
+  /** Whether a target may walk from where it is to a point: no obstacle is in its way. */
+  public boolean canWalk(int target, double toX, double toY) {
+    return obstacles.isEmpty() || obstacles.clear(x[target], y[target], toX, toY);
+  }
+
   /**
-   * Moves the target by (dx, dy). Outside the field the move is undone, arithmetically as in CamSim
-   * so that the last bits of the position may differ, and the target turns by pi + (2u - 1) pi/6.
+   * Moves the target by (dx, dy). Outside the field, or where an obstacle is in the way, the move
+   * is undone, arithmetically as in CamSim so that the last bits of the position may differ, and
+   * the target turns by pi + (2u - 1) pi/6.
    *
    * @param turn the stream that u is drawn from
-   * @return whether the target stayed inside the field
+   * @return whether the target moved
    */
   public boolean advance(int target, double dx, double dy, Random turn) {
+    boolean free = canWalk(target, x[target] + dx, y[target] + dy);
     x[target] += dx;
     y[target] += dy;
-    if (field.contains(x[target], y[target])) {
+    if (free && field.contains(x[target], y[target])) {
       return true;
     }
     heading[target] += Math.PI + ((turn.nextDouble() * 2 - 1) * Math.PI) / 6;

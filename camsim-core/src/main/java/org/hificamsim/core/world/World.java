@@ -1,13 +1,13 @@
 package org.hificamsim.core.world;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
@@ -28,7 +28,8 @@ public final class World {
   private final List<CameraSpec> cameraSpecs = new ArrayList<>();
   private final List<TargetSpec> targetSpecs = new ArrayList<>();
   private final Map<String, Integer> cameraNumbers = new HashMap<>();
-  private final ZoomLevels zoomLevels;
+  private final Views views;
+  private final SightLines sightLines;
   private final Movement[] movements;
   private final ScenarioEvent[] events;
   private final RandomStreams random;
@@ -44,7 +45,7 @@ public final class World {
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
     this.scenario = scenario;
-    this.zoomLevels = new ZoomLevels(scenario);
+    this.views = new Views(scenario);
     this.random = new RandomStreams(seed);
     this.events =
         scenario.events().stream()
@@ -52,25 +53,27 @@ public final class World {
             .toArray(ScenarioEvent[]::new);
     collectSpecs();
     cameras = new Cameras(cameraSpecs.size());
-    targets = new Targets(scenario.field(), targetSpecs.size());
+    Obstacles obstacles = new Obstacles(scenario.surroundings().obstacles());
+    targets = new Targets(scenario.field(), obstacles, targetSpecs.size());
     movements = new Movement[targetSpecs.size()];
     defineAll(registry);
     scenario.cameras().forEach(camera -> addCamera());
     scenario.targets().forEach(target -> addTarget());
+    sightLines = new SightLines(obstacles, scenario.surroundings().occlusion(), cameras, targets);
   }
 
   /** The zoom levels of the scenario's cameras at the start, each once, in the file's order. */
   public static List<ZoomLevel> zoomLevels(Scenario scenario) {
-    ZoomLevels levels = new ZoomLevels(scenario);
+    Views views = new Views(scenario);
     return scenario.cameras().stream()
-        .flatMap(camera -> Arrays.stream(levels.of(camera)))
+        .flatMap(camera -> views.of(camera).zooms().stream())
         .distinct()
         .toList();
   }
 
   /** The zoom levels of one camera of a scenario at the start, from the narrowest. */
   public static List<ZoomLevel> zoomLevels(Scenario scenario, CameraSpec camera) {
-    return List.of(new ZoomLevels(scenario).of(camera));
+    return new Views(scenario).of(camera).zooms();
   }
 
   /** The scenario that this world was made from. */
@@ -86,6 +89,11 @@ public final class World {
   /** The targets, live. */
   public Targets targets() {
     return targets;
+  }
+
+  /** What stands between cameras and targets, live. */
+  public SightLines sightLines() {
+    return sightLines;
   }
 
   /** How the scenario describes a camera, also one that is yet to be added. */
@@ -111,6 +119,7 @@ public final class World {
   /** Puts a camera elsewhere, outside any event; metres. */
   public void moveCamera(int camera, double x, double y) {
     cameras.place(camera, Pose.of(x, y, cameras.heading(camera)));
+    sightLines.refresh();
   }
 
   /** Turns a camera, outside any event; radians, 0 is +y and pi/2 is +x. */
@@ -124,8 +133,7 @@ public final class World {
    * @param range metres
    */
   public void changeRange(int camera, double range) {
-    double angle = cameras.zoom(camera, 0).viewingAngle();
-    cameras.refit(camera, zoomLevels.of(range, angle));
+    refit(camera, range, cameras.zoom(camera, 0).viewingAngle());
   }
 
   /** Fires the events of this step. */
@@ -133,6 +141,7 @@ public final class World {
     while (nextEvent < events.length && events[nextEvent].step() <= step) {
       fire(events[nextEvent++]);
     }
+    sightLines.refresh();
   }
 
   /** Moves all targets present by one step, in their order. */
@@ -181,7 +190,12 @@ public final class World {
             ? cameras.zoom(camera, 0).viewingAngle()
             : Math.toRadians(change.viewingAngle());
     double range = changed(change.range(), cameras.zoom(camera, 0).radius());
-    cameras.refit(camera, zoomLevels.of(range, angle));
+    refit(camera, range, angle);
+  }
+
+  /** A camera with optics keeps its views, but for round ones. */
+  private void refit(int camera, double range, double viewingAngle) {
+    cameras.refit(camera, views.of(range, viewingAngle, cameraSpecs.get(camera).optics()));
   }
 
   private static double changed(double given, double before) {
@@ -235,11 +249,12 @@ public final class World {
     for (int camera = 0; camera < cameraSpecs.size(); camera++) {
       CameraSpec spec = cameraSpecs.get(camera);
       cameraNumbers.putIfAbsent(spec.name(), camera);
-      cameras.define(camera, spec.name(), zoomLevels.of(spec));
+      cameras.define(camera, spec.name(), views.of(spec));
     }
+    cameras.startMotion(scenario.stepTime());
     for (int target = 0; target < targetSpecs.size(); target++) {
       TargetSpec spec = targetSpecs.get(target);
-      targets.define(target, spec.name(), spec.size());
+      targets.define(target, spec.name(), spec.size(), spec.width());
       movements[target] = registry.create(movementName(spec));
     }
   }

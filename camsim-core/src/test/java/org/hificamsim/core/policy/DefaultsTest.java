@@ -78,7 +78,7 @@ class DefaultsTest {
         (proxy, method, arguments) ->
             switch (method.getName()) {
               case "cameras" -> 5;
-              case "levels" -> 2;
+              case "views" -> 2;
               case "targets" -> TARGETS;
               case "present" -> (int) arguments[0] != 66 && (int) arguments[0] != 30;
               case "detects" -> (int) arguments[1] == 1 || (int) arguments[2] % 3 != 0;

@@ -261,7 +261,7 @@ class WorldTest {
     assertEquals(2, cameras.zoom(0, 1).narrowestRadius());
     assertEquals(25, cameras.zoom(0, 1).widestRadius());
     assertTrue(Double.isNaN(cameras.zoom(0, 1).mountHeight()));
-    cameras.zoomTo(0, 1);
+    cameras.turnTo(0, 1);
     world.fireEvents(1);
     assertEquals(3.5, cameras.zoom(0, 1).radius());
     assertEquals(1, cameras.view(0), "a change keeps the zoom level");
@@ -291,7 +291,7 @@ class WorldTest {
         assertEquals(before, world.cameras().revision(), "step " + step);
       }
       world.moveTargets();
-      world.cameras().zoomTo(0, 0);
+      world.cameras().turnTo(0, 0);
     }
   }
 

@@ -1,10 +1,9 @@
 package org.hificamsim.network.agent;
 
 import java.util.Arrays;
-import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.SightLines;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
@@ -15,6 +14,7 @@ import org.hificamsim.core.world.World;
 public final class Sightings {
   private final Cameras cameras;
   private final Targets targets;
+  private final SightLines lines;
   private final Visibility visibility;
   private final double[] confidence;
   private final InsertionOrder[] visible;
@@ -23,6 +23,7 @@ public final class Sightings {
   public Sightings(World world, Visibility visibility) {
     cameras = world.cameras();
     targets = world.targets();
+    lines = world.sightLines();
     this.visibility = visibility;
     confidence = new double[cameras.count() * targets.count()];
     visible = new InsertionOrder[cameras.count()];
@@ -46,21 +47,28 @@ public final class Sightings {
   }
 
   private int look(long step, int camera, int[] coverage) {
-    Pose pose = cameras.pose(camera);
-    ZoomLevel zoom = cameras.zoom(camera, cameras.view(camera));
+    int view = cameras.seeing(camera);
     int seen = 0;
     for (int target = 0; target < coverage.length; target++) {
       if (targets.present(target)) {
-        double x = targets.x(target);
-        double y = targets.y(target);
-        double luck = visibility.luck(step, camera, target);
-        double sure = visibility.confidence(pose, zoom, x, y, targets.size(target), luck);
+        double sure = view == Cameras.NO_VIEW ? 0 : confidence(step, camera, view, target);
         note(camera, target, sure);
         seen += sure > 0 ? 1 : 0;
         coverage[target] += sure > 0 ? 1 : 0;
       }
     }
     return seen;
+  }
+
+  private double confidence(long step, int camera, int view, int target) {
+    return visibility.confidence(
+        cameras.pose(camera, view),
+        cameras.zoom(camera, view),
+        targets.x(target),
+        targets.y(target),
+        targets.size(target),
+        visibility.luck(step, camera, target),
+        lines.transmittance(camera, target));
   }
 
   /** A camera loses sight of a target, whatever its next look brings. */

@@ -84,7 +84,7 @@ public final class OverlapTable {
     return new View(
         cameras.x(camera),
         cameras.y(camera),
-        cameras.heading(camera),
+        cameras.pose(camera, cameras.view(camera)).heading(),
         cameras.zoom(camera, cameras.view(camera)));
   }
 }

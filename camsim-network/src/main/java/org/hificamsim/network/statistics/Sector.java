@@ -1,5 +1,7 @@
 package org.hificamsim.network.statistics;
 
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.world.Cameras;
 
 /**
@@ -14,12 +16,9 @@ import org.hificamsim.core.world.Cameras;
 record Sector(double x, double y, double heading, double angle, double radius) {
   /** What a camera sees now. */
   static Sector of(Cameras cameras, int camera) {
-    return new Sector(
-        cameras.x(camera),
-        cameras.y(camera),
-        cameras.heading(camera),
-        cameras.zoom(camera, 0).viewingAngle(),
-        cameras.zoom(camera, cameras.view(camera)).radius());
+    Pose pose = cameras.pose(camera, cameras.view(camera));
+    ZoomLevel zoom = cameras.zoom(camera, cameras.view(camera));
+    return new Sector(pose.x(), pose.y(), pose.heading(), zoom.viewingAngle(), zoom.radius());
   }
 
   /** Whether the point lies inside. */

@@ -172,7 +172,7 @@ class ActionValuesTest {
             (proxy, method, arguments) ->
                 switch (method.getName()) {
                   case "cameras" -> 1;
-                  case "levels" -> views;
+                  case "views" -> views;
                   case "targets" -> targets;
                   default -> throw new UnsupportedOperationException(method.getName());
                 });

@@ -32,14 +32,18 @@ public record Optics(double sensorWidth, double longestFocalLength) {
   }
 
   /**
-   * The focal length of a zoom level, metres: from its radius and the mount height; where the
-   * height is not known (NaN), in inverse proportion to the radius, so that the narrowest level has
-   * the longest focal length.
+   * The focal length of a zoom level, metres: from the angle of view of the scenario's lens, on
+   * this sensor (Eq 3.1), so that a target takes up the same part of the picture. Without a lens
+   * from its radius and the mount height; where the height is not known (NaN), in inverse
+   * proportion to the radius, so that the narrowest level has the longest focal length.
    *
    * <p>A radius of 0 would ask for an infinite focal length; it counts as the longest one instead.
    * Such a level sees the spot under the camera alone, so nothing depends on it.
    */
   public double focalLength(ZoomLevel zoom) {
+    if (zoom.hasLens()) {
+      return sensorWidth / (2 * StrictMath.tan(zoom.angleOfView() / 2));
+    }
     if (zoom.radius() == 0) {
       return longestFocalLength;
     }

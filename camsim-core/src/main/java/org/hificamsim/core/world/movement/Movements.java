@@ -14,7 +14,11 @@ public final class Movements {
         .register("Waypoints", "CamSim's closed path, full steps", WaypointsMovement::new)
         .register("Scripted", "the coverage study's closed path, exact", ScriptedMovement::new)
         .register("Brownian", "random walk of given mean and std", BrownianMovement::new)
-        .register("DirectedBrownian", "wandering line", DirectedBrownianMovement::new);
+        .register("DirectedBrownian", "wandering line", DirectedBrownianMovement::new)
+        .register(
+            "RandomWaypoint",
+            "straight to random places, around obstacles",
+            RandomWaypointMovement::new);
   }
 
   /** A registry of the built-in movements and those in users' jars. */

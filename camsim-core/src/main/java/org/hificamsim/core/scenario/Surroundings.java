@@ -1,0 +1,23 @@
+package org.hificamsim.core.scenario;
+
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.obstacle.Obstacle;
+
+/**
+ * What stands in the field besides cameras and targets.
+ *
+ * @param obstacles in file order
+ * @param floorplan drawn under the field
+ */
+public record Surroundings(
+    List<Obstacle> obstacles, Occlusion occlusion, Optional<Floorplan> floorplan) {
+  /** An open field. */
+  public static final Surroundings NONE =
+      new Surroundings(List.of(), Occlusion.NONE, Optional.empty());
+
+  /** Copies what could change. */
+  public Surroundings {
+    obstacles = List.copyOf(obstacles);
+  }
+}

@@ -1,0 +1,86 @@
+package org.hificamsim.core.world;
+
+import java.util.Arrays;
+import org.hificamsim.core.scenario.Moving;
+
+/**
+ * Where cameras are on their way from view to view: turning and zooming begin together and take
+ * their time; a move that is not done within a step goes on in the next.
+ */
+final class Motion {
+  private final ViewSet[] views;
+  private final double stepTime;
+  private final double[] pan;
+  private final double[] zoom;
+  private final boolean[] moving;
+
+  /**
+   * @param views of each camera, live
+   * @param stepTime seconds
+   */
+  Motion(ViewSet[] views, double stepTime) {
+    this.views = views;
+    this.stepTime = stepTime;
+    pan = new double[views.length];
+    zoom = new double[views.length];
+    moving = new boolean[views.length];
+  }
+
+  /** Puts a camera into a view at once. */
+  void arrive(int camera, int view) {
+    pan[camera] = views[camera].pan(view);
+    zoom[camera] = views[camera].zoomOf(view);
+    moving[camera] = false;
+  }
+
+  /** Moves every camera that is not at its goal for the time of a step. */
+  void advance(int[] goals, boolean[] online) {
+    for (int camera = 0; camera < goals.length; camera++) {
+      if (online[camera]) {
+        advance(camera, goals[camera]);
+      }
+    }
+  }
+
+  private void advance(int camera, int goal) {
+    if (reaches(camera, goal)) {
+      arrive(camera, goal);
+      return;
+    }
+    ViewSet set = views[camera];
+    moving[camera] = true;
+    pan[camera] = towards(pan[camera], set.pan(goal), set.panSpeed() * stepTime);
+    zoom[camera] = towards(zoom[camera], set.zoomOf(goal), set.zoomSpeed() * stepTime);
+  }
+
+  private static double towards(double from, double to, double most) {
+    double way = to - from;
+    return Math.abs(way) <= most ? to : from + Math.copySign(most, way);
+  }
+
+  /** Whether a camera comes to a view within a step. */
+  boolean reaches(int camera, int view) {
+    ViewSet set = views[camera];
+    return isWithin(set.pan(view) - pan[camera], set.panSpeed())
+        && isWithin(set.zoomOf(view) - zoom[camera], set.zoomSpeed());
+  }
+
+  /** A part in a million more: five steps of a fifth are a whole. */
+  private boolean isWithin(double way, double speed) {
+    return Math.abs(way) <= speed * stepTime * (1 + 1e-6);
+  }
+
+  /** The view through which a camera sees on its way to a goal; -1 while it sees nothing. */
+  int seeing(int camera, int goal) {
+    if (!moving[camera]) {
+      return goal;
+    }
+    ViewSet set = views[camera];
+    return set.moving() == Moving.BLIND ? -1 : set.nearest(pan[camera], zoom[camera]);
+  }
+
+  /** Whether any camera of these needs time for a move. */
+  static boolean takesTime(ViewSet[] views) {
+    return Arrays.stream(views).anyMatch(ViewSet::takesTime);
+  }
+}

@@ -1,0 +1,81 @@
+package org.hificamsim.core.world;
+
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.VisibleRegion;
+import org.hificamsim.core.scenario.Occlusion;
+
+/**
+ * What stands between cameras and targets: obstacles, seen from where each camera stands, and other
+ * targets where the scenario lets them hide each other. Between two refreshes any number of threads
+ * may ask.
+ */
+public final class SightLines {
+  private final Obstacles obstacles;
+  private final boolean byTargets;
+  private final Cameras cameras;
+  private final Targets targets;
+  private final VisibleRegion[] regions;
+  private final double[] fromX;
+  private final double[] fromY;
+  private final boolean partial;
+  private int revision = -1;
+
+  SightLines(Obstacles obstacles, Occlusion occlusion, Cameras cameras, Targets targets) {
+    this.obstacles = obstacles;
+    this.byTargets = occlusion == Occlusion.TARGETS;
+    this.cameras = cameras;
+    this.targets = targets;
+    this.regions = new VisibleRegion[obstacles.isEmpty() ? 0 : cameras.count()];
+    this.fromX = new double[regions.length];
+    this.fromY = new double[regions.length];
+    this.partial = obstacles.all().stream().anyMatch(one -> one.transmittance() > 0);
+    refresh();
+  }
+
+  /** Takes note of cameras that were moved since the last call. */
+  void refresh() {
+    if (revision == cameras.revision()) {
+      return;
+    }
+    revision = cameras.revision();
+    for (int camera = 0; camera < regions.length; camera++) {
+      if (hasMoved(camera)) {
+        fromX[camera] = cameras.x(camera);
+        fromY[camera] = cameras.y(camera);
+        regions[camera] = VisibleRegion.of(obstacles, fromX[camera], fromY[camera]);
+      }
+    }
+  }
+
+  private boolean hasMoved(int camera) {
+    return regions[camera] == null
+        || fromX[camera] != cameras.x(camera)
+        || fromY[camera] != cameras.y(camera);
+  }
+
+  /** Whether nothing ever stands in between. */
+  public boolean open() {
+    return regions.length == 0 && !byTargets;
+  }
+
+  /** Whether something lets a part of the light through. */
+  public boolean partial() {
+    return partial;
+  }
+
+  /**
+   * How much of a target gets through to a camera: 0 where it is hidden, 1 where nothing is in
+   * between.
+   */
+  public double transmittance(int camera, int target) {
+    double through =
+        regions.length == 0
+            ? 1
+            : regions[camera].transmittance(targets.x(target), targets.y(target));
+    return byTargets
+            && through > 0
+            && targets.isHidden(target, cameras.x(camera), cameras.y(camera))
+        ? 0
+        : through;
+  }
+}

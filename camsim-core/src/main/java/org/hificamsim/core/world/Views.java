@@ -1,0 +1,103 @@
+package org.hificamsim.core.world;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Scenario;
+
+/** Makes a camera's views from its optics, from a scenario's zoom list, or from its range alone. */
+final class Views {
+  /** CamSim's constant: a camera created with this range or more gets {@link #CLAMPED} instead. */
+  private static final double MAX_RANGE = 20;
+
+  private static final double CLAMPED = MAX_RANGE - MAX_RANGE * 0.2;
+
+  private record Kind(double range, double viewingAngle, Optional<OpticsSpec> optics) {}
+
+  private final Scenario scenario;
+  private final Map<Kind, ViewSet> made = new HashMap<>();
+
+  Views(Scenario scenario) {
+    this.scenario = scenario;
+  }
+
+  /** CamSim's rule for the range of a camera that is created (behaviour 6.3). */
+  static double clampedRange(double range) {
+    return range >= MAX_RANGE ? CLAMPED : range;
+  }
+
+  /** The views of a camera as the scenario gives it; cameras of a kind share them. */
+  ViewSet of(CameraSpec camera) {
+    double range = camera.optics().isPresent() ? camera.range() : clampedRange(camera.range());
+    return of(range, Math.toRadians(camera.viewingAngle()), camera.optics());
+  }
+
+  /**
+   * The views of a camera; cameras of a kind share them.
+   *
+   * @param range used where the scenario has no zoom list, metres
+   * @param viewingAngle radians
+   */
+  ViewSet of(double range, double viewingAngle, Optional<OpticsSpec> optics) {
+    double own = scenario.inCoverageDialect() ? 0 : range;
+    return made.computeIfAbsent(new Kind(own, viewingAngle, optics), this::make);
+  }
+
+  private ViewSet make(Kind kind) {
+    return kind.optics
+        .map(optics -> make(kind, optics))
+        .orElseGet(() -> ViewSet.of(round(kind, 0)));
+  }
+
+  private ViewSet make(Kind kind, OpticsSpec optics) {
+    List<ZoomLevel> zooms =
+        optics.law() == OpticsLaw.ROUND
+            ? round(kind, optics.pixels().orElse(0))
+            : optics.anglesOfView().stream().map(angle -> lens(optics, angle)).toList();
+    return new ViewSet(
+        optics.pans().stream().map(Math::toRadians).toList(),
+        zooms,
+        Math.toRadians(optics.panSpeed().orElse(Double.POSITIVE_INFINITY)),
+        optics.zoomTime() == 0 ? Double.POSITIVE_INFINITY : (zooms.size() - 1) / optics.zoomTime(),
+        optics.moving());
+  }
+
+  private List<ZoomLevel> round(Kind kind, int pixels) {
+    List<Double> radii = scenario.inCoverageDialect() ? scenario.zooms() : List.of(kind.range);
+    double narrowest = radii.get(0);
+    double widest = radii.get(radii.size() - 1);
+    double height = scenario.mountHeight().orElse(Double.NaN);
+    return radii.stream()
+        .map(
+            radius ->
+                new ZoomLevel(
+                    radius, narrowest, widest, height, kind.viewingAngle, Double.NaN, pixels))
+        .toList();
+  }
+
+  private ZoomLevel lens(OpticsSpec optics, double angle) {
+    double narrow = reach(optics, optics.anglesOfView().get(0));
+    double wide = reach(optics, optics.anglesOfView().get(optics.anglesOfView().size() - 1));
+    return new ZoomLevel(
+        reach(optics, angle),
+        Math.min(narrow, wide),
+        Math.max(narrow, wide),
+        scenario.mountHeight().orElse(Double.NaN),
+        Math.toRadians(angle),
+        Math.toRadians(angle),
+        optics.pixels().orElse(0));
+  }
+
+  /** A lens without a reach of its own has the whole field in reach. */
+  private double reach(OpticsSpec optics, double angle) {
+    if (optics.law() == OpticsLaw.CONSTANT_AREA) {
+      return optics.reach().orElseThrow() * Math.sqrt(optics.anglesOfView().get(0) / angle);
+    }
+    return optics.reach().orElse(Math.hypot(scenario.field().width(), scenario.field().height()));
+  }
+}
