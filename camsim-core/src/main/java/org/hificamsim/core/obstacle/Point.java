@@ -1,0 +1,4 @@
+package org.hificamsim.core.obstacle;
+
+/** A corner, metres. */
+public record Point(double x, double y) {}

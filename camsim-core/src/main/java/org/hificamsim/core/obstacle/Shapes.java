@@ -1,0 +1,130 @@
+package org.hificamsim.core.obstacle;
+
+import java.util.List;
+import java.util.function.Supplier;
+
+/** What a shape has to be, and what a closed line of corners touches and surrounds. */
+final class Shapes {
+  private static final double FARTHEST = 1e100;
+
+  private Shapes() {}
+
+  static void require(boolean right, Supplier<String> fault) {
+    if (!right) {
+      throw new IllegalArgumentException(fault.get());
+    }
+  }
+
+  static void requireCoordinate(double value) {
+    require(
+        Math.abs(value) <= FARTHEST,
+        () -> "coordinate is " + value + ", expected a number between -1e100 and 1e100");
+  }
+
+  static void requireTransmittance(double value) {
+    require(
+        value >= 0 && value <= 1,
+        () -> "transmittance is " + value + ", expected a number between 0 and 1");
+  }
+
+  static void requireRadius(double value) {
+    require(
+        value > 0 && value <= FARTHEST,
+        () -> "radius is " + value + ", expected a number above 0, and 1e100 at most");
+  }
+
+  static void requireSimple(List<Point> points) {
+    require(
+        points.size() >= 3, () -> "polygon has " + points.size() + " points, expected 3 or more");
+    points.forEach(point -> requireCoordinate(point.x()));
+    points.forEach(point -> requireCoordinate(point.y()));
+    requireArea(points);
+    for (int i = 0; i < points.size(); i++) {
+      for (int j = i + 1; j < points.size(); j++) {
+        requireApart(points, i, j);
+      }
+    }
+  }
+
+  private static void requireArea(List<Point> points) {
+    Point first = points.get(0);
+    Point other = points.stream().filter(point -> !point.equals(first)).findFirst().orElse(first);
+    require(
+        points.stream().anyMatch(point -> turn(first, other, point) != 0),
+        () -> "all points of the polygon are on one line, expected an area");
+  }
+
+  /** Checks that edges i and j, in this order, have no point in common but a shared corner. */
+  private static void requireApart(List<Point> points, int i, int j) {
+    boolean follows = j == i + 1;
+    boolean closes = i == 0 && j == points.size() - 1;
+    boolean crossing =
+        follows
+            ? foldsBack(points, i)
+            : closes
+                ? foldsBack(points, j)
+                : touches(
+                    points.get(j),
+                    next(points, j),
+                    points.get(i).x(),
+                    points.get(i).y(),
+                    next(points, i).x(),
+                    next(points, i).y());
+    require(
+        !crossing,
+        () ->
+            "edges "
+                + (i + 1)
+                + " and "
+                + (j + 1)
+                + " of the polygon touch, expected edges that share corners with their neighbours"
+                + " alone");
+  }
+
+  /** Whether the edge after edge i has more than the corner between them in common with it. */
+  private static boolean foldsBack(List<Point> points, int i) {
+    Point from = points.get(i);
+    Point corner = next(points, i);
+    Point to = next(points, (i + 1) % points.size());
+    return from.equals(corner)
+        || corner.equals(to)
+        || touches(corner, to, from.x(), from.y(), from.x(), from.y())
+        || touches(from, corner, to.x(), to.y(), to.x(), to.y());
+  }
+
+  /** Whether a segment has a point of the closed line of corners. */
+  static boolean touches(List<Point> points, double x1, double y1, double x2, double y2) {
+    for (int i = 0; i < points.size(); i++) {
+      if (touches(points.get(i), next(points, i), x1, y1, x2, y2)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether a point that is on none of the edges lies within them: the edges to its right. */
+  static boolean surrounds(List<Point> points, double x, double y) {
+    Point at = new Point(x, y);
+    boolean inside = false;
+    for (int i = 0; i < points.size(); i++) {
+      Point from = points.get(i);
+      Point to = next(points, i);
+      boolean rises = to.y() > y;
+      boolean crosses = from.y() > y != rises;
+      inside ^= crosses && turn(from, to, at) > 0 == rises;
+    }
+    return inside;
+  }
+
+  private static Point next(List<Point> points, int i) {
+    return points.get(i + 1 == points.size() ? 0 : i + 1);
+  }
+
+  private static boolean touches(Point from, Point to, double x1, double y1, double x2, double y2) {
+    return Segments.touch(x1, y1, x2, y2, from.x(), from.y(), to.x(), to.y());
+  }
+
+  private static int turn(Point a, Point b, Point c) {
+    return Orientation.of(a.x(), a.y(), b.x(), b.y(), c.x(), c.y());
+  }
+}

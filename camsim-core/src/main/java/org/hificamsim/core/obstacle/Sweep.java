@@ -1,0 +1,176 @@
+package org.hificamsim.core.obstacle;
+
+import java.util.Arrays;
+
+/**
+ * Goes round a standpoint, piece by piece, and notes for each sector that a piece is met in how
+ * near it can be there, and whether it hides what is behind. Bounds are on the safe side of
+ * rounding: what they do not decide, the exact test does.
+ */
+final class Sweep {
+  private static final int FEWEST_SECTORS = 16;
+  private static final int MOST_SECTORS = 256;
+
+  private final Obstacles obstacles;
+  private final Pieces pieces;
+  private final PieceSight sight;
+  private final double reachSquare;
+  private final int sectors;
+  private final float[] limits;
+  private final int[] ends;
+  private final int[] met;
+
+  // What was noted, piece by piece.
+  private int notes;
+  private int[] noteSector = new int[256];
+  private int[] notePiece = new int[256];
+  private float[] noteNear = new float[256];
+
+  Sweep(Obstacles obstacles, double x, double y, double reach) {
+    this.obstacles = obstacles;
+    this.pieces = obstacles.pieces();
+    this.reachSquare = Math.nextUp(reach * reach * (1 + 1e-9));
+    this.sight = new PieceSight(pieces, x, y);
+    this.sectors = sectors(near());
+    this.limits = new float[sectors * VisibleRegion.LIMITS];
+    this.ends = new int[sectors + 1];
+    Arrays.fill(limits, Float.POSITIVE_INFINITY);
+    noteAll(x, y);
+    this.met = sorted();
+  }
+
+  float[] limits() {
+    return limits;
+  }
+
+  /** By sector: where what is met in it begins; one more is the end of the last. */
+  int[] ends() {
+    return ends;
+  }
+
+  /** What is met, sector by sector, in each in the order of obstacles. */
+  int[] met() {
+    return met;
+  }
+
+  /** The piece that an entry means. */
+  static int piece(int met) {
+    return met < 0 ? ~met : met;
+  }
+
+  /** Whether an entry means an obstacle that the standpoint is inside or on the border of. */
+  static boolean atStandpoint(int met) {
+    return met < 0;
+  }
+
+  private int near() {
+    int near = 0;
+    for (int piece = 0; piece < pieces.count(); piece++) {
+      near += sight.nearest(piece) <= reachSquare ? 1 : 0;
+    }
+    return near;
+  }
+
+  private static int sectors(int near) {
+    int wanted = Integer.highestOneBit(Math.max(1, near)) * 8;
+    return near == 0 ? 1 : Math.max(FEWEST_SECTORS, Math.min(MOST_SECTORS, wanted));
+  }
+
+  private void noteAll(double x, double y) {
+    for (int i = 0; i + 1 < pieces.first.length; i++) {
+      if (obstacles.all().get(i).contains(x, y)) {
+        noteStandpoint(i);
+      } else {
+        noteOutside(i);
+      }
+    }
+  }
+
+  private void noteStandpoint(int obstacle) {
+    int piece = pieces.first[obstacle];
+    for (int sector = 0; sector < sectors; sector++) {
+      note(sector, ~piece, -1);
+      if (pieces.solid(piece)) {
+        hide(sector, -1);
+      }
+    }
+  }
+
+  private void noteOutside(int obstacle) {
+    for (int piece = pieces.first[obstacle]; piece < pieces.first[obstacle + 1]; piece++) {
+      if (sight.nearest(piece) <= reachSquare) {
+        notePiece(piece);
+      }
+    }
+  }
+
+  private void notePiece(int piece) {
+    sight.look(piece, sectors);
+    boolean solid = pieces.solid(piece);
+    for (int i = sight.firstSector(); i <= sight.lastSector(); i++) {
+      sight.enter(i);
+      int sector = i & sectors - 1;
+      note(sector, piece, Math.nextDown((float) sight.near()));
+      if (solid && sight.spans()) {
+        hide(sector, Math.nextUp((float) sight.far()));
+      }
+    }
+  }
+
+  private void note(int sector, int piece, float near) {
+    if (near > reachSquare) {
+      return;
+    }
+    if (notes == noteSector.length) {
+      noteSector = Arrays.copyOf(noteSector, 2 * notes);
+      notePiece = Arrays.copyOf(notePiece, 2 * notes);
+      noteNear = Arrays.copyOf(noteNear, 2 * notes);
+    }
+    noteSector[notes] = sector;
+    notePiece[notes] = piece;
+    noteNear[notes++] = near;
+    lower(sector, VisibleRegion.TOUCHED, near);
+    if (pieces.solid(piece(piece))) {
+      lower(sector, VisibleRegion.BLOCKED, near);
+    }
+  }
+
+  private void hide(int sector, float far) {
+    lower(sector, VisibleRegion.HIDDEN, far);
+  }
+
+  private void lower(int sector, int limit, float value) {
+    int at = VisibleRegion.LIMITS * sector + limit;
+    limits[at] = Math.min(limits[at], value);
+  }
+
+  /** What is not hidden, by sector: a counting sort, which keeps the order within a sector. */
+  private int[] sorted() {
+    int kept = 0;
+    for (int i = 0; i < notes; i++) {
+      if (!hidden(i)) {
+        ends[noteSector[i]]++;
+        kept++;
+      }
+    }
+    int start = 0;
+    for (int i = 0; i <= sectors; i++) {
+      int count = ends[i];
+      ends[i] = start;
+      start += count;
+    }
+    int[] sorted = new int[kept];
+    for (int i = 0; i < notes; i++) {
+      if (!hidden(i)) {
+        sorted[ends[noteSector[i]]++] = notePiece[i];
+      }
+    }
+    System.arraycopy(ends, 0, ends, 1, sectors);
+    ends[0] = 0;
+    return sorted;
+  }
+
+  private boolean hidden(int note) {
+    return noteNear[note] > limits[VisibleRegion.LIMITS * noteSector[note] + VisibleRegion.HIDDEN];
+  }
+}
