@@ -1,0 +1,109 @@
+package org.hificamsim.core.obstacle;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/** Random obstacles and points. Most are on a lattice, so that lines touch and run along others. */
+final class RandomPlace {
+  private final SplittableRandom random;
+  private final int lattice;
+
+  /** The coordinates are of integers, of tenths or of any doubles, by the seed. */
+  RandomPlace(long seed) {
+    random = new SplittableRandom(seed);
+    lattice = random.nextInt(3);
+  }
+
+  SplittableRandom random() {
+    return random;
+  }
+
+  double coordinate() {
+    return switch (lattice) {
+      case 0 -> random.nextInt(-6, 7);
+      case 1 -> random.nextInt(-30, 31) / 10.0;
+      default -> random.nextDouble(-6, 6);
+    };
+  }
+
+  Point point() {
+    return new Point(coordinate(), coordinate());
+  }
+
+  private double transmittance(boolean solid) {
+    return solid || random.nextInt(3) > 0 ? 0 : random.nextInt(1, 10) / 10.0;
+  }
+
+  /** One of the given points now and then, so that obstacles share ends. */
+  private Point point(List<Point> taken) {
+    boolean again = !taken.isEmpty() && random.nextInt(4) == 0;
+    Point point = again ? taken.get(random.nextInt(taken.size())) : point();
+    taken.add(point);
+    return point;
+  }
+
+  Obstacles obstacles(int most, boolean solid) {
+    List<Point> taken = new ArrayList<>();
+    int count = random.nextInt(most + 1);
+    return new Obstacles(Stream.generate(() -> obstacle(taken, solid)).limit(count).toList());
+  }
+
+  private Obstacle obstacle(List<Point> taken, boolean solid) {
+    Optional<Obstacle> made = Optional.empty();
+    while (made.isEmpty()) {
+      made =
+          switch (random.nextInt(3)) {
+            case 0 -> wall(point(taken), point(taken), solid);
+            case 1 -> polygon(taken, solid);
+            default -> Optional.of(pillar(solid));
+          };
+    }
+    return made.get();
+  }
+
+  private Optional<Obstacle> wall(Point from, Point to, boolean solid) {
+    return from.equals(to)
+        ? Optional.empty()
+        : Optional.of(new Obstacle.Wall(from.x(), from.y(), to.x(), to.y(), transmittance(solid)));
+  }
+
+  Obstacle pillar(boolean solid) {
+    double radius = lattice == 2 ? random.nextDouble(0.1, 2) : random.nextInt(1, 11) / 2.0;
+    return new Obstacle.Pillar(coordinate(), coordinate(), radius / 2, transmittance(solid));
+  }
+
+  private Optional<Obstacle> polygon(List<Point> taken, boolean solid) {
+    int corners = random.nextInt(3, 7);
+    List<Point> points = IntStream.range(0, corners).mapToObj(i -> point(taken)).toList();
+    try {
+      return Optional.of(new Obstacle.Polygon(points, transmittance(solid)));
+    } catch (IllegalArgumentException notSimple) {
+      return Optional.empty();
+    }
+  }
+
+  /** Anywhere, on a border, or in line with a standpoint and a corner. */
+  Point target(Obstacles obstacles, Point standpoint) {
+    Point point = point();
+    if (obstacles.isEmpty() || random.nextInt(3) == 0) {
+      return point;
+    }
+    Pieces pieces = obstacles.pieces();
+    int piece = random.nextInt(pieces.count());
+    Point from = new Point(pieces.x1[piece], pieces.y1[piece]);
+    Point to =
+        pieces.radius[piece] > 0
+            ? new Point(from.x() + pieces.radius[piece], from.y())
+            : new Point(pieces.x2[piece], pieces.y2[piece]);
+    return switch (random.nextInt(4)) {
+      case 0 -> to;
+      case 1 -> new Point((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
+      case 2 -> new Point(2 * to.x() - standpoint.x(), 2 * to.y() - standpoint.y());
+      default -> new Point(to.x(), to.y() + Math.ulp(to.y()));
+    };
+  }
+}

@@ -1,0 +1,117 @@
+package org.hificamsim.core.obstacle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.hificamsim.core.AllocatedBytes;
+import org.junit.jupiter.api.Test;
+
+class VisibleRegionTest {
+  @Property(tries = 5000, edgeCases = EdgeCasesMode.NONE)
+  void answersAsTheObstaclesDo(@ForAll long seed) {
+    RandomPlace place = new RandomPlace(seed);
+    Obstacles obstacles = place.obstacles(seed % 5 == 0 ? 40 : 6, false);
+    Point at = place.target(obstacles, place.point());
+    VisibleRegion region = VisibleRegion.of(obstacles, at.x(), at.y());
+    for (int i = 0; i < 100; i++) {
+      assertSame(obstacles, region, at, place.target(obstacles, at));
+    }
+    assertSame(obstacles, region, at, at);
+  }
+
+  @Property(tries = 1000, edgeCases = EdgeCasesMode.NONE)
+  void answersAsTheObstaclesDoWithinItsReach(@ForAll long seed) {
+    RandomPlace place = new RandomPlace(seed);
+    Obstacles obstacles = place.obstacles(20, false);
+    Point at = place.point();
+    double reach = place.random().nextInt(1, 6);
+    VisibleRegion region = VisibleRegion.of(obstacles, at.x(), at.y(), reach);
+    for (int i = 0; i < 200; i++) {
+      Point target = place.target(obstacles, at);
+      if (Math.hypot(target.x() - at.x(), target.y() - at.y()) <= reach) {
+        assertSame(obstacles, region, at, target);
+      }
+    }
+  }
+
+  private static void assertSame(
+      Obstacles obstacles, VisibleRegion region, Point at, Point target) {
+    assertEquals(
+        obstacles.transmittance(at.x(), at.y(), target.x(), target.y()),
+        region.transmittance(target.x(), target.y()),
+        () -> "from " + at + " to " + target + " past " + obstacles.all());
+    assertEquals(
+        obstacles.clear(at.x(), at.y(), target.x(), target.y()),
+        region.sees(target.x(), target.y()),
+        () -> "from " + at + " to " + target + " past " + obstacles.all());
+  }
+
+  @Test
+  void seesAllWhereNothingStands() {
+    VisibleRegion region = VisibleRegion.of(Obstacles.NONE, 1, 2);
+    assertTrue(region.sees(1, 2));
+    assertTrue(region.sees(-1e6, 1e6));
+    assertEquals(1, region.transmittance(7, 7));
+  }
+
+  @Test
+  void seesNothingFromAStandpointOnASolidBorder() {
+    VisibleRegion region = VisibleRegion.of(wall(0, 0, 4, 0, 0), 1, 0);
+    assertFalse(region.sees(1, 0));
+    assertFalse(region.sees(1, 3));
+    assertFalse(region.sees(-9, 0));
+  }
+
+  @Test
+  void seesDimlyOutOfATranslucentPolygon() {
+    List<Point> square =
+        List.of(new Point(0, 0), new Point(4, 0), new Point(4, 4), new Point(0, 4));
+    Obstacles obstacles = new Obstacles(List.of(new Obstacle.Polygon(square, 0.5)));
+    VisibleRegion region = VisibleRegion.of(obstacles, 1, 1);
+    assertEquals(0.5, region.transmittance(2, 3));
+    assertEquals(0.5, region.transmittance(20, 3));
+    assertTrue(region.sees(20, 3));
+  }
+
+  @Test
+  void seesUpToAWallAndNotTheWallItself() {
+    VisibleRegion region = VisibleRegion.of(wall(5, -5, 5, 5, 0), 0, 0);
+    assertTrue(region.sees(Math.nextDown(5.0), 1));
+    assertFalse(region.sees(5, 1));
+    assertFalse(region.sees(10, 10));
+    assertTrue(region.sees(10, Math.nextUp(10.0)));
+  }
+
+  @Test
+  void askingAllocatesNothing() {
+    SplittableRandom random = new SplittableRandom(1);
+    List<Obstacle> walls = new ArrayList<>();
+    for (int i = 0; i < 40; i++) {
+      double x = random.nextDouble(100);
+      double y = random.nextDouble(100);
+      walls.add(new Obstacle.Wall(x, y, x + random.nextDouble(10), y + 5, 0.5 * (i % 2)));
+    }
+    VisibleRegion region = VisibleRegion.of(new Obstacles(walls), 50, 50);
+    int[] seen = new int[1];
+    Runnable asking =
+        () -> {
+          for (int i = 0; i < 10_000; i++) {
+            seen[0] += region.sees(i % 100, i / 100.0) ? 1 : 0;
+            seen[0] += region.transmittance(i % 100, i / 100.0) < 1 ? 1 : 0;
+          }
+        };
+    assertEquals(0, AllocatedBytes.fewest(() -> AllocatedBytes.by(asking)));
+    assertTrue(seen[0] > 0);
+  }
+
+  private static Obstacles wall(double x1, double y1, double x2, double y2, double transmittance) {
+    return new Obstacles(List.of(new Obstacle.Wall(x1, y1, x2, y2, transmittance)));
+  }
+}
