@@ -13,6 +13,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.movement.Movements;
+import org.hificamsim.hifi.density.DensityDetections;
 import org.hificamsim.hifi.model.HiFiDetections;
 import org.hificamsim.hifi.model.LabDetections;
 import org.hificamsim.hifi.model.ModelFiles;
@@ -32,6 +33,7 @@ public record Catalogue(
     CamSimDetections.register(detections);
     detections.register(
         "geometric", "certain inside the field of view: upper bound", GeometricDetection::new);
+    DensityDetections.register(detections);
     HiFiDetections.register(detections);
     LabDetections.register(detections);
     detections.registerServices(DetectionModel.class, DetectionModel::name, (model, options) -> {});
