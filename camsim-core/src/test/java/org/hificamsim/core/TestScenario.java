@@ -11,9 +11,11 @@ import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.scenario.Waypoint;
 import org.hificamsim.core.world.World;
@@ -27,6 +29,8 @@ public final class TestScenario {
   private Field field = new Field(-10, 10, -10, 10);
   private StepOrder order = StepOrder.CAMSIM;
   private List<Double> zooms = List.of();
+  private Surroundings surroundings = Surroundings.NONE;
+  private double stepTime = 1;
 
   public TestScenario field(double minX, double maxX, double minY, double maxY) {
     field = new Field(minX, maxX, minY, maxY);
@@ -73,6 +77,17 @@ public final class TestScenario {
     return this;
   }
 
+  public TestScenario surroundings(Surroundings newSurroundings) {
+    surroundings = newSurroundings;
+    return this;
+  }
+
+  /** Steps of another length, seconds. */
+  public TestScenario stepTime(double seconds) {
+    stepTime = seconds;
+    return this;
+  }
+
   public Scenario scenario() {
     return new Scenario(
         "test",
@@ -82,6 +97,8 @@ public final class TestScenario {
         OptionalDouble.empty(),
         Optional.empty(),
         OptionalDouble.empty(),
+        stepTime,
+        surroundings,
         zooms,
         cameras,
         targets,
@@ -106,6 +123,15 @@ public final class TestScenario {
   public static CameraSpec camera(
       String name, double x, double y, double heading, double angle, double range) {
     return new CameraSpec(name, x, y, heading, angle, range, AgentSpec.NONE, Map.of());
+  }
+
+  /**
+   * @param heading degrees
+   */
+  public static CameraSpec camera(
+      String name, double x, double y, double heading, OpticsSpec optics) {
+    return new CameraSpec(
+        name, x, y, heading, 60, 5, AgentSpec.NONE, Optional.of(optics), Map.of());
   }
 
   /**

@@ -1,0 +1,289 @@
+package org.hificamsim.core.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.SplittableRandom;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.detection.Scatter;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.Occlusion;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.Surroundings;
+import org.hificamsim.core.visibility.Pose;
+import org.hificamsim.core.visibility.Visibility;
+import org.hificamsim.core.world.World;
+import org.junit.jupiter.api.Test;
+
+/** What cameras with optics see past obstacles: fast, by a grid and by threads as one by one. */
+class ViewsTest {
+  /** Falls with distance and, where asked to, off the axis. */
+  private record Falling(boolean dependsOnBearing) implements DetectionModel {
+    @Override
+    public String name() {
+      return "falling";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      double aside = dependsOnBearing && offAxis > 0.1 ? 0.3 : 0;
+      return size / (1 + distance * zoom.viewingAngle() / 8) - aside;
+    }
+
+    @Override
+    public Optional<Scatter> scatter() {
+      return Optional.of(new Scatter(0.1, 0.2));
+    }
+  }
+
+  @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+  void everySightDetectsWhatThePipelineDoesOneByOne(@ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    World world = world(random, seed);
+    Visibility visibility = Visibility.of(detection(random), seed);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER);
+    int words = (world.targets().count() + 63) / 64;
+    for (int step = 0; step < 3; step++) {
+      world.fireEvents(step);
+      network.beginStep(step);
+      network.locate();
+      for (int camera = 0; camera < world.cameras().count(); camera++) {
+        long[] masks = new long[world.cameras().views(camera) * words];
+        network.detections(camera, masks, words);
+        for (int view = 0; view < world.cameras().views(camera); view++) {
+          for (int target = 0; target < world.targets().count(); target++) {
+            boolean expected = oneByOne(world, visibility, step, camera, view, target);
+            assertEquals(expected, network.detects(camera, view, target));
+            assertEquals(expected, (masks[view * words + (target >> 6)] >> target & 1) == 1);
+          }
+        }
+      }
+      world.moveTargets();
+    }
+  }
+
+  /** Straight from what the scenario says. */
+  private static boolean oneByOne(
+      World world, Visibility visibility, int step, int camera, int view, int target) {
+    Pose pose = world.cameras().pose(camera);
+    double x = world.targets().x(target);
+    double y = world.targets().y(target);
+    Surroundings surroundings = world.scenario().surroundings();
+    double through =
+        new Obstacles(surroundings.obstacles()).transmittance(pose.x(), pose.y(), x, y);
+    if (surroundings.occlusion() == Occlusion.TARGETS && isHidden(world, pose, target)) {
+      through = 0;
+    }
+    double pan = world.cameras().pan(camera, view);
+    Pose turned = pan == 0 ? pose : Pose.of(pose.x(), pose.y(), pose.heading() + pan);
+    double luck = visibility.luck(step, camera, target);
+    ZoomLevel zoom = world.cameras().zoom(camera, view);
+    double size = world.targets().size(target);
+    return visibility.confidence(turned, zoom, x, y, size, luck, through) > 0;
+  }
+
+  private static boolean isHidden(World world, Pose pose, int target) {
+    double x = world.targets().x(target);
+    double y = world.targets().y(target);
+    for (int other = 0; other < world.targets().count(); other++) {
+      double itsX = world.targets().x(other);
+      double itsY = world.targets().y(other);
+      Obstacle disc = new Obstacle.Pillar(itsX, itsY, world.targets().width(other) / 2, 0);
+      if (other != target
+          && pose.squaredDistance(itsX, itsY) < pose.squaredDistance(x, y)
+          && disc.touches(pose.x(), pose.y(), x, y)
+          && !disc.contains(pose.x(), pose.y())) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  @Property(tries = 60, edgeCases = EdgeCasesMode.NONE)
+  void aGridAndThreadsSeeTheSame(@ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    World world = world(random, seed);
+    Visibility visibility = Visibility.of(detection(random), seed);
+    for (int camera = 0; camera < world.cameras().count(); camera++) {
+      world.cameras().jumpTo(camera, random.nextInt(world.cameras().views(camera)));
+    }
+    ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
+    try (Workers workers = Workers.of(3)) {
+      ObservedNetwork binned =
+          new ObservedNetwork(world, visibility, workers, GridChoice.grid(world, 1.5));
+      for (ObservedNetwork network : List.of(plain, binned)) {
+        network.beginStep(2);
+        network.locate();
+        network.observe(Cooperation.NONE);
+      }
+      for (int camera = 0; camera < plain.cameras(); camera++) {
+        assertEquals(plain.detected(camera), binned.detected(camera));
+      }
+      for (int target = 0; target < plain.targets(); target++) {
+        assertEquals(plain.coverage(target), binned.coverage(target));
+      }
+    }
+  }
+
+  @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
+  void aViewThatDominatesDetectsAllThatTheOtherDoes(@ForAll long seed) {
+    SplittableRandom random = new SplittableRandom(seed);
+    World world = world(random, seed);
+    ObservedNetwork network =
+        new ObservedNetwork(world, Visibility.of(detection(random), seed), Workers.CALLER);
+    network.beginStep(0);
+    network.locate();
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      for (int view = 0; view < network.views(camera); view++) {
+        for (int other = 0; other < network.views(camera); other++) {
+          for (int target = 0; network.dominates(camera, view, other) && target < 5; target++) {
+            assertTrue(
+                network.detects(camera, view, target) || !network.detects(camera, other, target));
+          }
+        }
+      }
+    }
+  }
+
+  @Test
+  void aTargetIsInThePictureWhereItsBearingSays() {
+    OpticsSpec optics = lens(List.of(60.0), List.of(-30.0, 0.0, 30.0));
+    World world =
+        new TestScenario()
+            .camera(TestScenario.camera("a", 0, 0, 90, optics))
+            .target(4, -1)
+            .target(-4, 0)
+            .world();
+    ObservedNetwork network =
+        new ObservedNetwork(world, Visibility.of(geometric()), Workers.CALLER);
+    network.beginStep(0);
+    network.locate();
+    assertEquals(1, network.view(0), "ahead at first");
+    assertTrue(network.sees(0, 0));
+    assertFalse(network.sees(0, 1));
+    assertEquals(Math.atan2(1, 4), network.bearing(0, 0), 1e-12, "to the right is positive");
+    assertEquals(Math.hypot(4, 1), network.distance(0, 0), 1e-12);
+    assertTrue(Double.isNaN(network.bearing(0, 1)));
+    world.cameras().jumpTo(0, 2);
+    assertEquals(Math.atan2(1, 4) - Math.toRadians(30), network.bearing(0, 0), 1e-12);
+  }
+
+  private static Detection geometric() {
+    return Detection.of(
+        new DetectionModel() {
+          @Override
+          public String name() {
+            return "all";
+          }
+
+          @Override
+          public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+            return 1;
+          }
+        });
+  }
+
+  private static Detection detection(SplittableRandom random) {
+    String rule = List.of("threshold", "chance", "probability").get(random.nextInt(3));
+    return Detection.by(DetectionRule.parse(rule), "falling", new Falling(random.nextInt(3) == 0));
+  }
+
+  private static World world(SplittableRandom random, long seed) {
+    TestScenario scenario = new TestScenario().zooms(2, 4, 7);
+    List<OpticsSpec> optics = List.of(optics(random), optics(random));
+    for (int camera = 0; camera < 3; camera++) {
+      double x = place(random);
+      double y = place(random);
+      double heading = random.nextDouble(360);
+      scenario.camera(
+          random.nextInt(4) == 0
+              ? TestScenario.camera("c" + camera, x, y, heading, 20 + random.nextDouble(340), 5)
+              : TestScenario.camera("c" + camera, x, y, heading, optics.get(camera % 2)));
+    }
+    for (int target = 0; target < 6; target++) {
+      double size = random.nextBoolean() ? 0.66 : random.nextDouble(0.1, 2);
+      scenario.target(
+          TestScenario.target(target, place(random), place(random), random.nextInt(360), 0.7)
+              .withSize(size));
+    }
+    scenario.events(
+        new ScenarioEvent.ChangeCamera(2, "c0", place(random), place(random), 45, -1, -1));
+    return scenario.surroundings(surroundings(random)).world(seed);
+  }
+
+  /** On a lattice, where lines of sight graze corners and run along walls. */
+  private static double place(SplittableRandom random) {
+    return random.nextInt(-9, 10);
+  }
+
+  private static Surroundings surroundings(SplittableRandom random) {
+    List<Obstacle> obstacles = new ArrayList<>();
+    int count = random.nextInt(6);
+    for (int i = 0; i < count; i++) {
+      obstacles.add(obstacle(random, random.nextInt(3) == 0 ? 0.8 : 0));
+    }
+    Occlusion occlusion = random.nextInt(3) == 0 ? Occlusion.TARGETS : Occlusion.NONE;
+    return new Surroundings(obstacles, occlusion, Optional.empty());
+  }
+
+  private static Obstacle obstacle(SplittableRandom random, double transmittance) {
+    double x = place(random);
+    double y = place(random);
+    return switch (random.nextInt(3)) {
+      case 0 ->
+          new Obstacle.Wall(
+              x, y, x + random.nextInt(1, 6), y + random.nextInt(-3, 4), transmittance);
+      case 1 -> new Obstacle.Pillar(x, y, random.nextDouble(0.2, 2), transmittance);
+      default ->
+          new Obstacle.Polygon(
+              List.of(new Point(x, y), new Point(x + 2, y), new Point(x + 1, y + 2)),
+              transmittance);
+    };
+  }
+
+  private static OpticsSpec optics(SplittableRandom random) {
+    OpticsLaw law = OpticsLaw.values()[random.nextInt(3)];
+    List<Double> pans = random.nextBoolean() ? List.of(0.0) : List.of(-40.0, 0.0, 40.0);
+    return new OpticsSpec(
+        "optics" + random.nextInt(),
+        law,
+        OptionalInt.of(640),
+        law == OpticsLaw.ROUND ? List.of() : List.of(10.0, 30.0, 90.0),
+        law == OpticsLaw.CONSTANT_AREA ? OptionalDouble.of(12) : OptionalDouble.empty(),
+        pans,
+        OptionalDouble.empty(),
+        0,
+        Moving.BLIND);
+  }
+
+  private static OpticsSpec lens(List<Double> angles, List<Double> pans) {
+    return new OpticsSpec(
+        "lens",
+        OpticsLaw.PINHOLE,
+        OptionalInt.empty(),
+        angles,
+        OptionalDouble.empty(),
+        pans,
+        OptionalDouble.empty(),
+        0,
+        Moving.BLIND);
+  }
+}

@@ -1,0 +1,143 @@
+package org.hificamsim.core.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.junit.jupiter.api.Test;
+
+/** Moves that take time: three pan angles, -60, 0 and 60 degrees, each with levels 0 to 2. */
+class MotionTest {
+  private static final int AHEAD = 5;
+  private static final int LEFT = 2;
+  private static final int RIGHT = 8;
+  private static final int RIGHT_NARROW = 6;
+
+  @Test
+  void aCameraStartsAheadAtItsWidest() {
+    Cameras cameras = cameras(OptionalDouble.empty(), 0, Moving.BLIND, 1);
+    assertEquals(9, cameras.views(0));
+    assertEquals(3, cameras.zooms(0));
+    assertEquals(AHEAD, cameras.view(0));
+    assertEquals(AHEAD, cameras.seeing(0));
+    assertEquals(Math.toRadians(58), cameras.zoom(0, AHEAD).viewingAngle());
+    assertEquals(Math.toRadians(60), cameras.pan(0, RIGHT));
+    assertEquals(Math.toRadians(150), cameras.pose(0, RIGHT).heading(), 1e-12, "90 and 60 degrees");
+  }
+
+  @Test
+  void whatTakesNoTimeIsSeenThroughAtOnce() {
+    Cameras cameras = cameras(OptionalDouble.empty(), 0, Moving.BLIND, 1);
+    turn(cameras, RIGHT_NARROW);
+    assertEquals(RIGHT_NARROW, cameras.seeing(0));
+  }
+
+  @Test
+  void aMoveThatEndsWithinTheStepIsSeenThroughInIt() {
+    Cameras cameras = cameras(OptionalDouble.of(30), 0, Moving.BLIND, 2);
+    assertTrue(cameras.reaches(0, RIGHT));
+    turn(cameras, RIGHT);
+    assertEquals(RIGHT, cameras.seeing(0));
+  }
+
+  @Test
+  void aLongerMoveGoesOnAndIsBlindUntilItEnds() {
+    Cameras cameras = cameras(OptionalDouble.of(20), 0, Moving.BLIND, 1);
+    assertFalse(cameras.reaches(0, RIGHT));
+    turn(cameras, RIGHT);
+    assertEquals(Cameras.NO_VIEW, cameras.seeing(0));
+    turn(cameras, RIGHT);
+    assertEquals(Cameras.NO_VIEW, cameras.seeing(0));
+    assertTrue(cameras.reaches(0, RIGHT), "20 degrees are left");
+    turn(cameras, RIGHT);
+    assertEquals(RIGHT, cameras.seeing(0));
+  }
+
+  @Test
+  void aCameraThatSeesOnItsWaySeesTheNearestView() {
+    Cameras cameras = cameras(OptionalDouble.of(25), 0, Moving.SEES, 1);
+    turn(cameras, RIGHT);
+    assertEquals(AHEAD, cameras.seeing(0), "at 25 degrees");
+    turn(cameras, RIGHT);
+    assertEquals(RIGHT, cameras.seeing(0), "at 50 degrees");
+  }
+
+  @Test
+  void aZoomThatTakesTimePassesItsLevels() {
+    Cameras cameras = cameras(OptionalDouble.of(1000), 4, Moving.SEES, 1);
+    turn(cameras, RIGHT_NARROW);
+    assertEquals(7, cameras.seeing(0), "level 1.5 is nearer to 1 than to 0, and not nearer to 2");
+    assertTrue(cameras.reaches(0, 7));
+    assertFalse(cameras.reaches(0, RIGHT_NARROW));
+  }
+
+  @Test
+  void aMoveTurnsBackFromWhereItIs() {
+    Cameras cameras = cameras(OptionalDouble.of(20), 0, Moving.BLIND, 1);
+    turn(cameras, RIGHT);
+    turn(cameras, LEFT);
+    assertEquals(Cameras.NO_VIEW, cameras.seeing(0), "at 0 degrees, on its way to -60");
+    turn(cameras, AHEAD);
+    assertEquals(AHEAD, cameras.seeing(0));
+  }
+
+  @Test
+  void fiveFifthsOfASecondAreAWhole() {
+    Cameras cameras = cameras(OptionalDouble.of(60), 0, Moving.BLIND, 0.2);
+    for (int step = 0; step < 4; step++) {
+      turn(cameras, RIGHT);
+      assertEquals(Cameras.NO_VIEW, cameras.seeing(0));
+    }
+    turn(cameras, RIGHT);
+    assertEquals(RIGHT, cameras.seeing(0));
+  }
+
+  @Test
+  void aBoundJumps() {
+    Cameras cameras = cameras(OptionalDouble.of(1), 100, Moving.BLIND, 1);
+    cameras.jumpTo(0, RIGHT_NARROW);
+    cameras.advance();
+    assertEquals(RIGHT_NARROW, cameras.seeing(0));
+  }
+
+  @Test
+  void whereNothingTakesTimeTheNextViewsAreInReach() {
+    Cameras cameras = cameras(OptionalDouble.empty(), 0, Moving.BLIND, 1);
+    assertTrue(cameras.reaches(0, RIGHT));
+    assertTrue(cameras.reaches(0, 1), "one level and one angle");
+    assertFalse(cameras.reaches(0, 3), "two levels");
+  }
+
+  private static void turn(Cameras cameras, int view) {
+    cameras.turnTo(0, view);
+    cameras.advance();
+  }
+
+  private static Cameras cameras(
+      OptionalDouble panSpeed, double zoomTime, Moving moving, double stepTime) {
+    OpticsSpec optics =
+        new OpticsSpec(
+            "ptz",
+            OpticsLaw.PINHOLE,
+            OptionalInt.of(640),
+            List.of(8.0, 25.0, 58.0),
+            OptionalDouble.empty(),
+            List.of(-60.0, 0.0, 60.0),
+            panSpeed,
+            zoomTime,
+            moving);
+    return new TestScenario()
+        .camera(TestScenario.camera("a", 0, 0, 90, optics))
+        .target(1, 1)
+        .stepTime(stepTime)
+        .world()
+        .cameras();
+  }
+}
