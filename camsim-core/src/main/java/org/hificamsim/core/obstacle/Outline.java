@@ -16,6 +16,7 @@ final class Outline {
   /** How far past an end a ray goes, as a measure of angle. */
   private static final double PAST = 1e-9;
 
+  private final VisibleRegion region;
   private final Pieces pieces;
   private final double atX;
   private final double atY;
@@ -24,12 +25,13 @@ final class Outline {
   private final double reach;
   private final DoubleStream.Builder directions = DoubleStream.builder();
 
-  Outline(Pieces pieces, double atX, double atY, int[] ends, int[] met, double reach) {
-    this.pieces = pieces;
-    this.atX = atX;
-    this.atY = atY;
-    this.ends = ends;
-    this.met = met;
+  Outline(VisibleRegion region, double reach) {
+    this.region = region;
+    this.pieces = region.pieces;
+    this.atX = region.atX;
+    this.atY = region.atY;
+    this.ends = region.ends;
+    this.met = region.met;
     this.reach = reach;
   }
 
@@ -169,7 +171,7 @@ final class Outline {
     double x = Sector.x(measure);
     double y = Sector.y(measure);
     double length = Math.hypot(x, y);
-    double free = free(Sector.index(measure, ends.length - 1), x / length, y / length);
+    double free = free(region.sector(x, y), x / length, y / length);
     return new Point(atX + free * x / length, atY + free * y / length);
   }
 

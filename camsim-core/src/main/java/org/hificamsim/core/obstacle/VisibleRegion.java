@@ -25,14 +25,18 @@ public final class VisibleRegion {
   /** How many limits a sector has. */
   static final int LIMITS = 3;
 
-  private final double atX;
-  private final double atY;
-  private final Pieces pieces;
+  final double atX;
+  final double atY;
+  final Pieces pieces;
   private final double sectorsPerMeasure;
   private final int lastSector;
   private final float[] limits;
-  private final int[] ends;
-  private final int[] met;
+
+  /** By sector: where what is met in it begins; one more is the end of the last. */
+  final int[] ends;
+
+  /** What is met, see {@link Sweep}. */
+  final int[] met;
 
   private VisibleRegion(Pieces pieces, double x, double y, Sweep sweep) {
     this.pieces = pieces;
@@ -86,7 +90,7 @@ public final class VisibleRegion {
   }
 
   /** The sector of a direction; the first where there is none. */
-  private int sector(double dx, double dy) {
+  int sector(double dx, double dy) {
     return (int) (Sector.measure(dx, dy) * sectorsPerMeasure) & lastSector;
   }
 
@@ -125,9 +129,7 @@ public final class VisibleRegion {
    * @return empty where the standpoint touches something solid
    */
   public List<Point> polygon(double reach) {
-    return limits[HIDDEN] < 0
-        ? List.of()
-        : new Outline(pieces, atX, atY, ends, met, reach).points();
+    return limits[HIDDEN] < 0 ? List.of() : new Outline(this, reach).points();
   }
 
   /** Its memory, in bytes, but for a few that all have. */

@@ -15,9 +15,12 @@ final class RandomPlace {
   private final SplittableRandom random;
   private final int lattice;
 
-  /** The coordinates are of integers, of any doubles or of tenths, by the seed. */
+  /**
+   * The coordinates are of integers, of any doubles, of tenths, or of tenths far from the origin,
+   * as on a map; by the seed.
+   */
   RandomPlace(long seed) {
-    this(seed, 3);
+    this(seed, 4);
   }
 
   private RandomPlace(long seed, int lattices) {
@@ -41,7 +44,8 @@ final class RandomPlace {
     return switch (lattice) {
       case 0 -> random.nextInt(-6, 7);
       case 1 -> random.nextDouble(-6, 6);
-      default -> random.nextInt(-30, 31) / 10.0;
+      case 2 -> random.nextInt(-30, 31) / 10.0;
+      default -> random.nextInt(5_800_000, 5_800_061) / 10.0;
     };
   }
 
