@@ -14,18 +14,25 @@ final class RandomPlace {
 
   private final SplittableRandom random;
   private final int lattice;
+  private final double scale;
 
   /**
    * The coordinates are of integers, of any doubles, of tenths, or of tenths far from the origin,
    * as on a map; by the seed.
    */
   RandomPlace(long seed) {
-    this(seed, 4);
+    this(seed, 4, 0);
   }
 
-  private RandomPlace(long seed, int lattices) {
+  private RandomPlace(long seed, int lattices, int mostDoublings) {
     random = new SplittableRandom(seed);
     lattice = random.nextInt(lattices);
+    scale = Math.scalb(1.0, random.nextInt(-mostDoublings, mostDoublings + 1));
+  }
+
+  /** Between 1e-90 and 1e90 metres. */
+  static RandomPlace ofAnySize(long seed) {
+    return new RandomPlace(seed, 4, 300);
   }
 
   /**
@@ -33,7 +40,7 @@ final class RandomPlace {
    * line.
    */
   static RandomPlace forJts(long seed) {
-    return new RandomPlace(seed, 2);
+    return new RandomPlace(seed, 2, 0);
   }
 
   SplittableRandom random() {
@@ -41,6 +48,10 @@ final class RandomPlace {
   }
 
   double coordinate() {
+    return scale * unscaled();
+  }
+
+  private double unscaled() {
     return switch (lattice) {
       case 0 -> random.nextInt(-6, 7);
       case 1 -> random.nextDouble(-6, 6);
@@ -92,7 +103,8 @@ final class RandomPlace {
 
   Obstacle.Pillar pillar(boolean solid) {
     double radius = lattice == 1 ? random.nextDouble(0.1, 2) : random.nextInt(1, 11) / 2.0;
-    return new Obstacle.Pillar(coordinate(), coordinate(), radius / 2, transmittance(solid));
+    return new Obstacle.Pillar(
+        coordinate(), coordinate(), scale * radius / 2, transmittance(solid));
   }
 
   private Optional<Obstacle> polygon(List<Point> taken, boolean solid) {
