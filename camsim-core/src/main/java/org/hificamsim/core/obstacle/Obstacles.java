@@ -59,6 +59,21 @@ public final class Obstacles {
     return true;
   }
 
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof Obstacles that && obstacles.equals(that.obstacles);
+  }
+
+  @Override
+  public int hashCode() {
+    return obstacles.hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return obstacles.toString();
+  }
+
   /** The first solid obstacle that a point is inside or on the border of. */
   public Optional<Obstacle> containing(double x, double y) {
     return obstacles.stream().filter(o -> o.solid() && o.contains(x, y)).findFirst();

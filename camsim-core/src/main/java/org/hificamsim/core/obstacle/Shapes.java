@@ -38,6 +38,9 @@ final class Shapes {
         points.size() >= 3, () -> "polygon has " + points.size() + " points, expected 3 or more");
     points.forEach(point -> requireCoordinate(point.x()));
     points.forEach(point -> requireCoordinate(point.y()));
+    require(
+        !points.get(0).equals(points.get(points.size() - 1)),
+        () -> "the last point of the polygon repeats the first, expected each point once");
     requireArea(points);
     for (int i = 0; i < points.size(); i++) {
       for (int j = i + 1; j < points.size(); j++) {
@@ -56,22 +59,8 @@ final class Shapes {
 
   /** Checks that edges i and j, in this order, have no point in common but a shared corner. */
   private static void requireApart(List<Point> points, int i, int j) {
-    boolean follows = j == i + 1;
-    boolean closes = i == 0 && j == points.size() - 1;
-    boolean crossing =
-        follows
-            ? foldsBack(points, i)
-            : closes
-                ? foldsBack(points, j)
-                : touches(
-                    points.get(j),
-                    next(points, j),
-                    points.get(i).x(),
-                    points.get(i).y(),
-                    next(points, i).x(),
-                    next(points, i).y());
     require(
-        !crossing,
+        !meet(points, i, j),
         () ->
             "edges "
                 + (i + 1)
@@ -79,6 +68,18 @@ final class Shapes {
                 + (j + 1)
                 + " of the polygon touch, expected edges that share corners with their neighbours"
                 + " alone");
+  }
+
+  private static boolean meet(List<Point> points, int i, int j) {
+    if (j == i + 1) {
+      return foldsBack(points, i);
+    }
+    if (i == 0 && j == points.size() - 1) {
+      return foldsBack(points, j);
+    }
+    Point from = points.get(i);
+    Point to = next(points, i);
+    return touches(points.get(j), next(points, j), from.x(), from.y(), to.x(), to.y());
   }
 
   /** Whether the edge after edge i has more than the corner between them in common with it. */

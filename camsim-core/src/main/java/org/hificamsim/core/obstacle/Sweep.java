@@ -9,7 +9,7 @@ import java.util.Arrays;
  */
 final class Sweep {
   private static final int FEWEST_SECTORS = 16;
-  private static final int MOST_SECTORS = 256;
+  private static final int MOST_SECTORS = 128;
 
   private final Obstacles obstacles;
   private final Pieces pieces;
@@ -99,12 +99,12 @@ final class Sweep {
   private void noteOutside(int obstacle) {
     for (int piece = pieces.first[obstacle]; piece < pieces.first[obstacle + 1]; piece++) {
       if (sight.nearest(piece) <= reachSquare) {
-        notePiece(piece);
+        see(piece);
       }
     }
   }
 
-  private void notePiece(int piece) {
+  private void see(int piece) {
     sight.look(piece, sectors);
     boolean solid = pieces.solid(piece);
     for (int i = sight.firstSector(); i <= sight.lastSector(); i++) {

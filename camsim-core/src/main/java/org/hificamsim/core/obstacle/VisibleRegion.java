@@ -1,5 +1,7 @@
 package org.hificamsim.core.obstacle;
 
+import java.util.List;
+
 /**
  * What can be seen from one standpoint past obstacles that do not move: the same answers as {@link
  * Obstacles} gives, to the bit, from a look-up by direction. Made once for a standpoint, by a sweep
@@ -23,14 +25,18 @@ public final class VisibleRegion {
   /** How many limits a sector has. */
   static final int LIMITS = 3;
 
-  private final double atX;
-  private final double atY;
-  private final Pieces pieces;
+  final double atX;
+  final double atY;
+  final Pieces pieces;
   private final double sectorsPerMeasure;
   private final int lastSector;
   private final float[] limits;
-  private final int[] ends;
-  private final int[] met;
+
+  /** By sector: where what is met in it begins; one more is the end of the last. */
+  final int[] ends;
+
+  /** What is met, see {@link Sweep}. */
+  final int[] met;
 
   private VisibleRegion(Pieces pieces, double x, double y, Sweep sweep) {
     this.pieces = pieces;
@@ -84,7 +90,7 @@ public final class VisibleRegion {
   }
 
   /** The sector of a direction; the first where there is none. */
-  private int sector(double dx, double dy) {
+  int sector(double dx, double dy) {
     return (int) (Sector.measure(dx, dy) * sectorsPerMeasure) & lastSector;
   }
 
@@ -112,6 +118,18 @@ public final class VisibleRegion {
 
   private boolean touches(int met, double x, double y) {
     return Sweep.atStandpoint(met) || pieces.touches(met, atX, atY, x, y);
+  }
+
+  /**
+   * The region's border as a polygon around the standpoint, counterclockwise, for drawing: near
+   * enough for the eye, not exact. What dims alone casts no shadow.
+   *
+   * @param reach metres, above 0: what ends the region where nothing blocks; not beyond the reach
+   *     that the region was made for
+   * @return empty where the standpoint touches something solid
+   */
+  public List<Point> polygon(double reach) {
+    return limits[HIDDEN] < 0 ? List.of() : new Outline(this, reach).points();
   }
 
   /** Its memory, in bytes, but for a few that all have. */

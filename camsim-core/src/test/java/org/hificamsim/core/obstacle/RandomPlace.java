@@ -9,13 +9,38 @@ import java.util.stream.Stream;
 
 /** Random obstacles and points. Most are on a lattice, so that lines touch and run along others. */
 final class RandomPlace {
+  /** Beside 0; JTS loses smaller ones. */
+  private static final double TINY = 1e-30;
+
   private final SplittableRandom random;
   private final int lattice;
+  private final double scale;
 
-  /** The coordinates are of integers, of tenths or of any doubles, by the seed. */
+  /**
+   * The coordinates are of integers, of any doubles, of tenths, or of tenths far from the origin,
+   * as on a map; by the seed.
+   */
   RandomPlace(long seed) {
+    this(seed, 4, 0);
+  }
+
+  private RandomPlace(long seed, int lattices, int mostDoublings) {
     random = new SplittableRandom(seed);
-    lattice = random.nextInt(3);
+    lattice = random.nextInt(lattices);
+    scale = Math.scalb(1.0, random.nextInt(-mostDoublings, mostDoublings + 1));
+  }
+
+  /** Between 1e-90 and 1e90 metres. */
+  static RandomPlace ofAnySize(long seed) {
+    return new RandomPlace(seed, 4, 300);
+  }
+
+  /**
+   * Without tenths: JTS computes with 106 bits, which are too few to tell a point 1e-33 beside a
+   * line.
+   */
+  static RandomPlace forJts(long seed) {
+    return new RandomPlace(seed, 2, 0);
   }
 
   SplittableRandom random() {
@@ -23,10 +48,15 @@ final class RandomPlace {
   }
 
   double coordinate() {
+    return scale * unscaled();
+  }
+
+  private double unscaled() {
     return switch (lattice) {
       case 0 -> random.nextInt(-6, 7);
-      case 1 -> random.nextInt(-30, 31) / 10.0;
-      default -> random.nextDouble(-6, 6);
+      case 1 -> random.nextDouble(-6, 6);
+      case 2 -> random.nextInt(-30, 31) / 10.0;
+      default -> random.nextInt(5_800_000, 5_800_061) / 10.0;
     };
   }
 
@@ -71,9 +101,10 @@ final class RandomPlace {
         : Optional.of(new Obstacle.Wall(from.x(), from.y(), to.x(), to.y(), transmittance(solid)));
   }
 
-  Obstacle pillar(boolean solid) {
-    double radius = lattice == 2 ? random.nextDouble(0.1, 2) : random.nextInt(1, 11) / 2.0;
-    return new Obstacle.Pillar(coordinate(), coordinate(), radius / 2, transmittance(solid));
+  Obstacle.Pillar pillar(boolean solid) {
+    double radius = lattice == 1 ? random.nextDouble(0.1, 2) : random.nextInt(1, 11) / 2.0;
+    return new Obstacle.Pillar(
+        coordinate(), coordinate(), scale * radius / 2, transmittance(solid));
   }
 
   private Optional<Obstacle> polygon(List<Point> taken, boolean solid) {
@@ -103,7 +134,7 @@ final class RandomPlace {
       case 0 -> to;
       case 1 -> new Point((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
       case 2 -> new Point(2 * to.x() - standpoint.x(), 2 * to.y() - standpoint.y());
-      default -> new Point(to.x(), to.y() + Math.ulp(to.y()));
+      default -> new Point(to.x(), to.y() + Math.max(TINY, Math.ulp(to.y())));
     };
   }
 }

@@ -16,8 +16,16 @@ import org.junit.jupiter.api.Test;
 class VisibleRegionTest {
   @Property(tries = 5000, edgeCases = EdgeCasesMode.NONE)
   void answersAsTheObstaclesDo(@ForAll long seed) {
-    RandomPlace place = new RandomPlace(seed);
-    Obstacles obstacles = place.obstacles(seed % 5 == 0 ? 40 : 6, false);
+    assertSame(new RandomPlace(seed), seed % 5 == 0 ? 40 : 6);
+  }
+
+  @Property(tries = 1000, edgeCases = EdgeCasesMode.NONE)
+  void answersAsTheObstaclesDoInPlacesOfAnySize(@ForAll long seed) {
+    assertSame(RandomPlace.ofAnySize(seed), 10);
+  }
+
+  private static void assertSame(RandomPlace place, int most) {
+    Obstacles obstacles = place.obstacles(most, false);
     Point at = place.target(obstacles, place.point());
     VisibleRegion region = VisibleRegion.of(obstacles, at.x(), at.y());
     for (int i = 0; i < 100; i++) {
