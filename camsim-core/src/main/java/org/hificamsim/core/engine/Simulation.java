@@ -23,7 +23,7 @@ public final class Simulation {
   private final Cooperation cooperation;
   private final StepListener[] listeners;
   private final ObservedNetwork network;
-  private final StepCoverage coverage = new StepCoverage();
+  private final StepCoverage coverage;
   private final int[] views;
   private final boolean byChance;
   private boolean started;
@@ -61,6 +61,7 @@ public final class Simulation {
     this.listeners = listeners.toArray(StepListener[]::new);
     this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
     this.byChance = !detection.certain();
+    this.coverage = new StepCoverage(world.scenario().objective());
     this.views = new int[world.cameras().count()];
     policy.begin(network, new SplittableRandom(seed));
   }
@@ -102,6 +103,7 @@ public final class Simulation {
     cooperation.cooperate();
     policy.learn(network);
     coverage.measure(network);
+    coverage.measureScore(network);
     if (byChance) {
       coverage.expect(network);
     }

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
 
 /**
  * A scenario: the field, the cameras, the targets, and what happens when.
@@ -17,6 +18,7 @@ import org.hificamsim.core.detection.DetectionRule;
  * @param headings the unit of the targets' headings
  * @param threshold detection threshold, if the file sets one
  * @param detect how a confidence becomes a detection, if the file says so
+ * @param objective what a step is scored by
  * @param mountHeight height of all cameras over the target plane, metres (Eq 3.2), if given
  * @param zooms candidate radii common to all cameras, metres, rising; empty for a plain CamSim
  *     scenario, where each camera has its range alone
@@ -33,6 +35,7 @@ public record Scenario(
     Headings headings,
     OptionalDouble threshold,
     Optional<DetectionRule> detect,
+    Objective objective,
     OptionalDouble mountHeight,
     List<Double> zooms,
     List<CameraSpec> cameras,
@@ -66,6 +69,11 @@ public record Scenario(
           draft.detect = Optional.of(rule);
           draft.threshold = rule.certain() ? threshold : OptionalDouble.empty();
         });
+  }
+
+  /** The same scenario, its steps scored by another objective. */
+  public Scenario withObjective(Objective newObjective) {
+    return changed(draft -> draft.objective = newObjective);
   }
 
   /** The same scenario with another reading of the targets' headings. */
@@ -142,6 +150,7 @@ public record Scenario(
     private Headings headings;
     private OptionalDouble threshold;
     private Optional<DetectionRule> detect;
+    private Objective objective;
     private OptionalDouble mountHeight;
     private List<Double> zooms;
     private List<CameraSpec> cameras;
@@ -154,6 +163,7 @@ public record Scenario(
       headings = of.headings;
       threshold = of.threshold;
       detect = of.detect;
+      objective = of.objective;
       mountHeight = of.mountHeight;
       zooms = of.zooms;
       cameras = of.cameras;
@@ -169,6 +179,7 @@ public record Scenario(
           headings,
           threshold,
           detect,
+          objective,
           mountHeight,
           zooms,
           cameras,
