@@ -6,8 +6,9 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best k_min (Eq 7.1) among those in which no camera moves by more than
- * one view: thesis 7.4.1's "reachable from the current zoom level", found exactly at each step.
+ * The configuration with the best score, k_min (Eq 7.1) by default, among those in which no camera
+ * moves by more than one view: thesis 7.4.1's "reachable from the current zoom level", found
+ * exactly at each step.
  *
  * <p>Which of several best configurations is taken decides what can be reached next. It is the one
  * in which camera 0 is at the view that the option {@code ties} prefers, then camera 1, and so on;
@@ -22,7 +23,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   private ConfigurationSearch search;
 
   /**
-   * @param preference what decides between configurations with the same k_min
+   * @param preference what decides between configurations with the same score
    */
   public OneHopZoomPolicy(Preference preference) {
     this(preference, NodeLimit.DEFAULT);
@@ -43,7 +44,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
         options.choice(
             "ties",
             Preference.WIDEST,
-            "of equal k_min: widest, narrowest, most-targets-then-widest,"
+            "of equal score: widest, narrowest, most-targets-then-widest,"
                 + " most-targets-then-narrowest"),
         NodeLimit.from(options));
   }
@@ -78,7 +79,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   }
 
   @Override
-  public long gap() {
+  public double gap() {
     return search.gap();
   }
 }
