@@ -11,6 +11,7 @@ import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.AgentSpec;
@@ -67,6 +68,9 @@ public class ViewsBenchmark {
   @Param({"zoom-out", "epsilon-greedy", "sarsa", "optimal"})
   private String policy;
 
+  @Param({"kmin"})
+  private String objective;
+
   private final SplittableRandom random = new SplittableRandom(1);
   private Simulation simulation;
 
@@ -107,6 +111,7 @@ public class ViewsBenchmark {
         Headings.DEGREES,
         OptionalDouble.empty(),
         Optional.empty(),
+        Objective.parse(objective),
         OptionalDouble.empty(),
         1,
         new Surroundings(obstacles, Occlusion.NONE, Optional.empty()),
