@@ -13,6 +13,11 @@ import org.hificamsim.core.policy.NetworkView;
  * <p>An action is rewarded for the count that it led to; rewarding it for the change of the step
  * after would teach nothing. A camera that was offline in between gets no reward for what it
  * missed, and keeps what it has learned.
+ *
+ * <p>Where moves take time, an action lasts until the camera has arrived, n steps after it was
+ * chosen. It earns the rewards r_1 to r_n of these, and what follows is discounted by as many
+ * steps: Q(s, a) moves towards {@code r_1 + gamma r_2 + ... + gamma^(n-1) r_n + gamma^n Q(s', a')},
+ * the update of a semi-Markov decision process (Bradtke and Duff 1994).
  */
 public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final int NONE = -1;
@@ -20,9 +25,12 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   private final TemporalDifferenceSettings settings;
   private final EpsilonGreedyChoice choice;
   private ActionValues q;
+  private Percepts percepts;
   private int[] lastState;
   private int[] lastAction;
   private int[] lastCount;
+  private double[] earned; // on the way
+  private double[] discount; // of what comes next
 
   protected AbstractTemporalDifferenceZoomPolicy(
       TemporalDifferenceSettings settings, EpsilonGreedyChoice choice) {
@@ -46,17 +54,36 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     q = new ActionValues(network, settings);
+    percepts = new Percepts(network, settings.state());
     choice.begin(network, random);
     lastState = new int[network.cameras()];
     lastAction = new int[network.cameras()];
     lastCount = new int[network.cameras()];
     Arrays.fill(lastState, NONE);
+    earned = new double[network.cameras()];
+    discount = new double[network.cameras()];
+    Arrays.fill(discount, 1);
+  }
+
+  /** What all cameras do when they have looked, and before any decides. */
+  protected void prepare(NetworkView network) {}
+
+  @Override
+  public final void decide(NetworkView network, int[] views) {
+    percepts.update(network);
+    prepare(network);
+    super.decide(network, views);
+  }
+
+  /** What the camera perceived before the decision that is under way, from 0. */
+  protected final int percept(NetworkView network, int camera) {
+    return percepts.of(network, camera);
   }
 
   @Override
   protected final int choose(NetworkView network, int camera) {
     int count = network.detected(camera);
-    int state = q.state(network, camera);
+    int state = q.state(camera, network.view(camera), percept(network, camera));
     int action = choice.choose(camera, network.views(camera), greedy(camera, state));
     if (lastState[camera] != NONE) {
       learn(camera, count, nextValue(camera, state, action));
@@ -64,7 +91,18 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
     lastState[camera] = state;
     lastAction[camera] = action;
     lastCount[camera] = count;
+    earned[camera] = 0;
+    discount[camera] = 1;
     return action;
+  }
+
+  @Override
+  protected final int travel(NetworkView network, int camera) {
+    int count = network.detected(camera);
+    earned[camera] += discount[camera] * reward(camera, count);
+    discount[camera] *= settings.gamma();
+    lastCount[camera] = count;
+    return network.view(camera);
   }
 
   /** Moves Q(s, a) of the decision before by alpha towards its reward and what followed. */
@@ -72,10 +110,13 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
     int state = lastState[camera];
     int action = lastAction[camera];
     double value = q.value(camera, state, action);
-    double reward =
-        settings.lambda() * settings.reward().reward(lastCount[camera], count); // Eq 7.5
-    double error = reward + settings.gamma() * nextValue - value;
+    double arrived = reward(camera, count) + settings.gamma() * nextValue;
+    double error = earned[camera] + discount[camera] * arrived - value;
     q.set(camera, state, action, value + settings.alpha() * error); // Eq 7.6
+  }
+
+  private double reward(int camera, int count) {
+    return settings.lambda() * settings.reward().reward(lastCount[camera], count); // Eq 7.5
   }
 
   @Override
@@ -88,7 +129,7 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   protected final void chooseAll(NetworkView network, int[] views, int from, int to) {
     for (int first = from; first < to; first += ActionValues.BLOCK) {
       int end = Math.min(to, first + ActionValues.BLOCK);
-      q.fetch(network, lastState, first, end);
+      q.fetch(network, percepts, lastState, first, end);
       super.chooseAll(network, views, first, end);
     }
   }
@@ -100,7 +141,7 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   @Override
   public final String estimates(
       NetworkView network, int camera, double[] estimates, double[] counts) {
-    int state = q.state(network, camera);
+    int state = q.state(camera, network.view(camera), percepts.now(network, camera));
     for (int view = 0; view < network.views(camera); view++) {
       estimates[view] = q.value(camera, state, view);
       counts[view] = Double.NaN;
