@@ -35,9 +35,7 @@ public final class CoveragePolicies {
             FixedZoomPolicy.NAME, "given views, one for all or one each", FixedZoomPolicy::from)
         .register(RandomZoomPolicy.NAME, "a uniformly drawn view each step", RandomZoomPolicy::new)
         .register(
-            PatrolZoomPolicy.NAME,
-            "sweeps over the pan angles, to and fro",
-            PatrolZoomPolicy::from)
+            PatrolZoomPolicy.NAME, "sweeps over the pan angles, to and fro", PatrolZoomPolicy::from)
         .register(
             TrackerZoomPolicy.NAME,
             "keeps the nearest target that it sees in the middle of its picture",

@@ -80,8 +80,7 @@ public final class FixedZoomPolicy extends AbstractConstantZoomPolicy {
     int level = given(levels, camera);
     int widest = network.zooms(camera) - 1;
     if (level < 0 || level > widest) {
-      throw invalid(
-          "level", network, camera, level, "0 (narrowest) to " + widest + " (widest)");
+      throw invalid("level", network, camera, level, "0 (narrowest) to " + widest + " (widest)");
     }
     return level;
   }

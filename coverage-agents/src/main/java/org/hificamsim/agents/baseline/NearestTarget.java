@@ -20,8 +20,7 @@ final class NearestTarget {
   }
 
   private void compare(int other, double otherDistance, double otherBearing) {
-    boolean nearer =
-        otherDistance < distance || (otherDistance == distance && other < target);
+    boolean nearer = otherDistance < distance || (otherDistance == distance && other < target);
     if (target == NONE || nearer) {
       target = other;
       distance = otherDistance;

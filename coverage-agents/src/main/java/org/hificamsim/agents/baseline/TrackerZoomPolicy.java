@@ -9,12 +9,12 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Each camera keeps the nearest target that it sees in the middle of its picture, and as large as it
- * can: it turns to the pan angle nearest to the target's direction, and takes the narrowest zoom
+ * Each camera keeps the nearest target that it sees in the middle of its picture, and as large as
+ * it can: it turns to the pan angle nearest to the target's direction, and takes the narrowest zoom
  * level that has the target in angle and reach with a margin. Where none has, it takes the widest.
  *
- * <p>A camera that sees no target widens, and then sweeps over its pan angles. It knows what it sees
- * and nothing else.
+ * <p>A camera that sees no target widens, and then sweeps over its pan angles. It knows what it
+ * sees and nothing else.
  */
 public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   public static final String NAME = "tracker";

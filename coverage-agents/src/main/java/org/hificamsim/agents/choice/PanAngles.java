@@ -33,7 +33,8 @@ public final class PanAngles {
   public static int home(NetworkView network, int camera) {
     int home = 0;
     for (int pan = 1; pan < count(network, camera); pan++) {
-      boolean nearer = Math.abs(angle(network, camera, pan)) < Math.abs(angle(network, camera, home));
+      boolean nearer =
+          Math.abs(angle(network, camera, pan)) < Math.abs(angle(network, camera, home));
       home = nearer ? pan : home;
     }
     return home;

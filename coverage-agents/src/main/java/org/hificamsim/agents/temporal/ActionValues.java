@@ -11,9 +11,9 @@ import org.hificamsim.core.policy.NetworkView;
  * The Q tables of all cameras (Eq 7.6), and the best action of each state.
  *
  * <p>In a small network every table has all its states from the start; in a big one, where most
- * percepts never occur, a table grows to what its camera has met. States that it lacks
- * have the initial value. Threads may work on different cameras as long as each camera's {@link
- * #set} has its table for itself.
+ * percepts never occur, a table grows to what its camera has met. States that it lacks have the
+ * initial value. Threads may work on different cameras as long as each camera's {@link #set} has
+ * its table for itself.
  *
  * <p>Three things are for speed alone. The best actions stand in tables of their own, which stay in
  * the cache when the values no longer do: neighbours ask for nothing else (without them a step of

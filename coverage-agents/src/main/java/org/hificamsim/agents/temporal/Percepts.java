@@ -36,8 +36,6 @@ final class Percepts {
 
   /** What the camera perceives now. */
   int now(NetworkView network, int camera) {
-    return pictures.length == 0
-        ? network.detected(camera)
-        : pictures[camera].look(network, camera);
+    return pictures.length == 0 ? network.detected(camera) : pictures[camera].look(network, camera);
   }
 }

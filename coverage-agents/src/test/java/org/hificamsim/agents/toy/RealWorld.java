@@ -17,6 +17,10 @@ import org.hificamsim.core.world.movement.Movements;
 
 /** Small worlds written as scenario files, with lenses and walls, run by the engine itself. */
 public final class RealWorld {
+  /** Files have at least one target. */
+  private static final String FAR_AWAY =
+      "<object features=\"0\" x=\"-19\" y=\"-19\" heading=\"0\" speed=\"0\"/>";
+
   private RealWorld() {}
 
   /** A run, of targets that are detected wherever they are in view. */
@@ -50,6 +54,7 @@ public final class RealWorld {
     return "<root><simulation min_x=\"-20\" max_x=\"20\" min_y=\"-20\" max_y=\"20\""
         + " order=\"coverage\" headings=\"degrees\">"
         + parts.replace('\'', '"')
+        + (parts.contains("<object") ? "" : FAR_AWAY)
         + "</simulation></root>";
   }
 }
