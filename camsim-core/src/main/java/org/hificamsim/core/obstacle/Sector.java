@@ -19,6 +19,11 @@ final class Sector {
     return 2 + Math.copySign(1 - dx / (Math.abs(dx) + Math.abs(dy)), dy);
   }
 
+  /** Which of so many equal sectors, a power of two, a measure in [0, 4] is in; 0 of NaN. */
+  static int index(double measure, int sectors) {
+    return (int) (measure * sectors / ROUND) & sectors - 1;
+  }
+
   /** How far to turn from one measure to another, in (-2, 2]. */
   static double turn(double from, double to) {
     double turn = to - from;

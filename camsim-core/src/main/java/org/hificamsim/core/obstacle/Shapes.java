@@ -38,6 +38,9 @@ final class Shapes {
         points.size() >= 3, () -> "polygon has " + points.size() + " points, expected 3 or more");
     points.forEach(point -> requireCoordinate(point.x()));
     points.forEach(point -> requireCoordinate(point.y()));
+    require(
+        !points.get(0).equals(points.get(points.size() - 1)),
+        () -> "the last point of the polygon repeats the first, expected each point once");
     requireArea(points);
     for (int i = 0; i < points.size(); i++) {
       for (int j = i + 1; j < points.size(); j++) {

@@ -1,5 +1,7 @@
 package org.hificamsim.core.obstacle;
 
+import java.util.List;
+
 /**
  * What can be seen from one standpoint past obstacles that do not move: the same answers as {@link
  * Obstacles} gives, to the bit, from a look-up by direction. Made once for a standpoint, by a sweep
@@ -112,6 +114,20 @@ public final class VisibleRegion {
 
   private boolean touches(int met, double x, double y) {
     return Sweep.atStandpoint(met) || pieces.touches(met, atX, atY, x, y);
+  }
+
+  /**
+   * The region's border as a polygon around the standpoint, counterclockwise, for drawing: near
+   * enough for the eye, not exact. What dims alone casts no shadow.
+   *
+   * @param reach metres, above 0: what ends the region where nothing blocks; not beyond the reach
+   *     that the region was made for
+   * @return empty where the standpoint touches something solid
+   */
+  public List<Point> polygon(double reach) {
+    return limits[HIDDEN] < 0
+        ? List.of()
+        : new Outline(pieces, atX, atY, ends, met, reach).points();
   }
 
   /** Its memory, in bytes, but for a few that all have. */

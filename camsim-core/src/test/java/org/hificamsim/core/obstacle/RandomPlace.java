@@ -9,13 +9,28 @@ import java.util.stream.Stream;
 
 /** Random obstacles and points. Most are on a lattice, so that lines touch and run along others. */
 final class RandomPlace {
+  /** Beside 0; JTS loses smaller ones. */
+  private static final double TINY = 1e-30;
+
   private final SplittableRandom random;
   private final int lattice;
 
-  /** The coordinates are of integers, of tenths or of any doubles, by the seed. */
+  /** The coordinates are of integers, of any doubles or of tenths, by the seed. */
   RandomPlace(long seed) {
+    this(seed, 3);
+  }
+
+  private RandomPlace(long seed, int lattices) {
     random = new SplittableRandom(seed);
-    lattice = random.nextInt(3);
+    lattice = random.nextInt(lattices);
+  }
+
+  /**
+   * Without tenths: JTS computes with 106 bits, which are too few to tell a point 1e-33 beside a
+   * line.
+   */
+  static RandomPlace forJts(long seed) {
+    return new RandomPlace(seed, 2);
   }
 
   SplittableRandom random() {
@@ -25,8 +40,8 @@ final class RandomPlace {
   double coordinate() {
     return switch (lattice) {
       case 0 -> random.nextInt(-6, 7);
-      case 1 -> random.nextInt(-30, 31) / 10.0;
-      default -> random.nextDouble(-6, 6);
+      case 1 -> random.nextDouble(-6, 6);
+      default -> random.nextInt(-30, 31) / 10.0;
     };
   }
 
@@ -71,8 +86,8 @@ final class RandomPlace {
         : Optional.of(new Obstacle.Wall(from.x(), from.y(), to.x(), to.y(), transmittance(solid)));
   }
 
-  Obstacle pillar(boolean solid) {
-    double radius = lattice == 2 ? random.nextDouble(0.1, 2) : random.nextInt(1, 11) / 2.0;
+  Obstacle.Pillar pillar(boolean solid) {
+    double radius = lattice == 1 ? random.nextDouble(0.1, 2) : random.nextInt(1, 11) / 2.0;
     return new Obstacle.Pillar(coordinate(), coordinate(), radius / 2, transmittance(solid));
   }
 
@@ -103,7 +118,7 @@ final class RandomPlace {
       case 0 -> to;
       case 1 -> new Point((from.x() + to.x()) / 2, (from.y() + to.y()) / 2);
       case 2 -> new Point(2 * to.x() - standpoint.x(), 2 * to.y() - standpoint.y());
-      default -> new Point(to.x(), to.y() + Math.ulp(to.y()));
+      default -> new Point(to.x(), to.y() + Math.max(TINY, Math.ulp(to.y())));
     };
   }
 }

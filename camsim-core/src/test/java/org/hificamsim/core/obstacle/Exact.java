@@ -1,0 +1,68 @@
+package org.hificamsim.core.obstacle;
+
+import java.math.BigDecimal;
+
+/** Slow geometry in decimals of any length, by other formulas than the ones tested. */
+final class Exact {
+  private Exact() {}
+
+  static boolean touches(Obstacle obstacle, Point a, Point b) {
+    return obstacle instanceof Obstacle.Wall wall
+        ? touch(a, b, new Point(wall.x1(), wall.y1()), new Point(wall.x2(), wall.y2()))
+        : touches((Obstacle.Pillar) obstacle, a, b);
+  }
+
+  /** Two segments cross, or one of their four ends is on the other. */
+  private static boolean touch(Point a, Point b, Point c, Point d) {
+    boolean cross =
+        orientation(a, b, c) * orientation(a, b, d) < 0
+            && orientation(c, d, a) * orientation(c, d, b) < 0;
+    return cross || on(a, c, d) || on(b, c, d) || on(c, a, b) || on(d, a, b);
+  }
+
+  private static boolean on(Point point, Point from, Point to) {
+    return orientation(from, to, point) == 0
+        && between(point.x(), from.x(), to.x())
+        && between(point.y(), from.y(), to.y());
+  }
+
+  private static boolean between(double value, double a, double b) {
+    return (value >= a || value >= b) && (value <= a || value <= b);
+  }
+
+  /** The squared distance of a segment from a point is no more than the squared radius. */
+  private static boolean touches(Obstacle.Pillar pillar, Point a, Point b) {
+    BigDecimal dx = of(b.x()).subtract(of(a.x()));
+    BigDecimal dy = of(b.y()).subtract(of(a.y()));
+    BigDecimal fx = of(pillar.x()).subtract(of(a.x()));
+    BigDecimal fy = of(pillar.y()).subtract(of(a.y()));
+    BigDecimal square = dx.multiply(dx).add(dy.multiply(dy));
+    BigDecimal along = fx.multiply(dx).add(fy.multiply(dy)).max(BigDecimal.ZERO).min(square);
+    boolean point = square.signum() == 0;
+    // The nearest point is a + along / square d; all is multiplied by the square.
+    BigDecimal scale = point ? BigDecimal.ONE : square;
+    BigDecimal gapX = fx.multiply(scale).subtract(along.multiply(dx));
+    BigDecimal gapY = fy.multiply(scale).subtract(along.multiply(dy));
+    BigDecimal reach = of(pillar.radius()).multiply(scale);
+    return gapX.pow(2).add(gapY.pow(2)).compareTo(reach.pow(2)) <= 0;
+  }
+
+  /** The sign of the area of the triangle of three points, from its six products. */
+  static int orientation(Point a, Point b, Point c) {
+    return product(a.x(), b.y())
+        .subtract(product(a.y(), b.x()))
+        .add(product(b.x(), c.y()))
+        .subtract(product(b.y(), c.x()))
+        .add(product(c.x(), a.y()))
+        .subtract(product(c.y(), a.x()))
+        .signum();
+  }
+
+  private static BigDecimal product(double a, double b) {
+    return of(a).multiply(of(b));
+  }
+
+  private static BigDecimal of(double value) {
+    return new BigDecimal(value);
+  }
+}

@@ -1,0 +1,118 @@
+package org.hificamsim.core.obstacle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
+import org.locationtech.jts.algorithm.Area;
+import org.locationtech.jts.algorithm.locate.SimplePointInAreaLocator;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.locationtech.jts.geom.LinearRing;
+import org.locationtech.jts.geom.Location;
+import org.locationtech.jts.operation.union.UnaryUnionOp;
+
+class OutlineTest {
+  private static final GeometryFactory JTS = new GeometryFactory();
+  private static final double REACH = 8;
+
+  @Property(tries = 1000, edgeCases = EdgeCasesMode.NONE)
+  void whatIsInsideIsSeenAndWhatIsOutsideIsNot(@ForAll long seed) {
+    RandomPlace place = new RandomPlace(seed);
+    Obstacles obstacles = place.obstacles(10, false);
+    Point at = place.point();
+    if (obstacles.containing(at.x(), at.y()).isPresent()) {
+      return;
+    }
+    LinearRing ring = ring(VisibleRegion.of(obstacles, at.x(), at.y(), REACH).polygon(REACH));
+    for (int i = 0; i < 100; i++) {
+      Point target = place.target(obstacles, at);
+      Coordinate asked = new Coordinate(target.x(), target.y());
+      boolean seen = seen(obstacles, at, target, 0);
+      boolean inThinShadow =
+          seen(obstacles, at, target, 1e-6) != seen && seen(obstacles, at, target, -1e-6) != seen;
+      if (!inThinShadow && ring.distance(JTS.createPoint(asked)) > 0.02) {
+        assertEquals(
+            seen,
+            SimplePointInAreaLocator.locate(asked, JTS.createPolygon(ring)) == Location.INTERIOR,
+            () -> "from " + at + " to " + target + " past " + obstacles.all());
+      }
+    }
+  }
+
+  /** Whether a target is seen, turned by an angle about the camera. */
+  private static boolean seen(Obstacles obstacles, Point at, Point target, double angle) {
+    double dx = target.x() - at.x();
+    double dy = target.y() - at.y();
+    return Math.hypot(dx, dy) <= REACH
+        && obstacles.clear(at.x(), at.y(), at.x() + dx - angle * dy, at.y() + dy + angle * dx);
+  }
+
+  @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
+  void itsAreaIsThatOfADiscWithoutTheShadowsThatJtsCuts(@ForAll long seed) {
+    RandomPlace place = new RandomPlace(seed);
+    Obstacles obstacles = place.obstacles(8, true);
+    Point at = new Point(0.123, 0.456);
+    if (obstacles.containing(at.x(), at.y()).isPresent()) {
+      return;
+    }
+    List<Geometry> shadows = new ArrayList<>();
+    Pieces pieces = obstacles.pieces();
+    for (int i = 0; i < pieces.count(); i++) {
+      if (pieces.radius[i] > 0) {
+        return;
+      }
+      shadows.add(shadow(at, pieces, i));
+    }
+    Geometry disc = JTS.createPoint(new Coordinate(at.x(), at.y())).buffer(REACH, 128);
+    Geometry seen = shadows.isEmpty() ? disc : disc.difference(UnaryUnionOp.union(shadows));
+    List<Point> polygon = VisibleRegion.of(obstacles, at.x(), at.y()).polygon(REACH);
+    assertEquals(
+        seen.getArea(),
+        Area.ofRing(ring(polygon).getCoordinates()),
+        0.001 * REACH * REACH,
+        () -> "past " + obstacles.all());
+  }
+
+  /** An edge and what is behind it, far beyond the reach. */
+  private static Geometry shadow(Point at, Pieces pieces, int edge) {
+    double[] x = {pieces.x1[edge], pieces.x2[edge]};
+    double[] y = {pieces.y1[edge], pieces.y2[edge]};
+    Coordinate[] corners = new Coordinate[5];
+    for (int i = 0; i < 2; i++) {
+      double far = 1e4 / Math.hypot(x[i] - at.x(), y[i] - at.y());
+      corners[i] = new Coordinate(x[i], y[i]);
+      corners[3 - i] = new Coordinate(x[i] + far * (x[i] - at.x()), y[i] + far * (y[i] - at.y()));
+    }
+    corners[4] = corners[0];
+    return JTS.createPolygon(corners);
+  }
+
+  private static LinearRing ring(List<Point> points) {
+    List<Coordinate> corners = new ArrayList<>();
+    points.forEach(point -> corners.add(new Coordinate(point.x(), point.y())));
+    corners.add(corners.get(0));
+    return JTS.createLinearRing(corners.toArray(Coordinate[]::new));
+  }
+
+  @Test
+  void aStandpointOnASolidBorderSeesNoArea() {
+    Obstacles wall = new Obstacles(List.of(new Obstacle.Wall(0, 0, 4, 0, 0)));
+    assertEquals(List.of(), VisibleRegion.of(wall, 2, 0).polygon(5));
+  }
+
+  @Test
+  void aWallCutsTheRegionStraight() {
+    Obstacles wall = new Obstacles(List.of(new Obstacle.Wall(2, -9, 2, 9, 0)));
+    List<Point> polygon = VisibleRegion.of(wall, 0, 0).polygon(4);
+    double farthest = polygon.stream().mapToDouble(Point::x).max().orElseThrow();
+    assertEquals(2, farthest, 1e-9);
+    assertTrue(polygon.stream().filter(p -> p.x() > 2 - 1e-9).count() <= 3, "few corners");
+  }
+}
