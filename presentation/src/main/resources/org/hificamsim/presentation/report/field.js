@@ -43,7 +43,7 @@ export class FieldView {
     const known = this.run.setup.cameras.some(({pose}) => pose.lenses?.some(({density}) => density));
     const zones = el('input', {type: 'checkbox', name: 'zones', onchange: () => this.showZones(zones.checked)});
     this.zoneKey = el('span', {class: 'zone-key', hidden: true}, ...ZONES.map(({name, least, colour}) => swatch(colour, `${name} ${least}`)));
-    const floor = el('input', {type: 'range', name: 'floor', min: 0, max: 100, step: 5, value: 100 * this.site.opacity, oninput: () => this.fade(floor.value / 100)});
+    const floor = el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.site.opacity, oninput: () => this.fade(floor.value / 100)});
     const parts = [
       ...(known ? [el('label', {}, zones, ' pixel density of the chosen camera (EN 62676-4, px/m)'), this.zoneKey] : []),
       ...(this.site.floor.length ? [el('label', {}, 'floorplan ', floor)] : []),
