@@ -288,6 +288,11 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
+  public boolean detectsTurned(int camera, int view, int target) {
+    return targets.present(target) && sight.detectsTurned(camera, view, target);
+  }
+
+  @Override
   public double chance(int camera, int view, int target) {
     return targets.present(target) ? sight.chance(camera, view, target) : 0;
   }
