@@ -222,6 +222,11 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
+  public double reach(int camera, int view) {
+    return sight.reach(camera, view);
+  }
+
+  @Override
   public int seeing(int camera) {
     return cameras.seeing(camera);
   }
