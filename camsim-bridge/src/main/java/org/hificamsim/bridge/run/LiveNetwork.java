@@ -1,6 +1,7 @@
 package org.hificamsim.bridge.run;
 
 import java.util.List;
+import org.hificamsim.bridge.camsim.Aiming;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
@@ -18,10 +19,11 @@ final class LiveNetwork implements OracleView {
   private static final int MIN_ROOM = 8;
 
   private final CamSim camsim;
+  private final Aiming aiming;
   private final Object core;
   private final Visibility visibility;
   private final double size;
-  private final Zooms zooms;
+  private final CameraViews kind;
   private final Roster<LiveCamera> cameras;
   private final Roster<LiveTarget> targets = new Roster<>(LiveTarget.TO_COME);
   private int revision;
@@ -32,19 +34,20 @@ final class LiveNetwork implements OracleView {
    * @param core CamSim's {@code SimCore}
    * @param size of every object, metres
    */
-  LiveNetwork(CamSim camsim, Object core, Visibility visibility, double size, Zooms zooms) {
+  LiveNetwork(CamSim camsim, Object core, Visibility visibility, double size, CameraViews kind) {
     this.camsim = camsim;
     this.core = core;
     this.visibility = visibility;
     this.size = size;
-    this.zooms = zooms;
-    this.cameras = new Roster<>(LiveCamera.toCome(zooms));
+    this.kind = kind;
+    this.aiming = new Aiming(camsim);
+    this.cameras = new Roster<>(LiveCamera.toCome(kind));
   }
 
   /** Takes note of where everything is in this step; what was seen stays. */
   void refresh(long newStep) {
     step = newStep;
-    cameras.update(camsim.cameras(core), handle -> LiveCamera.of(handle, camsim, zooms));
+    cameras.update(camsim.cameras(core), handle -> LiveCamera.of(handle, camsim, kind));
     for (int camera = 0; camera < cameras.all().size(); camera++) {
       LiveCamera eye = cameras.get(camera);
       boolean changed = cameras.isThere(camera) ? eye.refresh(camsim) : eye.switchOff();
@@ -81,9 +84,9 @@ final class LiveNetwork implements OracleView {
     expect(cameras.all().size(), 2 * targets.all().size() + MIN_ROOM);
   }
 
-  /** Sets a camera's level, and CamSim's range by it. */
-  void zoomTo(int camera, int level) {
-    cameras.get(camera).zoomTo(level, camsim);
+  /** Turns a camera to a view, and CamSim's with it. */
+  void turnTo(int camera, int view) {
+    cameras.get(camera).turnTo(view, camsim, aiming);
   }
 
   /** Gives all cameras back the ranges they had before any policy. */
