@@ -7,14 +7,17 @@ import java.util.function.Supplier;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.runs.output.Detail;
 
 /**
  * What the bridge is asked to do; without any of detection, policy and out it has nothing to do.
  *
  * @param detection decides what cameras see; CamSim's own rule where it is missing
  * @param size edge of every target's bounding box, metres, above 0
- * @param policy chooses the cameras' ranges; CamSim does where it is missing
+ * @param policy chooses the cameras' views; CamSim does where it is missing
  * @param zooms radii common to all cameras, metres, rising; empty for those of each camera's range
+ * @param optics of all cameras that the policy steers, each with its own range for a reach
  * @param seed of the first run's policy; run i uses seed + i
  * @param out folder of the result files
  */
@@ -23,6 +26,7 @@ public record BridgeSettings(
     double size,
     Optional<Policy> policy,
     List<Double> zooms,
+    Optional<OpticsSpec> optics,
     int seed,
     Optional<Path> out) {
   /**
@@ -46,8 +50,18 @@ public record BridgeSettings(
     return detection.orElseGet(() -> Detection.of(new CamSimVisibilityDetection()));
   }
 
+  /** The views among which a camera's is chosen. */
+  CameraViews views() {
+    return new CameraViews(policy.isPresent(), zooms, optics);
+  }
+
+  /** What result files tell of each step. */
+  Detail detail() {
+    return optics.isPresent() ? Detail.VIEWS : Detail.ZOOMS;
+  }
+
   /** The same with result files elsewhere, or nowhere. */
   BridgeSettings with(Optional<Path> newOut) {
-    return new BridgeSettings(detection, size, policy, zooms, seed, newOut);
+    return new BridgeSettings(detection, size, policy, zooms, optics, seed, newOut);
   }
 }

@@ -138,7 +138,7 @@ final class LiveCamera {
 
   /** Gives the camera back what it had before any policy, or was given by CamSim since. */
   void restore(CamSim camsim, Aiming aiming) {
-    if (asked != NEVER) {
+    if (!asked.equals(NEVER)) {
       now = camsim.aim(handle);
       aiming.aim(handle, new Aim(ownHeading(), ownAngle(), ownRange));
     } else if (kind.optics().isEmpty()) {

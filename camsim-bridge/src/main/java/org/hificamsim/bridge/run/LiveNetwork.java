@@ -89,9 +89,9 @@ final class LiveNetwork implements OracleView {
     cameras.get(camera).turnTo(view, camsim, aiming);
   }
 
-  /** Gives all cameras back the ranges they had before any policy. */
-  void restoreRanges() {
-    cameras.all().forEach(camera -> camera.restore(camsim));
+  /** Gives all cameras back what they had before any policy. */
+  void restore() {
+    cameras.all().forEach(camera -> camera.restore(camsim, aiming));
   }
 
   /** The names of the cameras that there have been; empty where one is not known. */
@@ -120,15 +120,16 @@ final class LiveNetwork implements OracleView {
     }
     targets.get(target).refresh(camsim, true);
     LiveCamera looking = cameras.get(eye);
-    double confidence = confidence(eye, looking.zoom(), target);
+    double confidence = confidence(eye, looking.view(), target);
     saw(camera, object, confidence > 0);
     return confidence;
   }
 
-  private double confidence(int camera, ZoomLevel zoom, int target) {
+  private double confidence(int camera, int view, int target) {
+    LiveCamera eye = cameras.get(camera);
     double luck = visibility.luck(step, camera, target);
     return visibility.confidence(
-        cameras.get(camera).pose(), zoom, targetX(target), targetY(target), size, luck);
+        eye.pose(view), eye.views().zoom(view), targetX(target), targetY(target), size, luck);
   }
 
   /** Records what came of a camera's look at an object in this step. */
@@ -183,17 +184,32 @@ final class LiveNetwork implements OracleView {
 
   @Override
   public int views(int camera) {
-    return zooms.levels();
+    return cameras.get(camera).views().count();
+  }
+
+  @Override
+  public int zooms(int camera) {
+    return cameras.get(camera).views().zooms().size();
   }
 
   @Override
   public int view(int camera) {
-    return cameras.get(camera).level();
+    return cameras.get(camera).view();
   }
 
   @Override
-  public ZoomLevel zoom(int camera, int level) {
-    return cameras.get(camera).zoom(level);
+  public boolean reaches(int camera, int view) {
+    return cameras.get(camera).views().isNextTo(view(camera), view);
+  }
+
+  @Override
+  public ZoomLevel zoom(int camera, int view) {
+    return cameras.get(camera).views().zoom(view);
+  }
+
+  @Override
+  public double pan(int camera, int view) {
+    return cameras.get(camera).views().pan(view);
   }
 
   @Override
@@ -242,26 +258,30 @@ final class LiveNetwork implements OracleView {
     if (!present(target)) {
       return 0;
     }
-    return DetectionModel.clamp(
-        visibility.value(eye.pose(), eye.zoom(), targetX(target), targetY(target), size));
+    double x = targetX(target);
+    double y = targetY(target);
+    return DetectionModel.clamp(visibility.value(eye.pose(eye.view()), eye.zoom(), x, y, size));
   }
 
   @Override
-  public boolean detects(int camera, int level, int target) {
-    return present(target) && confidence(camera, zoom(camera, level), target) > 0;
+  public boolean detects(int camera, int view, int target) {
+    return present(target) && confidence(camera, view, target) > 0;
   }
 
   @Override
-  public double chance(int camera, int level, int target) {
+  public double chance(int camera, int view, int target) {
     LiveCamera eye = cameras.get(camera);
+    ZoomLevel zoom = zoom(camera, view);
     return present(target)
-        ? visibility.chance(eye.pose(), eye.zoom(level), targetX(target), targetY(target), size)
+        ? visibility.chance(eye.pose(view), zoom, targetX(target), targetY(target), size)
         : 0;
   }
 
   @Override
-  public boolean dominates(int camera, int level, int other) {
-    LiveCamera eye = cameras.get(camera);
-    return visibility.dominates(eye.zoom(level), eye.zoom(other), size);
+  public boolean dominates(int camera, int view, int other) {
+    boolean whichWay = visibility.detection().model().dependsOnBearing();
+    boolean sameWay =
+        pan(camera, view) == pan(camera, other) || (zoom(camera, view).allRound() && !whichWay);
+    return sameWay && visibility.dominates(zoom(camera, view), zoom(camera, other), size);
   }
 }

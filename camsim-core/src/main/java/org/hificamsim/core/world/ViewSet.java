@@ -62,7 +62,7 @@ public record ViewSet(
   }
 
   /** Copies what could change. */
-  ViewSet {
+  public ViewSet {
     pans = List.copyOf(pans);
     zooms = List.copyOf(zooms);
   }

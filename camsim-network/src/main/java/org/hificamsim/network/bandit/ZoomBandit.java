@@ -4,8 +4,10 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.statistics.CameraFigures;
 
-/** A bandit whose arms are ranges: changes a camera's range every eleventh step (behaviour 9.6). A
- * camera with a lens has no range to be changed, and no such bandit. */
+/**
+ * A bandit whose arms are ranges: changes a camera's range every eleventh step (behaviour 9.6). A
+ * camera with a lens has no range to be changed, and no such bandit.
+ */
 public final class ZoomBandit implements CameraBandit {
   private static final double MAX_RANGE = 20;
   private static final double ARM_WIDTH = MAX_RANGE / Arms.COUNT;

@@ -19,7 +19,8 @@ final class CamSimOverlap implements OverlapTable.Pair {
 
   @Override
   public double overlap(int first, int second) {
-    return of(x(first), y(first), cameras.range(first), x(second), y(second), cameras.range(second));
+    return of(
+        x(first), y(first), cameras.range(first), x(second), y(second), cameras.range(second));
   }
 
   /** From the left border, as CamSim counts. */
