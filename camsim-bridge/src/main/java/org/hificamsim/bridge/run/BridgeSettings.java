@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.runs.output.Detail;
@@ -18,6 +19,7 @@ import org.hificamsim.runs.output.Detail;
  * @param policy chooses the cameras' views; CamSim does where it is missing
  * @param zooms radii common to all cameras, metres, rising; empty for those of each camera's range
  * @param optics of all cameras that the policy steers, each with its own range for a reach
+ * @param objective what a step is scored by
  * @param seed of the first run's policy; run i uses seed + i
  * @param out folder of the result files
  */
@@ -27,6 +29,7 @@ public record BridgeSettings(
     Optional<Policy> policy,
     List<Double> zooms,
     Optional<OpticsSpec> optics,
+    Objective objective,
     int seed,
     Optional<Path> out) {
   /**
@@ -62,6 +65,6 @@ public record BridgeSettings(
 
   /** The same with result files elsewhere, or nowhere. */
   BridgeSettings with(Optional<Path> newOut) {
-    return new BridgeSettings(detection, size, policy, zooms, optics, seed, newOut);
+    return new BridgeSettings(detection, size, policy, zooms, optics, objective, seed, newOut);
   }
 }

@@ -5,6 +5,7 @@ import org.hificamsim.bridge.camsim.Aiming;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.visibility.Visibility;
@@ -24,6 +25,7 @@ final class LiveNetwork implements OracleView {
   private final Visibility visibility;
   private final double size;
   private final CameraViews kind;
+  private final Objective objective;
   private final Roster<LiveCamera> cameras;
   private final Roster<LiveTarget> targets = new Roster<>(LiveTarget.TO_COME);
   private int revision;
@@ -34,7 +36,14 @@ final class LiveNetwork implements OracleView {
    * @param core CamSim's {@code SimCore}
    * @param size of every object, metres
    */
-  LiveNetwork(CamSim camsim, Object core, Visibility visibility, double size, CameraViews kind) {
+  LiveNetwork(
+      CamSim camsim,
+      Object core,
+      Visibility visibility,
+      double size,
+      CameraViews kind,
+      Objective objective) {
+    this.objective = objective;
     this.camsim = camsim;
     this.core = core;
     this.visibility = visibility;
@@ -57,6 +66,11 @@ final class LiveNetwork implements OracleView {
     for (int target = 0; target < targets.all().size(); target++) {
       targets.get(target).refresh(camsim, targets.isThere(target));
     }
+  }
+
+  @Override
+  public Objective objective() {
+    return objective;
   }
 
   /** Forgets what was seen: cameras are about to look. */
