@@ -12,6 +12,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
@@ -100,6 +101,7 @@ public class ChanceBenchmark {
         Headings.DEGREES,
         OptionalDouble.empty(),
         Optional.empty(),
+        Objective.kMin(),
         OptionalDouble.empty(),
         List.of(2.5, 3.75, 5.0, 6.25, 7.5),
         cameras,

@@ -57,6 +57,7 @@ final class OwnSimulation {
         read.headings(),
         read.threshold(),
         read.detect(),
+        read.objective(),
         read.mountHeight(),
         zooms,
         read.cameras(),

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
@@ -96,6 +97,7 @@ public final class TestScenario {
         Headings.DEGREES,
         OptionalDouble.empty(),
         Optional.empty(),
+        Objective.kMin(),
         OptionalDouble.empty(),
         stepTime,
         surroundings,

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hificamsim.bridge.camsim.CamSim;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Headings;
@@ -177,6 +178,7 @@ final class Run {
         Headings.DEGREES,
         OptionalDouble.empty(),
         Optional.empty(),
+        Objective.kMin(),
         OptionalDouble.empty(),
         settings.zooms(),
         network.cameraSpecs(),

@@ -3,6 +3,7 @@ package org.hificamsim.core.engine;
 import java.util.Arrays;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.space.PointGrid;
@@ -23,11 +24,13 @@ final class ObservedNetwork implements OracleView {
   private final int[] coverage;
   private final boolean phantoms;
   private final PointGrid grid;
+  private final Objective objective;
   private final Workers workers;
   private final int[][] counts; // of each worker, in the order of the grid
   private final Workers.Share looking = this::look;
   private final Workers.Share adding = this::addUp;
   private final Division division = new Division();
+  private long[] masks = {};
   private long step;
 
   ObservedNetwork(World world, Visibility visibility, Workers workers) {
@@ -56,6 +59,7 @@ final class ObservedNetwork implements OracleView {
     this.coverage = new int[targets.count()];
     this.phantoms = visibility.detection().rule().phantoms() > 0;
     this.grid = grid;
+    this.objective = world.scenario().objective();
     this.workers = workers;
     this.counts = new int[workers.count()][];
     Arrays.setAll(counts, worker -> new int[coverage.length]);
@@ -148,6 +152,11 @@ final class ObservedNetwork implements OracleView {
   @Override
   public long step() {
     return step;
+  }
+
+  @Override
+  public Objective objective() {
+    return objective;
   }
 
   @Override
@@ -321,6 +330,28 @@ final class ObservedNetwork implements OracleView {
     int top = grid.row(cameras.y(camera) + reach);
     for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
       sight.mark(camera, views, grid, grid.start(row, left), grid.end(row, right), masks, words);
+    }
+  }
+
+  @Override
+  public void markCoverable(boolean[] coverable) {
+    Arrays.fill(coverable, 0, coverage.length, false);
+    int words = (coverage.length + Long.SIZE - 1) / Long.SIZE;
+    for (int camera = 0; camera < detected.length; camera++) {
+      if (cameras.online(camera)) {
+        int all = cameras.views(camera) * words;
+        masks = masks.length < all ? new long[all] : masks;
+        detections(camera, masks, words);
+        mark(all, words, coverable);
+      }
+    }
+  }
+
+  private void mark(int all, int words, boolean[] coverable) {
+    for (int i = 0; i < all; i++) {
+      for (long bits = masks[i]; bits != 0; bits &= bits - 1) {
+        coverable[i % words * Long.SIZE + Long.numberOfTrailingZeros(bits)] = true;
+      }
     }
   }
 

@@ -12,6 +12,7 @@ import org.hificamsim.core.policy.NetworkView;
 public final class RunCoverage implements StepListener {
   private long steps;
   private long performance;
+  private double score;
   private long targets;
   private long uncovered;
   private long coveredOnce;
@@ -33,6 +34,7 @@ public final class RunCoverage implements StepListener {
   public void stepped(NetworkView network, StepCoverage coverage) {
     steps++;
     performance += coverage.kMin();
+    score += coverage.score();
     targets += coverage.targets();
     uncovered += coverage.covered0();
     coveredOnce += coverage.covered1();
@@ -79,6 +81,11 @@ public final class RunCoverage implements StepListener {
   /** The sum of k_min over the steps (Eq 7.2). */
   public long performance() {
     return performance;
+  }
+
+  /** The sum of the steps' scores: the performance under k_min. */
+  public double score() {
+    return score;
   }
 
   /** The mean of k_min over the steps; 0 without steps. */

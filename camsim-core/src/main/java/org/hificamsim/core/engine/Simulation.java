@@ -23,7 +23,7 @@ public final class Simulation {
   private final Cooperation cooperation;
   private final StepListener[] listeners;
   private final ObservedNetwork network;
-  private final StepCoverage coverage = new StepCoverage();
+  private final StepCoverage coverage;
   private final int[] views;
   private final boolean byChance;
   private final boolean jumps;
@@ -63,6 +63,7 @@ public final class Simulation {
     this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
     this.byChance = !detection.certain();
     this.jumps = policy.jumps();
+    this.coverage = new StepCoverage(world.scenario().objective());
     this.views = new int[world.cameras().count()];
     policy.begin(network, new SplittableRandom(seed));
   }
@@ -104,6 +105,7 @@ public final class Simulation {
     cooperation.cooperate();
     policy.learn(network);
     coverage.measure(network);
+    coverage.measureScore(network);
     if (byChance) {
       coverage.expect(network);
     }

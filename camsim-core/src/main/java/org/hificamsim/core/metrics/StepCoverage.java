@@ -1,17 +1,31 @@
 package org.hificamsim.core.metrics;
 
 /**
- * How the targets present are covered in one step (thesis 7.1, Eq 7.1); measured again each step.
+ * How the targets present are covered in one step (thesis 7.1, Eq 7.1), and how the step is scored;
+ * measured again each step.
  *
  * <p>Without any target everything is 0.
  */
 public final class StepCoverage {
+  private final Objective objective;
   private int targets;
   private int least;
   private int uncovered;
   private int coveredOnceAtMost;
   private long sum;
   private ExpectedCoverage expected;
+  private double score;
+  private int[] counting = {};
+  private boolean[] coverable = {};
+
+  /** Scored by k_min. */
+  public StepCoverage() {
+    this(Objective.kMin());
+  }
+
+  public StepCoverage(Objective objective) {
+    this.objective = objective;
+  }
 
   /** Measures the last observation. */
   public void measure(CoveredTargets observed) {
@@ -35,6 +49,33 @@ public final class StepCoverage {
     uncovered = none;
     coveredOnceAtMost = onceAtMost;
     sum = all;
+  }
+
+  /** Measures what the objective makes of the last observation; after {@link #measure}. */
+  public void measureScore(CoverableTargets observed) {
+    if (!objective.isKMin()) {
+      int count = collect(observed);
+      score = objective.score(counting, 0, count);
+    }
+  }
+
+  /** Collects k of the targets that count; returns how many there are. */
+  private int collect(CoverableTargets observed) {
+    if (counting.length < observed.targets()) {
+      counting = new int[observed.targets()];
+      coverable = new boolean[observed.targets()];
+    }
+    boolean all = !objective.ofCoverableAlone();
+    if (!all) {
+      observed.markCoverable(coverable);
+    }
+    int count = 0;
+    for (int target = 0; target < observed.targets(); target++) {
+      if (observed.present(target) && (all || coverable[target])) {
+        counting[count++] = observed.coverage(target);
+      }
+    }
+    return count;
   }
 
   /** Measures what was to be expected of the last observation, where detections are by chance. */
@@ -66,6 +107,16 @@ public final class StepCoverage {
   /** k_min, the least number of cameras that cover a target (Eq 7.1). */
   public int kMin() {
     return least;
+  }
+
+  /** What the objective makes of the step; k_min by default. */
+  public double score() {
+    return objective.isKMin() ? least : score;
+  }
+
+  /** What the step is scored by. */
+  public Objective objective() {
+    return objective;
   }
 
   /** The number of targets that no camera covers. */

@@ -2,6 +2,7 @@ package org.hificamsim.core.policy;
 
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.CoveredTargets;
+import org.hificamsim.core.metrics.Objective;
 
 /**
  * The camera network at one step, read only: the same for every camera, so that all decide from one
@@ -20,6 +21,11 @@ import org.hificamsim.core.metrics.CoveredTargets;
 public interface NetworkView extends CoveredTargets {
   /** The step that is under way, from 0. */
   long step();
+
+  /** What each step of the run is scored by. */
+  default Objective objective() {
+    return Objective.kMin();
+  }
 
   /** A number that changes whenever a camera is added, moved or switched off. */
   int revision();

@@ -1,6 +1,7 @@
 package org.hificamsim.core.policy;
 
 import java.util.Arrays;
+import org.hificamsim.core.metrics.CoverableTargets;
 import org.hificamsim.core.metrics.DetectionChances;
 
 /**
@@ -8,7 +9,7 @@ import org.hificamsim.core.metrics.DetectionChances;
  * at other views. Upper bounds such as the exact optimum use it, and listeners that record a run;
  * learning policies must not.
  */
-public interface OracleView extends NetworkView, DetectionChances {
+public interface OracleView extends NetworkView, DetectionChances, CoverableTargets {
   @Override
   default OracleView oracle() {
     return this;
@@ -22,6 +23,18 @@ public interface OracleView extends NetworkView, DetectionChances {
 
   /** Whether the camera would detect the target where both are now, were it at this view. */
   boolean detects(int camera, int view, int target);
+
+  @Override
+  default void markCoverable(boolean[] coverable) {
+    for (int target = 0; target < targets(); target++) {
+      coverable[target] = false;
+      for (int camera = 0; camera < cameras() && present(target); camera++) {
+        for (int view = 0; online(camera) && view < views(camera) && !coverable[target]; view++) {
+          coverable[target] = detects(camera, view, target);
+        }
+      }
+    }
+  }
 
   /**
    * The chance that the camera detects the target where both are now, were it at this view, before

@@ -8,6 +8,7 @@ import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
 
 /**
  * A scenario: the field, the cameras, the targets, and what happens when.
@@ -17,6 +18,7 @@ import org.hificamsim.core.detection.DetectionRule;
  * @param headings the unit of the targets' headings
  * @param threshold detection threshold, if the file sets one
  * @param detect how a confidence becomes a detection, if the file says so
+ * @param objective what a step is scored by
  * @param mountHeight height of all cameras over the target plane, metres (Eq 3.2), if given
  * @param stepTime how long a step takes, seconds, above 0; 1 unless the file says otherwise
  * @param surroundings obstacles and what else stands in the field
@@ -35,6 +37,7 @@ public record Scenario(
     Headings headings,
     OptionalDouble threshold,
     Optional<DetectionRule> detect,
+    Objective objective,
     OptionalDouble mountHeight,
     double stepTime,
     Surroundings surroundings,
@@ -103,6 +106,11 @@ public record Scenario(
           draft.detect = Optional.of(rule);
           draft.threshold = rule.certain() ? threshold : OptionalDouble.empty();
         });
+  }
+
+  /** The same scenario, its steps scored by another objective. */
+  public Scenario withObjective(Objective newObjective) {
+    return changed(draft -> draft.objective = newObjective);
   }
 
   /** The same scenario with another reading of the targets' headings. */
@@ -184,6 +192,7 @@ public record Scenario(
     private Headings headings;
     private OptionalDouble threshold;
     private Optional<DetectionRule> detect;
+    private Objective objective;
     private OptionalDouble mountHeight;
     private Surroundings surroundings;
     private List<Double> zooms;
@@ -197,6 +206,7 @@ public record Scenario(
       headings = of.headings;
       threshold = of.threshold;
       detect = of.detect;
+      objective = of.objective;
       mountHeight = of.mountHeight;
       surroundings = of.surroundings;
       zooms = of.zooms;
@@ -213,6 +223,7 @@ public record Scenario(
           headings,
           threshold,
           detect,
+          objective,
           mountHeight,
           of.stepTime,
           surroundings,

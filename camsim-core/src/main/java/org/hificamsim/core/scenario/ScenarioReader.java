@@ -14,6 +14,7 @@ import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
 
 /**
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
@@ -130,6 +131,10 @@ public final class ScenarioReader {
     OptionalDouble threshold = number(attributes, "threshold", Range.PROPORTION);
     Optional<DetectionRule> detect =
         or(Optional.empty(), none -> detect(attributes, threshold.isPresent()));
+    Objective objective =
+        or(
+            Objective.kMin(),
+            kMin -> attributes.optional("objective", Objective::parse).orElse(kMin));
     OptionalDouble mountHeight = number(attributes, "mount_height", Range.POSITIVE_LENGTH);
     double stepTime = number(attributes, "step", STEP_TIME).orElse(1);
     Surroundings surroundings =
@@ -154,6 +159,7 @@ public final class ScenarioReader {
         headings,
         threshold,
         detect,
+        objective,
         mountHeight,
         stepTime,
         surroundings,

@@ -39,6 +39,9 @@ public final class ScenarioWriter {
     attributes.put("headings", Spelling.of(scenario.headings()));
     scenario.threshold().ifPresent(value -> attributes.put("threshold", value));
     scenario.detect().ifPresent(rule -> attributes.put("detect", rule.text()));
+    if (!scenario.objective().isKMin()) {
+      attributes.put("objective", scenario.objective().text());
+    }
     scenario.mountHeight().ifPresent(value -> attributes.put("mount_height", value));
     if (scenario.stepTime() != 1) {
       attributes.put("step", scenario.stepTime());

@@ -9,19 +9,24 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.BiConsumer;
+import java.util.stream.IntStream;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent.AddCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
 import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.RemoveTarget;
 import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.world.World;
+import org.hificamsim.core.world.movement.Movements;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -307,6 +312,45 @@ class SimulationTest {
     assertEquals(sums[4] / targets, total.meanK(), 1e-12);
     assertEquals(sums[4], total.detections());
     assertTrue(sums[1] > 0 && sums[2] > 0 && sums[3] > 0, "all of them happened");
+  }
+
+  @Test
+  void aRunIsScoredByItsScenariosObjective() {
+    TestScenario two = new TestScenario().zooms(2, 4, 7).camera(0, 0).camera(5, 0);
+    IntStream.range(0, 70).forEach(i -> two.target(-9 + i * 0.25, 1, 90, 0.1));
+    for (String text : List.of("kmin", "covered:k=2", "lexicographic", "sum:cap=1")) {
+      Scenario scenario = two.scenario().withObjective(Objective.parse(text));
+      RunCoverage total = new RunCoverage();
+      double[] sum = new double[1];
+      StepListener bruteForce =
+          (network, coverage) -> {
+            assertEquals(scenario.objective(), network.objective());
+            int[] k =
+                IntStream.range(0, network.targets())
+                    .filter(target -> !text.equals("lexicographic") || coverable(network, target))
+                    .map(network::coverage)
+                    .toArray();
+            assertEquals(scenario.objective().score(k, 0, k.length), coverage.score());
+            sum[0] += coverage.score();
+          };
+      new Simulation(
+              new World(scenario, Movements.registry(), 1),
+              ALL_IN_REACH,
+              widest(),
+              1,
+              List.of(bruteForce, total))
+          .run(20);
+      assertEquals(sum[0], total.score(), text);
+      assertEquals(!text.equals("kmin"), sum[0] > 0, text + " " + sum[0]);
+    }
+  }
+
+  private static boolean coverable(NetworkView network, int target) {
+    return IntStream.range(0, network.cameras())
+        .anyMatch(
+            camera ->
+                IntStream.range(0, network.views(camera))
+                    .anyMatch(view -> network.oracle().detects(camera, view, target)));
   }
 
   @Test

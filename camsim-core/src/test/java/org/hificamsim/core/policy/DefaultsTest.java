@@ -36,6 +36,16 @@ class DefaultsTest {
   }
 
   @Test
+  void whatSomeViewOfSomeCameraOnlineDetectsCanBeCovered() {
+    boolean[] coverable = new boolean[TARGETS];
+    Arrays.fill(coverable, 0, 40, true);
+    VIEW.markCoverable(coverable);
+    for (int target = 0; target < TARGETS; target++) {
+      assertEquals(VIEW.present(target), coverable[target], "target " + target);
+    }
+  }
+
+  @Test
   void workIsDoneInOnePart() {
     List<String> parts = new ArrayList<>();
     VIEW.divide(
@@ -79,6 +89,7 @@ class DefaultsTest {
             switch (method.getName()) {
               case "cameras" -> 5;
               case "views" -> 2;
+              case "online" -> (int) arguments[0] > 0;
               case "targets" -> TARGETS;
               case "present" -> (int) arguments[0] != 66 && (int) arguments[0] != 30;
               case "detects" -> (int) arguments[1] == 1 || (int) arguments[2] % 3 != 0;

@@ -18,6 +18,7 @@ import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -40,6 +41,7 @@ class ScenarioReaderTest {
     assertEquals(Headings.AS_RADIANS, scenario.headings());
     assertEquals(OptionalDouble.of(0.3), scenario.threshold());
     assertEquals(Optional.of(new DetectionRule.Threshold()), scenario.detect());
+    assertEquals(new Objective.Covered(2), scenario.objective());
     assertEquals(OptionalDouble.of(3.5), scenario.mountHeight());
     assertEquals(List.of(2.0, 3.5, 5.0), scenario.zooms());
     assertEquals(Map.of("note", "kept & quoted <>\"'"), scenario.extras());
@@ -149,6 +151,7 @@ class ScenarioReaderTest {
     assertEquals(Headings.DEGREES, scenario.headings());
     assertEquals(OptionalDouble.empty(), scenario.threshold());
     assertEquals(Optional.empty(), scenario.detect());
+    assertEquals(Objective.kMin(), scenario.objective());
     assertEquals(OptionalDouble.empty(), scenario.mountHeight());
     assertEquals(List.of(), scenario.zooms());
     assertEquals(AgentSpec.NONE, scenario.cameras().get(0).agent());

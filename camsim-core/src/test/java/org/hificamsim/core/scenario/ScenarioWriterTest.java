@@ -1,6 +1,7 @@
 package org.hificamsim.core.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -12,6 +13,7 @@ import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -65,6 +67,25 @@ class ScenarioWriterTest {
     assertTrue(
         fault.getMessage().endsWith("threshold is '0.4', expected none beside detect=\"chance\""),
         fault.getMessage());
+  }
+
+  @Test
+  void anObjectiveIsReadBackAndTheDefaultIsNotWritten() throws IOException {
+    Scenario scenario = new TestScenario().camera(0, 0).target(0, 0).scenario();
+    assertFalse(ScenarioWriter.write(scenario).contains("objective"));
+    for (String text : List.of("covered:k=2", "lexicographic", "sum:cap=4", "kmin")) {
+      Scenario scored = scenario.withObjective(Objective.parse(text));
+      assertEquals(text, read(ScenarioWriter.write(scored)).objective().text());
+    }
+  }
+
+  @Test
+  void anObjectiveThatIsNoneIsToldWithItsPlace() {
+    String file = ScenarioWriter.write(new TestScenario().camera(0, 0).target(0, 0).scenario());
+    String unknown = file.replace("order=", "objective=\"most\" order=");
+    InputException fault = assertThrows(InputException.class, () -> read(unknown));
+    assertTrue(fault.getMessage().contains("test.xml:3:"), fault.getMessage());
+    assertTrue(fault.getMessage().contains("unknown objective 'most', expected one of"));
   }
 
   @Test

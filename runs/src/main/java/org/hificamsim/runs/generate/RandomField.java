@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.SplittableRandom;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
@@ -55,6 +56,7 @@ public record RandomField(int cameras, int targets, double area, long seed) {
         Headings.DEGREES,
         OptionalDouble.empty(),
         Optional.empty(),
+        Objective.kMin(),
         OptionalDouble.empty(),
         ZOOMS,
         cameras(field, random),

@@ -1,0 +1,108 @@
+package org.hificamsim.core.metrics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.List;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class ObjectiveTest {
+  @ParameterizedTest
+  @ValueSource(strings = {"kmin", "covered:k=1", "covered:k=12", "lexicographic", "sum:cap=3"})
+  void isReadAsItIsWritten(String text) {
+    assertEquals(text, Objective.parse(text).text());
+  }
+
+  @Test
+  void optionsHaveDefaults() {
+    assertEquals(new Objective.Covered(1), Objective.parse("covered"));
+    assertEquals(new Objective.Sum(3), Objective.parse("sum"));
+    assertEquals(Objective.kMin(), Objective.parse("kmin"));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "most | unknown objective 'most', expected one of",
+        "covered:k=0 | objective covered: k is '0', expected a whole number from 1 to",
+        "sum:cap=x | objective sum: cap is 'x', expected a whole number from 1 to",
+        "kmin:k=2 | objective kmin: unknown option 'k=2', expected no options",
+        "covered:cap=2 | objective covered: unknown option 'cap=2', expected one of k",
+      })
+  void refusesWhatIsNoObjective(String text, String expected) {
+    InputException fault = assertThrows(InputException.class, () -> Objective.parse(text));
+    assertTrue(fault.getMessage().contains(expected), fault.getMessage());
+  }
+
+  @Property
+  void scoresAreWhatTheirDefinitionsSay(
+      @ForAll @Size(max = 9) List<@IntRange(min = -1, max = 5) Integer> coverage,
+      @ForAll @IntRange(min = 1, max = 4) int number) {
+    int[] k = coverage.stream().mapToInt(one -> one).toArray();
+    int[] present = Arrays.stream(k).filter(one -> one >= 0).toArray();
+    int all = Math.max(1, present.length);
+    double enough = Arrays.stream(present).filter(one -> one >= number).count();
+    int[] coverable = Arrays.stream(present).filter(one -> one != 2).toArray();
+    assertEquals(Arrays.stream(present).min().orElse(0), score("kmin", k));
+    assertEquals(enough / all, score("covered:k=" + number, k));
+    assertEquals(
+        Arrays.stream(present).map(one -> Math.min(one, number)).sum(),
+        score("sum:cap=" + number, k));
+    assertEquals(Arrays.stream(coverable).min().orElse(0), score("lexicographic", k));
+  }
+
+  @Test
+  void withoutTargetsEveryScoreIsZero() {
+    for (String text : List.of("kmin", "covered", "lexicographic", "sum")) {
+      assertEquals(0, score(text), text);
+      assertEquals(0, score(text, -1, -1), text);
+    }
+  }
+
+  /** One k for each target, -1 for one that is not there; no view covers one with k = 2. */
+  private static double score(String objective, int... k) {
+    StepCoverage coverage = new StepCoverage(Objective.parse(objective));
+    coverage.measure(targets(1, 1, 1, 1)); // of the step before
+    coverage.measureScore(targets(1, 1, 1, 1));
+    coverage.measure(targets(k));
+    coverage.measureScore(targets(k));
+    return coverage.score();
+  }
+
+  private static CoverableTargets targets(int... k) {
+    return new CoverableTargets() {
+      @Override
+      public void markCoverable(boolean[] coverable) {
+        for (int target = 0; target < k.length; target++) {
+          coverable[target] = k[target] >= 0 && k[target] != 2;
+        }
+      }
+
+      @Override
+      public int targets() {
+        return k.length;
+      }
+
+      @Override
+      public boolean present(int target) {
+        return k[target] >= 0;
+      }
+
+      @Override
+      public int coverage(int target) {
+        return k[target];
+      }
+    };
+  }
+}
