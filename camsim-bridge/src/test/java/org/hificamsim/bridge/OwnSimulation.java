@@ -14,6 +14,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.SingleRun;
 
 /** This project's own engine on CamSim's scenarios: what the bridge has to agree with. */
@@ -35,7 +36,7 @@ final class OwnSimulation {
       throws IOException {
     World world = new World(scenario(file, zooms), CATALOGUE.movements(), 0);
     RunCoverage coverage = new RunCoverage();
-    try (SingleRun run = new SingleRun(folder, 0, detection, true)) {
+    try (SingleRun run = new SingleRun(folder, 0, detection, Detail.ZOOMS)) {
       new Simulation(world, detection, policy, 0, List.of(coverage, run)).run(steps);
       RunPlan plan = new RunPlan(world.scenario(), detection, "own", steps, 0, 1);
       run.commit(plan, 0, Optional.empty());

@@ -25,6 +25,7 @@ import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.output.CrateFile;
+import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunFolder;
 import picocli.CommandLine.Command;
@@ -80,7 +81,7 @@ final class RunCommand implements Callable<Integer> {
     new RunExecutor(catalogue).check(plan);
     listeners.forEach(catalogue.listeners()::create);
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
-    try (RunFolder output = new RunFolder(folder, plan.detection(), record);
+    try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan));
         Workers workers = Workers.of(threads.count())) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
       Optional<ReplayRecorder> replay =
@@ -110,6 +111,10 @@ final class RunCommand implements Callable<Integer> {
       }
     }
     return 0;
+  }
+
+  private Detail detail(RunPlan plan) {
+    return record ? Detail.full(plan.scenario()) : Detail.STEPS;
   }
 
   private void report(Path folder) throws IOException {

@@ -31,7 +31,7 @@ public final class CoveragePolicies {
         .register(RandomZoomPolicy.NAME, "a uniformly drawn view each step", RandomZoomPolicy::new)
         .register(
             OptimalZoomPolicy.NAME,
-            "the exactly best k_min of each step, with global knowledge",
+            "the exactly best score of each step (k_min by default), with global knowledge",
             OptimalZoomPolicy::from)
         .register(
             OptimalExpectedZoomPolicy.NAME,
@@ -39,7 +39,7 @@ public final class CoveragePolicies {
             OptimalExpectedZoomPolicy::from)
         .register(
             OneHopZoomPolicy.NAME,
-            "the exactly best k_min when each camera moves at most one view, global knowledge",
+            "the exactly best score when each camera moves at most one view, global knowledge",
             OneHopZoomPolicy::from)
         .register(
             BestFixedZoomPolicy.NAME,

@@ -15,6 +15,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.SingleRun;
 
 /**
@@ -60,7 +61,8 @@ final class Run {
     this.files =
         settings.out().isPresent()
             ? Optional.of(
-                new SingleRun(folder(settings.out().get(), number), number, settings.seen(), true))
+                new SingleRun(
+                    folder(settings.out().get(), number), number, settings.seen(), Detail.ZOOMS))
             : Optional.empty();
   }
 

@@ -86,6 +86,14 @@ public interface NetworkView extends CoveredTargets {
   /** How many targets the camera detected at the last observation; 0 while offline. */
   int detected(int camera);
 
+  /**
+   * Whether the camera detects the target where both are now, at its current view: what it knows of
+   * itself.
+   */
+  default boolean detects(int camera, int target) {
+    return online(camera) && oracle().detects(camera, view(camera), target);
+  }
+
   /** The name in result files: the features value, as CamSim prints it. */
   String targetName(int target);
 

@@ -96,6 +96,15 @@ public record Scenario(
     return !zooms.isEmpty();
   }
 
+  /** The cameras of the start, and those that events add. */
+  public Stream<CameraSpec> everyCamera() {
+    return Stream.concat(
+        cameras.stream(),
+        events.stream()
+            .filter(ScenarioEvent.AddCamera.class::isInstance)
+            .map(event -> ((ScenarioEvent.AddCamera) event).camera()));
+  }
+
   /** The same scenario with targets moving at another time within the step. */
   public Scenario withOrder(StepOrder newOrder) {
     return changed(draft -> draft.order = newOrder);

@@ -52,7 +52,8 @@ public final class ScenarioWriter {
     open("simulation", attributes);
     obstacles(scenario.surroundings().obstacles());
     open("cameras", Map.of());
-    allCameras(scenario)
+    scenario
+        .everyCamera()
         .flatMap(camera -> camera.optics().stream())
         .distinct()
         .forEach(optics -> empty("optics", optics(optics)));
@@ -77,14 +78,6 @@ public final class ScenarioWriter {
     }
     close();
     close();
-  }
-
-  private static Stream<CameraSpec> allCameras(Scenario scenario) {
-    return Stream.concat(
-        scenario.cameras().stream(),
-        scenario.events().stream()
-            .filter(ScenarioEvent.AddCamera.class::isInstance)
-            .map(event -> ((ScenarioEvent.AddCamera) event).camera()));
   }
 
   private static void surroundings(Map<String, Object> attributes, Surroundings surroundings) {

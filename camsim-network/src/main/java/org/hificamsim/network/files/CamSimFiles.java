@@ -13,6 +13,7 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.statistics.OverlapTable;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.SingleRun;
 
 /** All files of one run: CamSim's two, and those of ours that are asked for. */
@@ -56,7 +57,8 @@ public final class CamSimFiles implements Closeable {
       }
       coverage =
           places.coverage().isPresent()
-              ? Optional.of(new SingleRun(places.coverage().get(), 0, plan.detection(), false))
+              ? Optional.of(
+                  new SingleRun(places.coverage().get(), 0, plan.detection(), Detail.STEPS))
               : Optional.empty();
       coverage.ifPresent(opened::add);
       coverage.ifPresent(listeners::add);

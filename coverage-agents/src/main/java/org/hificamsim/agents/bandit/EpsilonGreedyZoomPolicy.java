@@ -27,8 +27,11 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
 
   /** The policy with its options, each with the default that reproduces the thesis. */
   public static EpsilonGreedyZoomPolicy from(Options options) {
-    return new EpsilonGreedyZoomPolicy(
-        EpsilonGreedyChoice.from(options), Ties.from(options, Ties.WIDEST));
+    EpsilonGreedyZoomPolicy policy =
+        new EpsilonGreedyZoomPolicy(
+            EpsilonGreedyChoice.from(options), Ties.from(options, Ties.WIDEST));
+    policy.readUtility(options);
+    return policy;
   }
 
   @Override

@@ -25,8 +25,11 @@ public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
 
   /** The policy with its option; the default temperature is CamSim's. */
   public static SoftmaxZoomPolicy from(Options options) {
-    return new SoftmaxZoomPolicy(
-        options.number("temperature", 0.1, 1e-6, 1e6, "in targets; smaller is greedier"));
+    SoftmaxZoomPolicy policy =
+        new SoftmaxZoomPolicy(
+            options.number("temperature", 0.1, 1e-6, 1e6, "in targets; smaller is greedier"));
+    policy.readUtility(options);
+    return policy;
   }
 
   @Override

@@ -31,9 +31,12 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
 
   /** The policy with its options; c is the square root of 2 by default, as published. */
   public static Ucb1ZoomPolicy from(Options options) {
-    return new Ucb1ZoomPolicy(
-        options.number("c", Math.sqrt(2), 0, 1e6, "factor on the confidence interval's width"),
-        Ties.from(options, Ties.WIDEST));
+    Ucb1ZoomPolicy policy =
+        new Ucb1ZoomPolicy(
+            options.number("c", Math.sqrt(2), 0, 1e6, "factor on the confidence interval's width"),
+            Ties.from(options, Ties.WIDEST));
+    policy.readUtility(options);
+    return policy;
   }
 
   @Override

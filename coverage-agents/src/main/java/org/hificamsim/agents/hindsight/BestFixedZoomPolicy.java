@@ -5,8 +5,8 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The constant configuration with the best performance (Eq 7.2) over the very run that follows:
- * what the best fixed zoom of each camera would have been, in hindsight.
+ * The constant configuration with the best score, the performance (Eq 7.2) by default, over the
+ * very run that follows: what the best fixed zoom of each camera would have been, in hindsight.
  *
  * <p>Exact where each camera has a view that includes what its others detect, as under any model
  * that falls with distance on round fields of view, and wherever the search ends within {@code
@@ -40,6 +40,12 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
   @Override
   public String name() {
     return NAME;
+  }
+
+  /** A bound on what is possible: its cameras need no time for a move. */
+  @Override
+  public boolean jumps() {
+    return true;
   }
 
   @Override

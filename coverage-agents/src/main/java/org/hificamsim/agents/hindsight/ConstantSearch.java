@@ -7,15 +7,15 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The search for the constant configuration with the best performance over a run that has been
- * seen: branch and bound over the cameras, from what coordinate ascent finds.
+ * The search for the constant configuration with the best score over a run that has been seen:
+ * branch and bound over the cameras, from what coordinate ascent finds.
  *
  * <p>A view whose detections another view of the camera includes is left out; where each camera has
  * one view left, there is nothing to search. The bound of a partial configuration lets every
  * undecided camera detect at all its views at once.
  */
 final class ConstantSearch {
-  private record Option(int view, long bound) {}
+  private record Option(int view, double bound) {}
 
   private final RunDetections run;
   private final List<int[]> candidates = new ArrayList<>();
@@ -23,7 +23,7 @@ final class ConstantSearch {
   private final int[] k;
   private final int[] trial;
   private int[] best;
-  private long bestPerformance;
+  private double bestScore;
   private long nodesLeft;
   private boolean complete = true;
 
@@ -57,9 +57,9 @@ final class ConstantSearch {
     return best.clone();
   }
 
-  /** The performance of {@link #views} over the run. */
-  long performance() {
-    return bestPerformance;
+  /** The score of {@link #views} over the run. */
+  double score() {
+    return bestScore;
   }
 
   /** Whether no constant configuration is better. */
@@ -100,7 +100,7 @@ final class ConstantSearch {
       count(run.detected(camera, trial[camera]), 1);
     }
     best = trial.clone();
-    bestPerformance = run.performance(k);
+    bestScore = run.score(k);
     boolean better = true;
     while (better) {
       better = false;
@@ -115,9 +115,9 @@ final class ConstantSearch {
     for (int view : candidates.get(camera)) {
       int before = trial[camera];
       exchange(camera, view);
-      long performance = run.performance(k);
-      if (performance > bestPerformance) {
-        bestPerformance = performance;
+      double score = run.score(k);
+      if (score > bestScore) {
+        bestScore = score;
         best = trial.clone();
         better = true;
       } else {
@@ -136,11 +136,11 @@ final class ConstantSearch {
   private void branch(int camera) {
     if (camera == trial.length) {
       best = trial.clone();
-      bestPerformance = run.performance(k);
+      bestScore = run.score(k);
       return;
     }
     for (Option option : options(camera)) {
-      if (option.bound() <= bestPerformance) {
+      if (option.bound() <= bestScore) {
         return;
       }
       if (nodesLeft-- <= 0) {
@@ -161,10 +161,10 @@ final class ConstantSearch {
     for (int view : candidates.get(camera)) {
       BitSet lost = lost(camera, view);
       count(lost, -1);
-      options.add(new Option(view, run.performance(k)));
+      options.add(new Option(view, run.score(k)));
       count(lost, 1);
     }
-    options.sort(Comparator.comparingLong(Option::bound).reversed());
+    options.sort(Comparator.comparingDouble(Option::bound).reversed());
     return options;
   }
 

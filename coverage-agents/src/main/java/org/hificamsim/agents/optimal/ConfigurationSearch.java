@@ -1,24 +1,24 @@
 package org.hificamsim.agents.optimal;
 
-import org.hificamsim.agents.search.CoverageSolver;
+import org.hificamsim.agents.search.Solver;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Finds the configuration of candidate views with the best k_min (Eq 7.1) where targets are, and
- * counts where it gave up the proof.
+ * Finds the configuration of candidate views that is best by the network's objective where targets
+ * are, and counts where it gave up the proof.
  */
 final class ConfigurationSearch {
   private final DetectionSets sets;
-  private final CoverageSolver solver;
+  private final Solver solver;
   private long unprovenSteps;
-  private long gap;
+  private double gap;
 
   /**
    * @param nodes search nodes after which a step's proof is given up
    */
   ConfigurationSearch(NetworkView network, Preference preference, long nodes) {
     sets = new DetectionSets(network, preference);
-    solver = new CoverageSolver(sets.problem(), nodes);
+    solver = Solver.of(network.objective(), sets.problem(), nodes);
   }
 
   /** Writes the best configuration into {@code views}; leaves them when no target is present. */
@@ -28,7 +28,7 @@ final class ConfigurationSearch {
     }
     solver.solve();
     unprovenSteps += solver.proven() ? 0 : 1;
-    gap += solver.bound() - solver.value();
+    gap += solver.gap();
     int online = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
@@ -41,7 +41,7 @@ final class ConfigurationSearch {
     return unprovenSteps;
   }
 
-  long gap() {
+  double gap() {
     return gap;
   }
 }

@@ -6,8 +6,9 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best k_min (Eq 7.1) among those in which no camera moves by more than
- * one view: thesis 7.4.1's "reachable from the current zoom level", found exactly at each step.
+ * The configuration with the best score, k_min (Eq 7.1) by default, among those in which no camera
+ * moves by more than one view: thesis 7.4.1's "reachable from the current zoom level", found
+ * exactly at each step.
  *
  * <p>Which of several best configurations is taken decides what can be reached next. It is the one
  * in which camera 0 is at the view that the option {@code ties} prefers, then camera 1, and so on;
@@ -22,7 +23,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   private ConfigurationSearch search;
 
   /**
-   * @param preference what decides between configurations with the same k_min
+   * @param preference what decides between configurations with the same score
    */
   public OneHopZoomPolicy(Preference preference) {
     this(preference, NodeLimit.DEFAULT);
@@ -43,7 +44,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
         options.choice(
             "ties",
             Preference.WIDEST,
-            "of equal k_min: widest, narrowest, most-targets-then-widest,"
+            "of equal score: widest, narrowest, most-targets-then-widest,"
                 + " most-targets-then-narrowest"),
         NodeLimit.from(options));
   }
@@ -62,14 +63,24 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   @Override
   public void decide(NetworkView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
-      candidates.clear(camera);
-      int lowest = Math.max(0, network.view(camera) - 1);
-      int highest = Math.min(network.views(camera) - 1, network.view(camera) + 1);
-      for (int i = 0; i <= highest - lowest; i++) {
-        candidates.add(camera, preference.widest() ? highest - i : lowest + i);
-      }
+      findCandidates(network, camera);
     }
     search.decide(network, candidates, views);
+  }
+
+  /** A camera that reaches no view within the step goes on to the one it has chosen. */
+  private void findCandidates(NetworkView network, int camera) {
+    candidates.clear(camera);
+    int last = network.views(camera) - 1;
+    for (int i = 0; i <= last; i++) {
+      int view = preference.widest() ? last - i : i;
+      if (network.reaches(camera, view)) {
+        candidates.add(camera, view);
+      }
+    }
+    if (candidates.count(camera) == 0) {
+      candidates.add(camera, network.view(camera));
+    }
   }
 
   @Override
@@ -78,7 +89,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   }
 
   @Override
-  public long gap() {
+  public double gap() {
     return search.gap();
   }
 }

@@ -1,6 +1,8 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ExpectationProvingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -39,9 +41,27 @@ public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPo
     return NAME;
   }
 
+  /** A bound on what is possible: its cameras need no time for a move. */
+  @Override
+  public boolean jumps() {
+    return true;
+  }
+
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
+    requireKMin(network.objective());
     search = new ExpectedSearch(network.oracle(), nodes);
+  }
+
+  private static void requireKMin(Objective objective) {
+    if (!objective.isKMin()) {
+      throw new InputException(
+          "objective is "
+              + objective.text()
+              + ", expected kmin with policy "
+              + NAME
+              + ", which looks for the best least expected coverage. Maybe use optimal");
+    }
   }
 
   @Override

@@ -6,13 +6,14 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best k_min of all (Eq 7.1), found exactly at each step: the upper
- * bound that thesis 7.4.1 calls greedy, computed there by trying all Z^C configurations.
+ * The configuration with the best score of all, k_min (Eq 7.1) unless the network has another
+ * objective, found exactly at each step: the upper bound that thesis 7.4.1 calls greedy, computed
+ * there by trying all Z^C configurations.
  *
  * <p>A camera with a view proven to detect all that its others detect stays at that view, the
  * narrowest such; where all cameras have one, there is nothing to search. Otherwise views that
  * another one dominates are left out, and among configurations of the remaining views with the best
- * k_min it is the one in which camera 0 detects most targets, then at its narrowest view, then
+ * score it is the one in which camera 0 detects most targets, then at its narrowest view, then
  * camera 1, and so on. With no target present the views stay.
  */
 public final class OptimalZoomPolicy implements ProvingZoomPolicy {
@@ -45,6 +46,12 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
     return NAME;
   }
 
+  /** A bound on what is possible: its cameras need no time for a move. */
+  @Override
+  public boolean jumps() {
+    return true;
+  }
+
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     candidates = new CandidateViews(network);
@@ -74,7 +81,7 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   }
 
   @Override
-  public long gap() {
+  public double gap() {
     return search == null ? 0 : search.gap();
   }
 

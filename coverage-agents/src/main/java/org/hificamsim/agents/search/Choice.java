@@ -59,16 +59,20 @@ final class Choice {
     count(set, 1);
   }
 
+  /** Gives the camera another set. */
+  void exchange(int camera, int set) {
+    take(camera);
+    give(camera, set);
+  }
+
   /** Gives the camera another set unless the coverage of some target fell below {@code least}. */
   boolean replace(int camera, int set, int least) {
     int before = chosen[camera];
-    take(camera);
-    give(camera, set);
+    exchange(camera, set);
     if (least() >= least) {
       return true;
     }
-    take(camera);
-    give(camera, before);
+    exchange(camera, before);
     return false;
   }
 
@@ -87,6 +91,15 @@ final class Choice {
       least = Math.min(least, coverage[target]);
     }
     return least;
+  }
+
+  /** What the targets are worth together. */
+  long value(Worth worth) {
+    long value = 0;
+    for (int target = 0; target < problem.targets(); target++) {
+      value += worth.of(coverage[target]);
+    }
+    return value;
   }
 
   private void count(int set, int change) {

@@ -17,7 +17,7 @@ import org.hificamsim.agents.search.FeasibilitySearch.Outcome;
  * found so far, {@link #bound} is what another one could reach at most, and {@link #proven} is
  * false. The limit counts search nodes, not time: the result stays reproducible.
  */
-public final class CoverageSolver {
+public final class CoverageSolver implements Solver {
   /** No limit: every result is proven. */
   public static final long UNLIMITED = Long.MAX_VALUE;
 
@@ -54,7 +54,7 @@ public final class CoverageSolver {
     preferred = new PreferredChoice(problem, domains, local, search);
   }
 
-  /** Solves the problem as it is filled now. */
+  @Override
   public void solve() {
     search.reset();
     choice.reset();
@@ -96,7 +96,7 @@ public final class CoverageSolver {
     }
   }
 
-  /** The number of the set that the camera chooses in the last solution. */
+  @Override
   public int chosen(int camera) {
     return choice.of(camera);
   }
@@ -111,9 +111,14 @@ public final class CoverageSolver {
     return bound;
   }
 
-  /** Whether the last solution is proven to be the best. */
+  @Override
   public boolean proven() {
     return value == bound;
+  }
+
+  @Override
+  public double gap() {
+    return bound - value;
   }
 
   /** The number of search nodes that the last call visited. */

@@ -4,6 +4,8 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.agents.choice.Utility;
+import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
@@ -17,12 +19,17 @@ import org.hificamsim.core.policy.NetworkView;
 public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final int NONE = -1;
 
+  private static final CameraTask<AbstractTemporalDifferenceZoomPolicy> MEASURING =
+      (network, policy, from, to) -> policy.measure(network, from, to);
+
   private final TemporalDifferenceSettings settings;
   private final EpsilonGreedyChoice choice;
   private ActionValues q;
   private int[] lastState;
   private int[] lastAction;
-  private int[] lastCount;
+  private double[] lastUtility;
+  private Utility utility;
+  private double[] utilities;
 
   protected AbstractTemporalDifferenceZoomPolicy(
       TemporalDifferenceSettings settings, EpsilonGreedyChoice choice) {
@@ -49,31 +56,47 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
     choice.begin(network, random);
     lastState = new int[network.cameras()];
     lastAction = new int[network.cameras()];
-    lastCount = new int[network.cameras()];
+    lastUtility = new double[network.cameras()];
+    utility = new Utility(settings.utility(), network.objective());
+    utilities = new double[network.cameras()];
     Arrays.fill(lastState, NONE);
+  }
+
+  /** What a count does not tell is measured at once: targets move on before the next decision. */
+  @Override
+  public final void learn(NetworkView network) {
+    if (!utility.counts()) {
+      network.divide(this, MEASURING);
+    }
+  }
+
+  private void measure(NetworkView network, int from, int to) {
+    for (int camera = from; camera < to; camera++) {
+      utilities[camera] = utility.of(network, camera);
+    }
   }
 
   @Override
   protected final int choose(NetworkView network, int camera) {
-    int count = network.detected(camera);
+    double gained = utility.counts() ? network.detected(camera) : utilities[camera];
     int state = q.state(network, camera);
     int action = choice.choose(camera, network.views(camera), greedy(camera, state));
     if (lastState[camera] != NONE) {
-      learn(camera, count, nextValue(camera, state, action));
+      learn(camera, gained, nextValue(camera, state, action));
     }
     lastState[camera] = state;
     lastAction[camera] = action;
-    lastCount[camera] = count;
+    lastUtility[camera] = gained;
     return action;
   }
 
   /** Moves Q(s, a) of the decision before by alpha towards its reward and what followed. */
-  private void learn(int camera, int count, double nextValue) {
+  private void learn(int camera, double gained, double nextValue) {
     int state = lastState[camera];
     int action = lastAction[camera];
     double value = q.value(camera, state, action);
     double reward =
-        settings.lambda() * settings.reward().reward(lastCount[camera], count); // Eq 7.5
+        settings.lambda() * settings.reward().reward(lastUtility[camera], gained); // Eq 7.5
     double error = reward + settings.gamma() * nextValue - value;
     q.set(camera, state, action, value + settings.alpha() * error); // Eq 7.6
   }

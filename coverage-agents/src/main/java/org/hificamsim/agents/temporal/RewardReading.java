@@ -1,7 +1,9 @@
 package org.hificamsim.agents.temporal;
 
 /**
- * What Eq 7.5 rewards an action with, given the numbers of targets detected before and after it.
+ * What Eq 7.5 rewards an action with, given the camera's utility before and after it: the numbers
+ * of targets detected, or its share of another objective ({@link
+ * org.hificamsim.agents.choice.Utility}).
  *
  * <p>The equation prints lambda times the count U_i(O_i), with lambda being 1, 0 or -1 as the count
  * rises, stays or falls. Read so, losing every target costs nothing and regaining them pays: with a
@@ -17,12 +19,12 @@ public enum RewardReading {
   LITERAL;
 
   /** The reward, in targets. */
-  double reward(int before, int after) {
-    int change = after - before;
+  double reward(double before, double after) {
+    double change = after - before;
     return switch (this) {
       case COUNT_CHANGE -> change;
-      case SIGN -> Integer.signum(change);
-      case LITERAL -> Integer.signum(change) * (double) after;
+      case SIGN -> Math.signum(change);
+      case LITERAL -> Math.signum(change) * after;
     };
   }
 }

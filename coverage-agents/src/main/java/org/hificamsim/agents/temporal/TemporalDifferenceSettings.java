@@ -1,6 +1,7 @@
 package org.hificamsim.agents.temporal;
 
 import org.hificamsim.agents.choice.Ties;
+import org.hificamsim.agents.choice.Utility;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -14,6 +15,7 @@ import org.hificamsim.core.registry.Options;
 public record TemporalDifferenceSettings(
     StateReading state,
     RewardReading reward,
+    Utility.Reading utility,
     double alpha,
     double gamma,
     double lambda,
@@ -28,6 +30,7 @@ public record TemporalDifferenceSettings(
             "state", StateReading.LEVEL_COUNT, "what a camera knows: level-count, count, none"),
         options.choice(
             "reward", RewardReading.COUNT_CHANGE, "Eq 7.5 as: count-change, sign, literal"),
+        Utility.from(options),
         options.number("alpha", 0.1, 0, 1, "learning rate"),
         options.number("gamma", 0.9, 0, 1, "discount factor"),
         options.number("lambda", 1, 0, LARGE, "factor on every reward"),

@@ -9,6 +9,7 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.CoveragePolicies;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.RepeatedTest;
@@ -18,16 +19,20 @@ import org.junit.jupiter.api.Test;
 class BestFixedZoomPolicyTest {
   private static final int LEVELS = 3;
 
+  private Objective objective = Objective.kMin();
+
   @RepeatedTest(200)
   void equalsTheBestOfAllConstantConfigurations(RepetitionInfo repetition) {
     SplittableRandom random = new SplittableRandom(repetition.getCurrentRepetition());
     int cameras = 1 + random.nextInt(5);
     int targets = 1 + random.nextInt(4);
-    RunDetections run = randomRun(random, cameras, targets, 12, 0.5);
+    String[] texts = {"kmin", "covered:k=1", "covered:k=2", "sum:cap=2", "lexicographic"};
+    objective = Objective.parse(texts[repetition.getCurrentRepetition() % texts.length]);
+    RunDetections run = randomRun(random, cameras, targets, 12, 0.3);
     ConstantSearch search = new ConstantSearch(run, Long.MAX_VALUE);
     assertTrue(search.proven());
-    assertEquals(bestByTryingAll(run), search.performance());
-    assertEquals(search.performance(), performance(run, search.views()));
+    assertEquals(bestByTryingAll(run), search.score());
+    assertEquals(search.score(), performance(run, search.views()));
   }
 
   @Test
@@ -35,8 +40,8 @@ class BestFixedZoomPolicyTest {
     RunDetections run = randomRun(new SplittableRandom(1), 6, 4, 30, 0.5);
     ConstantSearch search = new ConstantSearch(run, 0);
     assertFalse(search.proven());
-    assertEquals(search.performance(), performance(run, search.views()));
-    assertTrue(search.performance() <= bestByTryingAll(run));
+    assertEquals(search.score(), performance(run, search.views()));
+    assertTrue(search.score() <= bestByTryingAll(run));
   }
 
   @Test
@@ -67,7 +72,7 @@ class BestFixedZoomPolicyTest {
     assertTrue(policy.proven());
   }
 
-  private static RunDetections randomRun(
+  private RunDetections randomRun(
       SplittableRandom random, int cameras, int targets, int steps, double density) {
     RunDetections run = new RunDetections();
     int[] sizes = new int[cameras];
@@ -87,14 +92,14 @@ class BestFixedZoomPolicyTest {
                   .toArray());
         }
       }
-      run.add(network);
+      run.add(network.scoredBy(objective));
     }
     return run;
   }
 
-  private static long bestByTryingAll(RunDetections run) {
+  private static double bestByTryingAll(RunDetections run) {
     int[] views = new int[run.cameras()];
-    long best = 0;
+    double best = 0;
     do {
       best = Math.max(best, performance(run, views));
     } while (next(views));
@@ -111,11 +116,11 @@ class BestFixedZoomPolicyTest {
     return false;
   }
 
-  private static long performance(RunDetections run, int[] views) {
+  private static double performance(RunDetections run, int[] views) {
     int[] k = new int[run.moments()];
     for (int camera = 0; camera < views.length; camera++) {
       run.detected(camera, views[camera]).stream().forEach(moment -> k[moment]++);
     }
-    return run.performance(Arrays.copyOf(k, k.length));
+    return run.score(Arrays.copyOf(k, k.length));
   }
 }

@@ -48,7 +48,7 @@ record Exhaustive(int value, int[] choice) {
   }
 
   /** Counts up with the last camera fastest, so that the first best is the most preferred. */
-  private static boolean next(int[] choice, java.util.function.IntUnaryOperator count) {
+  static boolean next(int[] choice, java.util.function.IntUnaryOperator count) {
     for (int camera = choice.length - 1; camera >= 0; camera--) {
       if (++choice[camera] < count.applyAsInt(camera)) {
         return true;

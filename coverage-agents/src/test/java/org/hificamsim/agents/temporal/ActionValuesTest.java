@@ -16,6 +16,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.hificamsim.agents.choice.Ties;
+import org.hificamsim.agents.choice.Utility;
 import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.AllocatedBytes;
 import org.hificamsim.core.InputException;
@@ -197,6 +198,6 @@ class ActionValuesTest {
 
   private static TemporalDifferenceSettings settings(StateReading reading, double q0, Ties ties) {
     return new TemporalDifferenceSettings(
-        reading, RewardReading.COUNT_CHANGE, 0.1, 0.9, 1, q0, ties);
+        reading, RewardReading.COUNT_CHANGE, Utility.Reading.OBJECTIVE, 0.1, 0.9, 1, q0, ties);
   }
 }

@@ -3,6 +3,8 @@ package org.hificamsim.agents.toy;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
@@ -20,6 +22,7 @@ public class ToyNetwork implements OracleView {
   private final int[] chosen;
   private final int[] detected;
   private final int[] coverage;
+  private Objective objective = Objective.kMin();
   private int revision;
   private long step;
   private long globalQueries;
@@ -49,6 +52,20 @@ public class ToyNetwork implements OracleView {
       detects[camera][atLevel][target] = true;
     }
     return this;
+  }
+
+  /** Scores steps by another objective. */
+  public final ToyNetwork scoredBy(Objective newObjective) {
+    objective = newObjective;
+    return this;
+  }
+
+  /** The score of the last observation. */
+  public final double score() {
+    StepCoverage coverage = new StepCoverage(objective);
+    coverage.measure(this);
+    coverage.measureScore(this);
+    return coverage.score();
   }
 
   protected final void see(int camera, int atLevel, int target, boolean seen) {
@@ -128,6 +145,16 @@ public class ToyNetwork implements OracleView {
   @Override
   public final long step() {
     return step;
+  }
+
+  @Override
+  public final Objective objective() {
+    return objective;
+  }
+
+  @Override
+  public final boolean detects(int camera, int target) {
+    return online[camera] && detects[camera][view[camera]][target];
   }
 
   @Override

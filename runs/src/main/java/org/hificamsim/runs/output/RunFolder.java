@@ -28,6 +28,7 @@ public final class RunFolder implements Closeable {
           ResultFolder.REPORT);
 
   private final OutputFolder folder;
+  private final Detail detail;
   private final CsvTable steps;
   private final CsvTable zooms;
   private final CsvTable targets;
@@ -36,13 +37,16 @@ public final class RunFolder implements Closeable {
    * Starts the tables.
    *
    * @param detection of the run: by chance, tables have more columns
-   * @param record whether zooms and targets are written too
+   * @param detail what is written of each step
    */
-  public RunFolder(Path path, Detection detection, boolean record) throws IOException {
+  public RunFolder(Path path, Detection detection, Detail detail) throws IOException {
     boolean certain = detection.certain();
     folder = new OutputFolder(path);
     steps = (certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE).create(folder);
-    zooms = record ? Table.RUN_ZOOMS.create(folder) : null;
+    this.detail = detail;
+    boolean record = detail != Detail.STEPS;
+    Table ofCameras = detail == Detail.VIEWS ? Table.RUN_VIEWS : Table.RUN_ZOOMS;
+    zooms = record ? ofCameras.create(folder) : null;
     Table ofTargets = certain ? Table.RUN_TARGETS : Table.RUN_TARGETS_BY_CHANCE;
     targets = record ? ofTargets.create(folder) : null;
   }
@@ -67,16 +71,24 @@ public final class RunFolder implements Closeable {
   private void zooms(int run, NetworkView network) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        int level = network.view(camera);
-        zooms.row(
-            run,
-            network.step(),
-            network.cameraName(camera),
-            level,
-            network.zoom(camera, level).radius(),
-            network.detected(camera));
+        zooms.row(camera(run, network, camera).toArray());
       }
     }
+  }
+
+  private List<Object> camera(int run, NetworkView network, int camera) {
+    int view = network.view(camera);
+    List<Object> row = new ArrayList<>();
+    row.addAll(List.of(run, network.step(), network.cameraName(camera)));
+    row.add(view % network.zooms(camera));
+    row.add(network.zoom(camera, view).radius());
+    row.add(network.detected(camera));
+    if (detail == Detail.VIEWS) {
+      row.add(Math.toDegrees(network.pan(camera, view)));
+      row.add(Math.toDegrees(network.zoom(camera, view).viewingAngle()));
+      row.add(network.seeing(camera) == view ? 0 : 1);
+    }
+    return row;
   }
 
   private void targets(int run, NetworkView network, StepCoverage coverage) {

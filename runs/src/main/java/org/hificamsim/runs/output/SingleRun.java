@@ -26,11 +26,11 @@ public final class SingleRun implements StepListener, Closeable {
    *
    * @param run its number
    * @param detection of the run
-   * @param record whether zooms and targets are written too
+   * @param detail what is written of each step
    */
-  public SingleRun(Path path, int run, Detection detection, boolean record) throws IOException {
+  public SingleRun(Path path, int run, Detection detection, Detail detail) throws IOException {
     this.run = run;
-    folder = new RunFolder(path, detection, record);
+    folder = new RunFolder(path, detection, detail);
     rows = folder.listener(run);
   }
 

@@ -15,6 +15,7 @@ public enum Table {
           + ",expected_k_min,expected_covered_0,expected_covered_1,expected_covered_k,"
           + "expected_mean_k,least_expected_k,least_chance"),
   RUN_ZOOMS("zooms.csv", "run,step,camera,level,radius,detected"),
+  RUN_VIEWS(RUN_ZOOMS.file, RUN_ZOOMS.columns + ",pan,viewing_angle,moving"),
   RUN_TARGETS("targets.csv", "run,step,target,x,y"),
   RUN_TARGETS_BY_CHANCE(RUN_TARGETS.file, RUN_TARGETS.columns + ",k,chance_1,chance_k"),
   RESULTS(

@@ -1,0 +1,82 @@
+package org.hificamsim.agents.optimal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Upper bounds under objectives other than k_min. */
+class ObjectivesTest {
+  private static final int LEVELS = 3;
+
+  @ParameterizedTest
+  @ValueSource(strings = {"kmin", "covered:k=1", "covered:k=2", "sum:cap=2", "lexicographic"})
+  void optimalAndOneHopReachTheBestScoreOfTheirConfigurations(String text) {
+    SplittableRandom random = new SplittableRandom(7);
+    for (int trial = 0; trial < 400; trial++) {
+      ToyNetwork network = random(random).scoredBy(Objective.parse(text));
+      assertReaches(network, new OptimalZoomPolicy(), LEVELS);
+      assertReaches(network, new OneHopZoomPolicy(Preference.WIDEST), 1);
+    }
+  }
+
+  private static void assertReaches(ToyNetwork network, ProvingZoomPolicy policy, int hop) {
+    network.begin(policy, 1);
+    double best = best(network, network.currentLevels(), hop, 0);
+    network.decide(policy);
+    network.observe();
+    assertEquals(best, network.score());
+    assertEquals(0, policy.unprovenSteps());
+    assertEquals(0, policy.gap());
+  }
+
+  /** The best score of all levels up to a number from the present ones; these are restored. */
+  private static double best(ToyNetwork network, int[] before, int hop, int camera) {
+    if (camera == before.length) {
+      network.observe();
+      return network.score();
+    }
+    double best = 0;
+    for (int level = 0; level < LEVELS; level++) {
+      if (Math.abs(level - before[camera]) <= hop) {
+        network.setLevel(camera, level);
+        best = Math.max(best, best(network, before, hop, camera + 1));
+      }
+    }
+    network.setLevel(camera, before[camera]);
+    return best;
+  }
+
+  private static ToyNetwork random(SplittableRandom random) {
+    int targets = 1 + random.nextInt(5);
+    ToyNetwork network = new ToyNetwork(targets, LEVELS, LEVELS, LEVELS, LEVELS);
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      for (int level = 0; level < LEVELS; level++) {
+        network.see(
+            camera, level, random.ints(0, targets).limit(random.nextInt(4)).distinct().toArray());
+      }
+    }
+    network.switchCamera(random.nextInt(4), random.nextBoolean());
+    network.showTarget(random.nextInt(targets), random.nextBoolean());
+    return network;
+  }
+
+  @Test
+  void theBestLeastExpectationIsOfKMinAlone() {
+    ToyNetwork network = new ToyNetwork(1, LEVELS).scoredBy(Objective.parse("covered"));
+    InputException fault =
+        assertThrows(
+            InputException.class, () -> network.begin(new OptimalExpectedZoomPolicy(1), 1));
+    assertTrue(
+        fault.getMessage().startsWith("objective is covered:k=1, expected kmin with policy"),
+        fault.getMessage());
+  }
+}
