@@ -3,14 +3,20 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.presentation.picture.Animation;
+import org.hificamsim.presentation.picture.Look;
 import org.hificamsim.presentation.picture.RunFrames;
 import org.hificamsim.presentation.picture.StepPicture;
 import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.Recording;
 import org.hificamsim.presentation.replay.Replay;
+import org.hificamsim.presentation.replay.Setup;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 
@@ -63,6 +69,18 @@ final class PictureOptions {
   private int perSecond;
 
   @Option(
+      names = "--density",
+      paramLabel = "CAMERA",
+      description = "Show the pixel density zones (EN 62676-4:2014) of this camera in pictures.")
+  private Optional<String> density;
+
+  @Option(
+      names = "--floorplan",
+      paramLabel = "OPACITY",
+      description = "How opaque pictures show the floorplan: 0 to 1; default: 0.5.")
+  private Optional<Double> floor;
+
+  @Option(
       names = "--width",
       paramLabel = "PIXELS",
       description = "Width of --png (default: 1600) and --gif (default: 640).")
@@ -82,7 +100,8 @@ final class PictureOptions {
     boolean still = png != null || svg != null;
     require(words, still, "--png or --svg", "--step");
     require(words, gif != null, "--gif", "--from", "--to", "--every", "--per-second");
-    require(words, still || gif != null, "--png, --svg or --gif", "--run");
+    require(
+        words, still || gif != null, "--png, --svg or --gif", "--run", "--density", "--floorplan");
     require(words, png != null || gif != null, "--png or --gif", "--width");
   }
 
@@ -128,12 +147,32 @@ final class PictureOptions {
     for (int i = 0; i < replay.runs().size(); i++) {
       if (replay.runs().get(i).run() == repeat) {
         Recording recording = replay.recording(folder, i);
-        return new RunFrames(replay.setup(), recording);
+        return new RunFrames(replay.setup(), recording, look(replay.setup()));
       }
     }
     throw new InputException(
         "--run is %s, expected one of the %s repeats recorded, from 0"
             .formatted(repeat, replay.runs().size()));
+  }
+
+  private Look look(Setup setup) {
+    double opacity = floor.orElse(Look.USUAL.floor());
+    if (!(opacity >= 0 && opacity <= 1)) {
+      throw new InputException("--floorplan is " + opacity + ", expected a number from 0 to 1");
+    }
+    return new Look(
+        opacity, density.map(name -> dense(setup, name)).stream().mapToInt(i -> i).findFirst());
+  }
+
+  private static int dense(Setup setup, String name) {
+    List<CameraSetup> cameras = setup.cameras();
+    return IntStream.range(0, cameras.size())
+        .filter(i -> cameras.get(i).name().equals(name) && cameras.get(i).pose().density(0) > 0)
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new InputException(
+                    "--density is '%s', expected a camera with pixels and a lens".formatted(name)));
   }
 
   private Animation animation(RunFrames run) {

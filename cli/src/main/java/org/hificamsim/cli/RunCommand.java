@@ -17,6 +17,8 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
+import org.hificamsim.presentation.replay.FloorPicture;
+import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.replay.ReplayRecorder;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.report.Report;
@@ -80,12 +82,13 @@ final class RunCommand implements Callable<Integer> {
     RunPlan plan = plan(catalogue);
     new RunExecutor(catalogue).check(plan);
     listeners.forEach(catalogue.listeners()::create);
+    List<FloorPicture> floor = record ? FloorPictures.of(file, plan.scenario()) : List.of();
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan));
         Workers workers = Workers.of(threads.count())) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
       Optional<ReplayRecorder> replay =
-          record ? Optional.of(replay(plan, catalogue)) : Optional.empty();
+          record ? Optional.of(replay(plan, catalogue, floor)) : Optional.empty();
       IntFunction<Stream<StepListener>> own =
           run ->
               Stream.concat(
@@ -165,10 +168,11 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  private static ReplayRecorder replay(RunPlan plan, Catalogue catalogue) {
+  private static ReplayRecorder replay(
+      RunPlan plan, Catalogue catalogue, List<FloorPicture> floor) {
     World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
     return new ReplayRecorder(
-        Setup.of(world, plan.detection(), plan.policy(), plan.seed()),
+        Setup.of(world, plan.detection(), plan.policy(), plan.seed()).on(floor),
         plan.detection(),
         plan.repeats());
   }

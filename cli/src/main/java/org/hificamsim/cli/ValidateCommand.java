@@ -9,10 +9,12 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
 import picocli.CommandLine.Command;
@@ -74,6 +76,7 @@ final class ValidateCommand implements Callable<Integer> {
             warned::add,
             fault -> errors.add(fault.getMessage()));
     scenario.ifPresent(one -> warnAboutDetection(file, one, model, warned));
+    scenario.ifPresent(one -> warnAboutFloorplan(file, one, warned));
     return new Checked(file, scenario, errors, warned);
   }
 
@@ -82,6 +85,15 @@ final class ValidateCommand implements Callable<Integer> {
     Detection used = Overrides.NONE.detection(model, scenario);
     Stream.of(DetectionHints.smallReach(scenario, used), DetectionHints.lens(scenario, used))
         .forEach(hint -> hint.ifPresent(line -> warned.add(file + ": " + line)));
+  }
+
+  /** A run needs no floorplan, unless it is recorded. */
+  private static void warnAboutFloorplan(Path file, Scenario scenario, List<String> warned) {
+    try {
+      FloorPictures.of(file, scenario);
+    } catch (InputException e) {
+      warned.add(e.getMessage());
+    }
   }
 
   private PrintWriter out() {

@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.view.Browsers;
 import org.hificamsim.presentation.view.Choice;
 import org.hificamsim.presentation.view.LivePage;
@@ -58,7 +59,8 @@ final class ViewCommand implements Callable<Integer> {
     Scenario scenario = scenarioOptions.read(file, catalogue, spec.commandLine().getErr());
     Choice choice =
         new Choice(models.detection(), scenarioOptions.threshold(), models.policy().orElseThrow());
-    LiveRun run = new LiveRun(catalogue, scenario, choice, seed.value());
+    LiveRun run =
+        new LiveRun(catalogue, scenario, choice, seed.value(), FloorPictures.of(file, scenario));
     String page = LivePage.html(catalogue, scenario.name(), models.detection());
     try (Session session = new Session(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {

@@ -4,7 +4,10 @@ import org.hificamsim.agents.bandit.EpsilonGreedyZoomPolicy;
 import org.hificamsim.agents.bandit.SoftmaxZoomPolicy;
 import org.hificamsim.agents.bandit.Ucb1ZoomPolicy;
 import org.hificamsim.agents.baseline.FixedZoomPolicy;
+import org.hificamsim.agents.baseline.GreedyZoomPolicy;
+import org.hificamsim.agents.baseline.PatrolZoomPolicy;
 import org.hificamsim.agents.baseline.RandomZoomPolicy;
+import org.hificamsim.agents.baseline.TrackerZoomPolicy;
 import org.hificamsim.agents.baseline.ZoomInPolicy;
 import org.hificamsim.agents.baseline.ZoomOutPolicy;
 import org.hificamsim.agents.hindsight.BestFixedZoomPolicy;
@@ -24,11 +27,23 @@ public final class CoveragePolicies {
   /** Adds every built-in policy to the registry and returns it. */
   public static Registry<ZoomPolicy> register(Registry<ZoomPolicy> registry) {
     return registry
-        .register(ZoomOutPolicy.NAME, "every camera at its widest view", ZoomOutPolicy::new)
-        .register(ZoomInPolicy.NAME, "every camera at its narrowest view", ZoomInPolicy::new)
+        .register(
+            ZoomOutPolicy.NAME, "every camera ahead at its widest zoom level", ZoomOutPolicy::new)
+        .register(
+            ZoomInPolicy.NAME, "every camera ahead at its narrowest zoom level", ZoomInPolicy::new)
         .register(
             FixedZoomPolicy.NAME, "given views, one for all or one each", FixedZoomPolicy::from)
         .register(RandomZoomPolicy.NAME, "a uniformly drawn view each step", RandomZoomPolicy::new)
+        .register(
+            PatrolZoomPolicy.NAME, "sweeps over the pan angles, to and fro", PatrolZoomPolicy::from)
+        .register(
+            TrackerZoomPolicy.NAME,
+            "keeps the nearest target that it sees in the middle of its picture",
+            TrackerZoomPolicy::from)
+        .register(
+            GreedyZoomPolicy.NAME,
+            "each camera's view with most targets now, with global knowledge",
+            GreedyZoomPolicy::from)
         .register(
             OptimalZoomPolicy.NAME,
             "the exactly best score of each step (k_min by default), with global knowledge",

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.TestFactory;
 
 class CoveragePoliciesTest {
   private static final Set<String> GLOBAL =
-      Set.of("optimal", "optimal-expected", "one-hop", "best-fixed");
+      Set.of("optimal", "optimal-expected", "one-hop", "best-fixed", "greedy");
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
@@ -31,6 +31,17 @@ class CoveragePoliciesTest {
                     name,
                     new ZoomPolicyContract(() -> registry.create(name), GLOBAL.contains(name))
                         .tests()));
+  }
+
+  /** Beyond the defaults: what learners may take as their state. */
+  @TestFactory
+  Stream<DynamicNode> learnersOfPicturesKeepTheContract() {
+    return Stream.of("sarsa", "q-learning", "qb-sarsa")
+        .flatMap(name -> Stream.of(name + ":state=picture", name + ":state=view-picture-depth"))
+        .map(
+            spec ->
+                DynamicContainer.dynamicContainer(
+                    spec, new ZoomPolicyContract(() -> registry.create(spec), false).tests()));
   }
 
   @TestFactory

@@ -35,6 +35,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
     return Stream.of(
         dynamicTest("hasTheSameNameInEveryInstance", this::hasTheSameNameInEveryInstance),
         dynamicTest("choosesLevelsThatTheCameraHas", this::choosesLevelsThatTheCameraHas),
+        dynamicTest("choosesViewsThatTurningCamerasHave", this::choosesViewsThatTurningCamerasHave),
         dynamicTest("toleratesComingAndGoing", this::toleratesComingAndGoing),
         dynamicTest("toleratesNetworksWithoutTargets", this::toleratesNetworksWithoutTargets),
         dynamicTest("toleratesNetworksWithoutCameras", this::toleratesNetworksWithoutCameras),
@@ -53,6 +54,13 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
   private void choosesLevelsThatTheCameraHas() {
     for (int world = 0; world < 20; world++) {
       run(GeometricNetwork.random(MIXED, world), world, 50, false);
+    }
+  }
+
+  /** Some turn and some do not, and moves take up to three steps. */
+  private void choosesViewsThatTurningCamerasHave() {
+    for (int world = 0; world < 20; world++) {
+      run(GeometricNetwork.random(MIXED, world).turned(3, world % 3), world, 50, true);
     }
   }
 
@@ -103,7 +111,11 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
   }
 
   private void allocatesNothingPerStep() {
-    GeometricNetwork network = GeometricNetwork.random(MIXED, 3);
+    allocatesNothing(GeometricNetwork.random(MIXED, 3));
+    allocatesNothing(GeometricNetwork.random(MIXED, 3).turned(3, 1));
+  }
+
+  private void allocatesNothing(GeometricNetwork network) {
     ZoomPolicy policy = network.begin(policies.get(), 1);
     allocatedBySteps(network, policy, 5_000);
     long bytes = AllocatedBytes.fewest(() -> allocatedBySteps(network, policy, 500));
@@ -111,7 +123,11 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
   }
 
   private void knowsOnlyWhatItsCamerasKnow() {
-    GeometricNetwork network = GeometricNetwork.random(MIXED, 8);
+    knowsOnlyWhatItsCamerasKnow(GeometricNetwork.random(MIXED, 8));
+    knowsOnlyWhatItsCamerasKnow(GeometricNetwork.random(MIXED, 8).turned(3, 1));
+  }
+
+  private void knowsOnlyWhatItsCamerasKnow(GeometricNetwork network) {
     ZoomPolicy policy = network.begin(policies.get(), 1);
     for (int step = 0; step < STEPS; step++) {
       network.step(policy);

@@ -6,7 +6,9 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.core.policy.SeenTask;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.SightLines;
@@ -306,6 +308,33 @@ final class ObservedNetwork implements OracleView {
       }
     }
     return count;
+  }
+
+  @Override
+  public <T> void eachSeen(int camera, T work, SeenTask<T> task) {
+    int view = cameras.seeing(camera);
+    if (!cameras.online(camera) || view == Cameras.NO_VIEW) {
+      return;
+    }
+    double reach = sight.reach(camera, view);
+    int left = grid.column(cameras.x(camera) - reach);
+    int right = grid.column(cameras.x(camera) + reach);
+    int top = grid.row(cameras.y(camera) + reach);
+    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
+      int end = grid.end(row, right);
+      for (int i = grid.start(row, left); i < end; i++) {
+        if (sight.detects(camera, view, grid.point(i))) {
+          see(cameras.pose(camera, view), i, work, task);
+        }
+      }
+    }
+  }
+
+  private <T> void see(Pose pose, int i, T work, SeenTask<T> task) {
+    double dx = grid.x(i) - pose.x();
+    double dy = grid.y(i) - pose.y();
+    double bearing = Math.IEEEremainder(Math.atan2(dx, dy) - pose.heading(), 2 * Math.PI);
+    task.see(work, grid.point(i), Math.hypot(dx, dy), bearing);
   }
 
   @Override

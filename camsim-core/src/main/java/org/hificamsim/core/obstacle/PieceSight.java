@@ -50,7 +50,7 @@ final class PieceSight {
   /** A squared distance that no point of the piece is nearer than. */
   double nearest(int piece) {
     place(piece);
-    return Math.max(0, pillar ? pillarNear : square(nearest(0, 1)) - slack);
+    return Math.max(0, pillar ? pillarNear : square(foot(0, 1)) - slack);
   }
 
   private void place(int piece) {
@@ -180,7 +180,7 @@ final class PieceSight {
     spans &= start >= 0 && end >= 0;
     start = start >= 0 ? start : 0;
     end = end >= 0 ? end : 1;
-    near = square(nearest(start, end)) - slack;
+    near = square(foot(start, end)) - slack;
     far = Math.max(square(start), square(end)) + slack;
   }
 
@@ -197,11 +197,11 @@ final class PieceSight {
   }
 
   /** Where on the edge, within a part of it, the point nearest to the standpoint is. */
-  private double nearest(double start, double end) {
+  private double foot(double start, double end) {
     double dx = toX - fromX;
     double dy = toY - fromY;
-    double foot = -(fromX * dx + fromY * dy) / (dx * dx + dy * dy);
-    return foot > start ? Math.min(foot, end) : start;
+    double along = -(fromX * dx + fromY * dy) / (dx * dx + dy * dy);
+    return along > start ? Math.min(along, end) : start;
   }
 
   private double square(double along) {

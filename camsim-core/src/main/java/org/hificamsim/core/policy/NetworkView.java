@@ -131,6 +131,18 @@ public interface NetworkView extends CoveredTargets {
     return Math.IEEEremainder(Math.atan2(dx, dy) - axis, 2 * Math.PI);
   }
 
+  /**
+   * Does a task for each target that a camera {@link #sees}: the same as asking of every target,
+   * but those out of reach cost nothing.
+   */
+  default <T> void eachSeen(int camera, T work, SeenTask<T> task) {
+    for (int target = 0; target < targets(); target++) {
+      if (sees(camera, target)) {
+        task.see(work, target, distance(camera, target), bearing(camera, target));
+      }
+    }
+  }
+
   /** The same network with what no camera knows, for upper bounds and records; see there. */
   OracleView oracle();
 

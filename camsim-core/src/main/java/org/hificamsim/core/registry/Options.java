@@ -28,6 +28,7 @@ public final class Options {
   private final String owner;
   private final Map<String, String> values = new LinkedHashMap<>();
   private final Map<String, Declared> declared = new LinkedHashMap<>();
+  private boolean listDeclared;
 
   private Options(String owner) {
     this.owner = owner;
@@ -85,7 +86,10 @@ public final class Options {
     return text == null ? defaultValue : integer(key, text, min, max);
   }
 
-  /** A comma-separated list of whole numbers, the one option that may be given without its key. */
+  /**
+   * A comma-separated list of whole numbers; the first that is declared may be given without its
+   * key.
+   */
   public List<Integer> integers(
       String key, List<Integer> defaultValue, int min, int max, String meaning) {
     String text =
@@ -93,9 +97,10 @@ public final class Options {
             key,
             defaultValue.stream().map(String::valueOf).collect(Collectors.joining(",")),
             meaning);
-    if (text == null) {
+    if (text == null && !listDeclared) {
       text = values.remove(POSITIONAL);
     }
+    listDeclared = true;
     if (text == null) {
       return defaultValue;
     }

@@ -2,6 +2,7 @@ package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.agents.choice.TieBreak;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -19,6 +20,7 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
 
   private final EpsilonGreedyChoice choice;
   private final Ties ties;
+  private TieBreak breaking;
 
   public EpsilonGreedyZoomPolicy(EpsilonGreedyChoice choice, Ties ties) {
     this.choice = choice;
@@ -42,12 +44,13 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
+    breaking = new TieBreak(ties, network);
     choice.begin(network, random);
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
     int views = network.views(camera);
-    return choice.choose(camera, views, ties.best(means(), offset(camera), views));
+    return choice.choose(camera, views, breaking.best(camera, means(), offset(camera), views));
   }
 }

@@ -1,6 +1,7 @@
 package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
+import org.hificamsim.agents.choice.TieBreak;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -18,6 +19,7 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
 
   private final double exploration;
   private final Ties ties;
+  private TieBreak breaking;
   private double[] bounds;
   private double scale;
 
@@ -47,6 +49,7 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
+    breaking = new TieBreak(ties, network);
     bounds = new double[means().length];
     scale = 1.0 / Math.max(1, network.targets());
   }
@@ -54,7 +57,7 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
   @Override
   protected int choose(NetworkView network, int camera) {
     bound(offset(camera), network.views(camera));
-    return ties.best(bounds, offset(camera), network.views(camera));
+    return breaking.best(camera, bounds, offset(camera), network.views(camera));
   }
 
   private void bound(int offset, int views) {

@@ -2,40 +2,55 @@ package org.hificamsim.agents.baseline;
 
 import java.util.List;
 import java.util.SplittableRandom;
+import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
  * Levels given by the user and never changed: {@code fixed:2} for all cameras, or {@code
  * fixed:0,1,2} with one level for each camera in the scenario's order, those that are added later
- * included.
+ * included. Cameras that turn look ahead, or where {@code fixed:0,1,2,pans=3,0,4} says.
  */
-public final class FixedZoomPolicy implements ZoomPolicy {
+public final class FixedZoomPolicy extends AbstractConstantZoomPolicy {
   public static final String NAME = "fixed";
 
-  private static final int MAX_LEVEL = 1_000_000;
+  private static final int MAX_NUMBER = 1_000_000;
 
-  private final List<Integer> given;
-  private int[] fixed = {};
+  private final List<Integer> levels;
+  private final List<Integer> pans;
 
   /**
    * @param levels one level for all cameras, or one for each
    */
   public FixedZoomPolicy(List<Integer> levels) {
-    given = List.copyOf(levels);
+    this(levels, List.of());
   }
 
-  /** The policy with the option {@code levels}, default 0, which may be given without its key. */
+  /**
+   * @param levels one level for all cameras, or one for each
+   * @param pans likewise the number of a pan angle, 0 the first; empty for straight ahead
+   */
+  public FixedZoomPolicy(List<Integer> levels, List<Integer> pans) {
+    this.levels = List.copyOf(levels);
+    this.pans = List.copyOf(pans);
+  }
+
+  /** The policy with the option {@code levels}, which needs no key, and {@code pans}. */
   public static FixedZoomPolicy from(Options options) {
     return new FixedZoomPolicy(
         options.integers(
             "levels",
             List.of(0),
             0,
-            MAX_LEVEL,
-            "level of all cameras, or of each as in 0,2,1; 0 the narrowest"));
+            MAX_NUMBER,
+            "level of all cameras, or of each as in 0,2,1; 0 the narrowest"),
+        options.integers(
+            "pans",
+            List.of(),
+            0,
+            MAX_NUMBER,
+            "pan angle of all cameras, or of each as in 0,2,1; 0 the first; not given: ahead"));
   }
 
   @Override
@@ -44,43 +59,71 @@ public final class FixedZoomPolicy implements ZoomPolicy {
   }
 
   /**
-   * @throws InputException when a camera lacks the level given for it, or the number of levels is
-   *     neither 1 nor that of the cameras
+   * @throws InputException when a camera lacks the level or pan angle given for it, or their number
+   *     is neither 1 nor that of the cameras
    */
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    int cameras = network.cameras();
-    if (given.size() != 1 && given.size() != cameras) {
-      throw new InputException(
-          "policy fixed: levels has "
-              + given.size()
-              + " values, expected 1 for all cameras or "
-              + cameras
-              + ", one for each");
+    checkCount("levels", levels, network);
+    if (!pans.isEmpty()) {
+      checkCount("pans", pans, network);
     }
-    fixed = new int[cameras];
-    for (int camera = 0; camera < cameras; camera++) {
-      fixed[camera] = checked(network, camera, given.get(given.size() == 1 ? 0 : camera));
-    }
+    super.begin(network, random);
   }
 
   @Override
-  public void decide(NetworkView network, int[] levels) {
-    System.arraycopy(fixed, 0, levels, 0, fixed.length);
+  protected int view(NetworkView network, int camera) {
+    return PanAngles.view(network, camera, pan(network, camera), level(network, camera));
   }
 
-  private static int checked(NetworkView network, int camera, int level) {
-    int widest = network.views(camera) - 1;
+  private int level(NetworkView network, int camera) {
+    int level = given(levels, camera);
+    int widest = network.zooms(camera) - 1;
     if (level < 0 || level > widest) {
-      throw new InputException(
-          "policy fixed: level of camera '"
-              + network.cameraName(camera)
-              + "' is "
-              + level
-              + ", expected 0 (narrowest) to "
-              + widest
-              + " (widest)");
+      throw invalid("level", network, camera, level, "0 (narrowest) to " + widest + " (widest)");
     }
     return level;
+  }
+
+  private int pan(NetworkView network, int camera) {
+    if (pans.isEmpty()) {
+      return PanAngles.home(network, camera);
+    }
+    int pan = given(pans, camera);
+    int last = PanAngles.count(network, camera) - 1;
+    if (pan < 0 || pan > last) {
+      throw invalid("pan", network, camera, pan, "0 (first pan angle) to " + last + " (last)");
+    }
+    return pan;
+  }
+
+  private static int given(List<Integer> numbers, int camera) {
+    return numbers.get(numbers.size() == 1 ? 0 : camera);
+  }
+
+  private static void checkCount(String option, List<Integer> given, NetworkView network) {
+    if (given.size() != 1 && given.size() != network.cameras()) {
+      throw new InputException(
+          "policy fixed: "
+              + option
+              + " has "
+              + given.size()
+              + " values, expected 1 for all cameras or "
+              + network.cameras()
+              + ", one for each");
+    }
+  }
+
+  private static InputException invalid(
+      String what, NetworkView network, int camera, int number, String expected) {
+    return new InputException(
+        "policy fixed: "
+            + what
+            + " of camera '"
+            + network.cameraName(camera)
+            + "' is "
+            + number
+            + ", expected "
+            + expected);
   }
 }

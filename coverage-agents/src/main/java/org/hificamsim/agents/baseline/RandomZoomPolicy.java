@@ -5,7 +5,10 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.CameraRandoms;
 import org.hificamsim.core.policy.NetworkView;
 
-/** A view drawn uniformly for each camera at each step (thesis 7.4.2). */
+/**
+ * A view drawn uniformly for each camera at each step (thesis 7.4.2); where moves take time, for
+ * each camera that has arrived.
+ */
 public final class RandomZoomPolicy extends AbstractDistributedZoomPolicy {
   public static final String NAME = "random";
 

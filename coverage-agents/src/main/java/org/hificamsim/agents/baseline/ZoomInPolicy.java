@@ -1,11 +1,13 @@
 package org.hificamsim.agents.baseline;
 
-import java.util.Arrays;
+import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Every camera at its narrowest view, always: the counterpart of {@link ZoomOutPolicy}. */
-public final class ZoomInPolicy implements ZoomPolicy {
+/**
+ * Every camera looks ahead at its narrowest zoom level, always: the counterpart of {@link
+ * ZoomOutPolicy}.
+ */
+public final class ZoomInPolicy extends AbstractConstantZoomPolicy {
   public static final String NAME = "zoom-in";
 
   @Override
@@ -14,7 +16,7 @@ public final class ZoomInPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] views) {
-    Arrays.fill(views, 0, network.cameras(), 0);
+  protected int view(NetworkView network, int camera) {
+    return PanAngles.view(network, camera, PanAngles.home(network, camera), 0);
   }
 }

@@ -1,10 +1,13 @@
 package org.hificamsim.agents.baseline;
 
+import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Every camera at its widest view, always (thesis 7.4.2). */
-public final class ZoomOutPolicy implements ZoomPolicy {
+/**
+ * Every camera looks ahead at its widest zoom level, always (thesis 7.4.2). Ahead is the pan angle
+ * that is nearest to how it is mounted.
+ */
+public final class ZoomOutPolicy extends AbstractConstantZoomPolicy {
   public static final String NAME = "zoom-out";
 
   @Override
@@ -13,9 +16,7 @@ public final class ZoomOutPolicy implements ZoomPolicy {
   }
 
   @Override
-  public void decide(NetworkView network, int[] views) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      views[camera] = network.views(camera) - 1;
-    }
+  protected int view(NetworkView network, int camera) {
+    return PanAngles.widest(network, camera, PanAngles.home(network, camera));
   }
 }

@@ -7,15 +7,30 @@ import org.hificamsim.core.policy.ZoomPolicy;
 /**
  * A policy without a centre: each online camera chooses its own next view. The run's threads share
  * the cameras.
+ *
+ * <p>Where moves take time, a camera chooses when it has arrived, and not on its way (ADR 28).
  */
 public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
   private final CameraTask<int[]> choosing = this::chooseAll;
 
-  /** The next view of an online camera. It must not read what another camera's choice writes. */
+  /**
+   * The next view of an online camera that is where it went. It must not read what another camera's
+   * choice writes.
+   */
   protected abstract int choose(NetworkView network, int camera);
+
+  /** Called instead of {@link #choose} for a camera on its way: the view that it goes on to. */
+  protected int travel(NetworkView network, int camera) {
+    return network.view(camera);
+  }
 
   /** Called instead of {@link #choose} for a camera that is offline. */
   protected void skip(int camera) {}
+
+  /** Whether an online camera has not yet arrived at the view that it chose. */
+  protected static boolean isOnItsWay(NetworkView network, int camera) {
+    return network.seeing(camera) != network.view(camera);
+  }
 
   @Override
   public void decide(NetworkView network, int[] views) {
@@ -27,10 +42,12 @@ public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
    */
   protected void chooseAll(NetworkView network, int[] views, int from, int to) {
     for (int camera = from; camera < to; camera++) {
-      if (network.online(camera)) {
-        views[camera] = choose(network, camera);
-      } else {
+      if (!network.online(camera)) {
         skip(camera);
+      } else if (isOnItsWay(network, camera)) {
+        views[camera] = travel(network, camera);
+      } else {
+        views[camera] = choose(network, camera);
       }
     }
   }

@@ -2,6 +2,7 @@ package org.hificamsim.agents.temporal;
 
 import java.util.Arrays;
 import java.util.stream.IntStream;
+import org.hificamsim.agents.choice.TieBreak;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
@@ -10,9 +11,9 @@ import org.hificamsim.core.policy.NetworkView;
  * The Q tables of all cameras (Eq 7.6), and the best action of each state.
  *
  * <p>In a small network every table has all its states from the start; in a big one, where most
- * counts of targets never occur, a table grows to what its camera has met. States that it lacks
- * have the initial value. Threads may work on different cameras as long as each camera's {@link
- * #set} has its table for itself.
+ * percepts never occur, a table grows to what its camera has met. States that it lacks have the
+ * initial value. Threads may work on different cameras as long as each camera's {@link #set} has
+ * its table for itself.
  *
  * <p>Three things are for speed alone. The best actions stand in tables of their own, which stay in
  * the cache when the values no longer do: neighbours ask for nothing else (without them a step of
@@ -34,13 +35,14 @@ public final class ActionValues {
   /** Values of one table: what an array can hold, with room to spare. */
   private static final long MAX_VALUES = 1 << 28;
 
-  /** Counts of targets that a table of a big network has room for at first. */
-  private static final int FIRST_COUNTS = 4;
+  /** Percepts that a table of a big network has room for at first. */
+  private static final int FIRST_PERCEPTS = 4;
 
   private final StateReading reading;
   private final Ties ties;
+  private final TieBreak breaking;
   private final double initialValue;
-  private final int counts;
+  private final int percepts;
   private final int[] views;
 
   /** By camera; a row for each state: its actions' values, then a bound on those but the best. */
@@ -58,8 +60,9 @@ public final class ActionValues {
   ActionValues(NetworkView network, TemporalDifferenceSettings settings) {
     reading = settings.state();
     ties = settings.ties();
+    breaking = new TieBreak(ties, network);
     initialValue = settings.initialValue();
-    counts = reading.counts(network.targets());
+    percepts = reading.percepts(network.targets());
     views = IntStream.range(0, network.cameras()).map(network::views).toArray();
     if (size(Arrays.stream(views).max().orElse(1)) > MAX_VALUES) {
       throw new InputException(
@@ -67,53 +70,50 @@ public final class ActionValues {
               + MAX_VALUES
               + " entries for "
               + network.targets()
-              + " targets. Maybe give the option state=none");
+              + " targets and "
+              + Arrays.stream(views).max().orElse(1)
+              + " views. Maybe give the option state=none");
     }
     boolean whole = Arrays.stream(views).mapToLong(this::size).sum() <= MAX_WHOLE;
     values = new double[views.length][0];
     best = new int[views.length][0];
     for (int camera = 0; camera < views.length; camera++) {
-      resize(camera, whole ? counts : Math.min(counts, FIRST_COUNTS));
+      resize(camera, whole ? percepts : Math.min(percepts, FIRST_PERCEPTS));
     }
   }
 
   private long size(int ofViews) {
-    return (long) counts * reading.statesPerCount(ofViews) * width(ofViews);
+    return (long) percepts * reading.statesPerPercept(ofViews) * width(ofViews);
   }
 
   private static int width(int ofViews) {
     return ofViews + 1;
   }
 
-  /** The number of a camera's present state. */
-  public int state(NetworkView network, int camera) {
-    return state(camera, network.view(camera), network.detected(camera));
-  }
-
   /**
    * The number of a camera's state, from 0.
    *
    * @param view view in [0, views of the camera)
-   * @param detected number of targets in [0, all targets]
+   * @param percept what it perceives, from 0: the number of targets detected, or {@link Picture}'s
    */
-  public int state(int camera, int view, int detected) {
-    return reading.state(view, detected, views[camera]);
+  public int state(int camera, int view, int percept) {
+    return reading.state(view, percept, views[camera]);
   }
 
   /** Whether the camera has views enough to ever be at this one. */
   public boolean knows(int camera, int view) {
-    return reading != StateReading.LEVEL_COUNT || view < views[camera];
+    return !reading.byView() || view < views[camera];
   }
 
   /** The best action in a state. */
   public int best(int camera, int state) {
     int[] actions = best[camera];
-    return state < actions.length ? actions[state] : ties.best(views[camera]);
+    return state < actions.length ? actions[state] : breaking.best(camera);
   }
 
   /** What a camera answers to another one's state: its best action of the views that both have. */
-  public int answer(int camera, int view, int detected, int viewsOfOther) {
-    int state = state(camera, view, detected);
+  public int answer(int camera, int view, int percept, int viewsOfOther) {
+    int state = state(camera, view, percept);
     if (viewsOfOther >= views[camera]) {
       return best(camera, state);
     }
@@ -148,7 +148,7 @@ public final class ActionValues {
     double[] table = values[camera];
     int row = state * width(views[camera]);
     int end = row + views[camera];
-    best[camera][state] = ties.best(table, row, views[camera]);
+    best[camera][state] = breaking.best(camera, table, row, views[camera]);
     table[end] = Double.NEGATIVE_INFINITY;
     for (int i = row; i < end; i++) {
       if (i != row + best[camera][state]) {
@@ -161,14 +161,14 @@ public final class ActionValues {
   private void grow(int camera, int state) {
     int states = best[camera].length;
     if (state >= states) {
-      int perCount = reading.statesPerCount(views[camera]);
-      resize(camera, Math.min(counts, Math.max(2 * states, state + perCount) / perCount));
+      int each = reading.statesPerPercept(views[camera]);
+      resize(camera, Math.min(percepts, Math.max(2 * states, state + each) / each));
     }
   }
 
-  private void resize(int camera, int toCounts) {
+  private void resize(int camera, int toPercepts) {
     int before = best[camera].length;
-    int states = toCounts * reading.statesPerCount(views[camera]);
+    int states = toPercepts * reading.statesPerPercept(views[camera]);
     best[camera] = Arrays.copyOf(best[camera], states);
     values[camera] = Arrays.copyOf(values[camera], states * width(views[camera]));
     Arrays.fill(values[camera], before * width(views[camera]), values[camera].length, initialValue);
@@ -183,10 +183,11 @@ public final class ActionValues {
    *
    * @param lastStates by camera; below 0 where there is none
    */
-  void fetch(NetworkView network, int[] lastStates, int from, int to) {
+  void fetch(NetworkView network, Percepts seen, int[] lastStates, int from, int to) {
     double sum = 0;
     for (int camera = from; camera < to && views.length > MAX_CACHED; camera++) {
-      sum += read(camera, state(network, camera)) + read(camera, Math.max(0, lastStates[camera]));
+      int state = state(camera, network.view(camera), seen.of(network, camera));
+      sum += read(camera, state) + read(camera, Math.max(0, lastStates[camera]));
     }
     fetched = sum;
   }

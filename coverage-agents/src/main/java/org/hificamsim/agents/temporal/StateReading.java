@@ -1,30 +1,64 @@
 package org.hificamsim.agents.temporal;
 
-/** What a camera takes as its state; thesis 7.4.4 says only that it is the percept. */
+/**
+ * What a camera takes as its state; thesis 7.4.4 says only that it is the percept. A state is a
+ * percept, a number from 0, alone or with the view that the camera is in.
+ */
 public enum StateReading {
   /** The current view and the number of targets detected with it. */
-  LEVEL_COUNT,
+  LEVEL_COUNT(true, 0),
   /** The number of targets detected. */
-  COUNT,
+  COUNT(false, 0),
   /** Always the same state: what is learned is one value for each view. */
-  NONE;
+  NONE(false, 0),
+  /** Which thirds of the picture have a target: left, centre, right. */
+  PICTURE(false, Picture.THIRDS),
+  /** The same, and the current view. */
+  VIEW_PICTURE(true, Picture.THIRDS),
+  /** Which thirds of the picture have a target that is near, and which have one that is far. */
+  PICTURE_DEPTH(false, 2 * Picture.THIRDS),
+  /** The same, and the current view. */
+  VIEW_PICTURE_DEPTH(true, 2 * Picture.THIRDS);
 
-  /** How many different numbers of detected targets there are where so many targets can exist. */
-  int counts(int targets) {
+  private final boolean byView;
+  private final int parts;
+
+  /**
+   * @param parts of the picture that are told apart, 0 where targets are counted
+   */
+  StateReading(boolean byView, int parts) {
+    this.byView = byView;
+    this.parts = parts;
+  }
+
+  /** Parts of the picture that are told apart; 0 where the percept is a number of targets. */
+  int parts() {
+    return parts;
+  }
+
+  /** Whether the current view is a part of the state. */
+  boolean byView() {
+    return byView;
+  }
+
+  /** How many different percepts there are where so many targets can exist. */
+  int percepts(int targets) {
+    if (parts > 0) {
+      return 1 << parts;
+    }
     return this == NONE ? 1 : targets + 1;
   }
 
-  /** The number of states of a camera with so many views that share a number of targets. */
-  int statesPerCount(int views) {
-    return this == LEVEL_COUNT ? views : 1;
+  /** The number of states of a camera with so many views that share a percept. */
+  int statesPerPercept(int views) {
+    return byView ? views : 1;
   }
 
-  /** The number of a state, from 0: those with fewer targets come first. */
-  int state(int view, int detected, int views) {
-    return switch (this) {
-      case LEVEL_COUNT -> detected * views + view;
-      case COUNT -> detected;
-      case NONE -> 0;
-    };
+  /** The number of a state, from 0: those with lower percepts come first. */
+  int state(int view, int percept, int views) {
+    if (this == NONE) {
+      return 0;
+    }
+    return byView ? percept * views + view : percept;
   }
 }

@@ -27,7 +27,10 @@ public record TemporalDifferenceSettings(
   public static TemporalDifferenceSettings from(Options options) {
     return new TemporalDifferenceSettings(
         options.choice(
-            "state", StateReading.LEVEL_COUNT, "what a camera knows: level-count, count, none"),
+            "state",
+            StateReading.LEVEL_COUNT,
+            "what a camera knows: level-count, count, none, picture, view-picture, picture-depth,"
+                + " view-picture-depth"),
         options.choice(
             "reward", RewardReading.COUNT_CHANGE, "Eq 7.5 as: count-change, sign, literal"),
         Utility.from(options),

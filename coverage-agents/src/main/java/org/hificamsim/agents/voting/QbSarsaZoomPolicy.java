@@ -14,10 +14,12 @@ import org.hificamsim.core.registry.Options;
  * nearest neighbours.
  *
  * <p>At each decision a camera sends its state to its neighbours; each answers with the action that
- * its own table holds best for that state. Where cameras differ in their number of views, a
- * neighbour picks among the views that both have, and one that lacks the view the camera is at
- * abstains. All answers come from the tables as they stood before the step's updates. Exploring
- * starts from the vote's outcome, so it is asked for in either case.
+ * its own table holds best for that state. Where cameras differ in their views, state and answer
+ * are translated ({@link ViewTranslation}). Where they differ in their number of levels alone, have
+ * no lens and cannot turn, a neighbour picks among the levels that both have, and one that lacks
+ * the level the camera is at abstains. All answers come from the tables as they stood before the
+ * step's updates. Exploring starts from the vote's outcome, so it is asked for in either case; a
+ * camera that is on its way to a view asks nobody.
  */
 public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   public static final String NAME = "qb-sarsa";
@@ -25,6 +27,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private final CameraTask<int[]> electing = this::elect;
   private final VoteSettings settings;
   private NearestCameras nearest;
+  private ViewTranslation translation;
   private MajorityVote[] votes = {};
   private int[] elected = {};
   private long[] messages = {};
@@ -62,14 +65,14 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     votes = new MajorityVote[network.cameras()];
     Arrays.setAll(votes, camera -> new MajorityVote(settings.ties(), network.views(camera)));
     nearest = new NearestCameras(network, settings.neighbours());
+    translation = new ViewTranslation(network);
   }
 
   /** All vote on the values as they stand, before any camera learns. */
   @Override
-  public void decide(NetworkView network, int[] views) {
+  protected void prepare(NetworkView network) {
     nearest.update(network);
     network.divide(elected, electing);
-    super.decide(network, views);
   }
 
   @Override
@@ -79,14 +82,14 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
 
   private void elect(NetworkView network, int[] elected, int from, int to) {
     for (int camera = from; camera < to; camera++) {
-      elected[camera] = elect(network, camera);
+      if (!isOnItsWay(network, camera)) {
+        elected[camera] = elect(network, camera);
+      }
     }
   }
 
   private int elect(NetworkView network, int camera) {
-    int view = network.view(camera);
-    int detected = network.detected(camera);
-    int own = q().best(camera, q().state(network, camera));
+    int own = q().best(camera, state(network, camera, camera, network.view(camera)));
     MajorityVote vote = votes[camera];
     vote.open();
     if (settings.ownVote() == VoteSettings.OwnVote.YES) {
@@ -94,12 +97,26 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     }
     int asked = nearest.count(camera);
     for (int i = 0; i < asked; i++) {
-      int neighbour = nearest.neighbour(camera, i);
-      if (q().knows(neighbour, view)) {
-        vote.vote(q().answer(neighbour, view, detected, network.views(camera)));
-      }
+      ask(network, camera, nearest.neighbour(camera, i), vote);
     }
     messages[camera] += 2L * asked;
     return vote.winner(own);
+  }
+
+  private void ask(NetworkView network, int camera, int neighbour, MajorityVote vote) {
+    int view = network.view(camera);
+    if (!translation.byNumber(camera, neighbour)) {
+      int theirs = translation.view(camera, neighbour, view);
+      int answer = q().best(neighbour, state(network, camera, neighbour, theirs));
+      vote.vote(translation.view(neighbour, camera, answer));
+    } else if (q().knows(neighbour, view)) {
+      int views = network.views(camera);
+      vote.vote(q().answer(neighbour, view, percept(network, camera), views));
+    }
+  }
+
+  /** The state that one camera would be in, in one of its views, with the percept of another. */
+  private int state(NetworkView network, int perceives, int camera, int view) {
+    return q().state(camera, view, percept(network, perceives));
   }
 }

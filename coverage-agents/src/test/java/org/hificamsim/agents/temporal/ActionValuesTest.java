@@ -52,8 +52,8 @@ class ActionValuesTest {
     SplittableRandom random = new SplittableRandom(seed);
     Map<Integer, double[]> plain = new HashMap<>();
     for (int i = 0; i < 2_000; i++) {
-      int detected = random.nextInt(1 + random.nextInt(1 + random.nextInt(TARGETS)));
-      int state = values.state(7, random.nextInt(LEVELS), detected);
+      int percept = random.nextInt(1 + random.nextInt(1 + random.nextInt(TARGETS)));
+      int state = values.state(7, random.nextInt(LEVELS), percept % reading.percepts(TARGETS));
       double[] row = plain.computeIfAbsent(state, unseen -> new double[] {-1, -1, -1, -1, -1});
       assertRow(values, state, row, ties);
       int action = random.nextInt(LEVELS);
@@ -102,9 +102,9 @@ class ActionValuesTest {
   void aTableGrowsByOneStateTooWhereThatIsMissing() {
     for (StateReading reading : StateReading.values()) {
       ActionValues values = new ActionValues(bigNetwork(), settings(reading));
-      for (int detected = 0; detected <= 40; detected++) {
+      for (int percept = 0; percept <= 40 && percept < reading.percepts(TARGETS); percept++) {
         for (int view = 0; view < LEVELS; view++) {
-          int state = values.state(0, view, detected);
+          int state = values.state(0, view, percept);
           values.set(0, state, 1, 3);
           assertEquals(1, values.best(0, state));
         }
@@ -159,8 +159,8 @@ class ActionValuesTest {
     InputException refused =
         assertThrows(InputException.class, () -> new ActionValues(larger, settings));
     assertEquals(
-        "a camera's table of action values needs more than 268435456 entries for 2097152 targets."
-            + " Maybe give the option state=none",
+        "a camera's table of action values needs more than 268435456 entries for 2097152 targets"
+            + " and 127 views. Maybe give the option state=none",
         refused.getMessage());
   }
 
@@ -173,7 +173,7 @@ class ActionValuesTest {
             (proxy, method, arguments) ->
                 switch (method.getName()) {
                   case "cameras" -> 1;
-                  case "views" -> views;
+                  case "views", "zooms" -> views;
                   case "targets" -> targets;
                   default -> throw new UnsupportedOperationException(method.getName());
                 });

@@ -61,6 +61,13 @@ public final class GeometricNetwork extends ToyNetwork {
     return new GeometricNetwork(kind, views, random);
   }
 
+  /** Lets cameras turn, and moves take time: as {@link #turning} and {@link #moving}. */
+  public GeometricNetwork turned(int pans, int steps) {
+    turning(pans).moving(steps);
+    scatter();
+    return this;
+  }
+
   /** Puts every target somewhere else. */
   public void scatter() {
     for (int t = 0; t < targets(); t++) {
@@ -97,7 +104,8 @@ public final class GeometricNetwork extends ToyNetwork {
     double dx = target[t][0] - camera[c][0];
     double dy = target[t][1] - camera[c][1];
     double distance = Math.hypot(dx, dy);
-    double turn = Math.abs(Math.IEEEremainder(Math.atan2(dy, dx) - camera[c][2], 2 * Math.PI));
+    double turn =
+        Math.abs(Math.IEEEremainder(Math.atan2(dx, dy) - camera[c][2] - pan(c, view), 2 * Math.PI));
     double[] within = ring[c][view][size[t]];
     return turn <= camera[c][3] / 2 && distance >= within[0] && distance <= within[1];
   }

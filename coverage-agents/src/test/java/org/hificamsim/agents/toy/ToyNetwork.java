@@ -10,7 +10,8 @@ import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
  * A small network for tests whose detections the test sets, or a subclass computes; it applies
- * policies as the engine does and counts their use of global knowledge.
+ * policies as the engine does and counts their use of global knowledge. What a camera sees itself
+ * is none.
  */
 public class ToyNetwork implements OracleView {
   private final int[] views;
@@ -23,6 +24,10 @@ public class ToyNetwork implements OracleView {
   private final int[] detected;
   private final int[] coverage;
   private Objective objective = Objective.kMin();
+  private final ZoomLevel[][] zoomLevels;
+  private final int[] left;
+  private int pans = 1;
+  private int moveTime;
   private int revision;
   private long step;
   private long globalQueries;
@@ -33,6 +38,9 @@ public class ToyNetwork implements OracleView {
     this.views = views.clone();
     view = Arrays.stream(views).map(count -> count - 1).toArray();
     chosen = new int[views.length];
+    left = new int[views.length];
+    zoomLevels = new ZoomLevel[views.length][];
+    makeLevels();
     detected = new int[views.length];
     online = new boolean[views.length];
     Arrays.fill(online, true);
@@ -72,6 +80,36 @@ public class ToyNetwork implements OracleView {
     detects[camera][atLevel][target] = seen;
   }
 
+  /**
+   * Gives a camera's views so many pan angles, 30 degrees from one to the next, if they can be
+   * shared out among them; it starts ahead.
+   */
+  public final ToyNetwork turning(int newPans) {
+    pans = newPans;
+    for (int camera = 0; camera < view.length; camera++) {
+      int zooms = zooms(camera);
+      view[camera] = (views[camera] / zooms - 1) / 2 * zooms + zooms - 1;
+    }
+    makeLevels();
+    return this;
+  }
+
+  private void makeLevels() {
+    for (int camera = 0; camera < views.length; camera++) {
+      int zooms = zooms(camera);
+      zoomLevels[camera] = new ZoomLevel[zooms];
+      Arrays.setAll(
+          zoomLevels[camera],
+          level -> new ZoomLevel(1.0 + level, 1, zooms, Double.NaN, 2 * Math.PI));
+    }
+  }
+
+  /** Lets a move take so many steps more than one, in which the camera sees nothing. */
+  public final ToyNetwork moving(int steps) {
+    moveTime = steps;
+    return this;
+  }
+
   public final void switchCamera(int camera, boolean on) {
     online[camera] = on;
     revision++;
@@ -95,6 +133,7 @@ public class ToyNetwork implements OracleView {
     policy.decide(this, chosen);
     for (int camera = 0; camera < view.length; camera++) {
       if (online[camera]) {
+        left[camera] = view[camera] == chosen[camera] ? Math.max(0, left[camera] - 1) : moveTime;
         view[camera] = chosen[camera];
       }
     }
@@ -106,12 +145,19 @@ public class ToyNetwork implements OracleView {
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < view.length; camera++) {
       for (int target = 0; target < targets && online[camera]; target++) {
-        if (present[target] && detects[camera][view[camera]][target]) {
+        if (seesNow(camera, target)) {
           detected[camera]++;
           coverage[target]++;
         }
       }
     }
+  }
+
+  private boolean seesNow(int camera, int target) {
+    return online[camera]
+        && present[target]
+        && left[camera] == 0
+        && detects[camera][view[camera]][target];
   }
 
   /** Eq 7.1 at the last observation; the number of cameras when no target is present. */
@@ -203,8 +249,45 @@ public class ToyNetwork implements OracleView {
   }
 
   @Override
+  public final int zooms(int camera) {
+    return views[camera] % pans == 0 ? views[camera] / pans : views[camera];
+  }
+
+  @Override
+  public final double pan(int camera, int atView) {
+    int count = views[camera] / zooms(camera);
+    return Math.toRadians(30) * (atView / zooms(camera) - (count - 1) / 2);
+  }
+
+  @Override
+  public final int seeing(int camera) {
+    return left[camera] > 0 ? -1 : view[camera];
+  }
+
+  @Override
+  public final boolean sees(int camera, int target) {
+    return seesNow(camera, target);
+  }
+
+  @Override
+  public final double distance(int camera, int target) {
+    long before = globalQueries;
+    double distance = OracleView.super.distance(camera, target);
+    globalQueries = before;
+    return distance;
+  }
+
+  @Override
+  public final double bearing(int camera, int target) {
+    long before = globalQueries;
+    double bearing = OracleView.super.bearing(camera, target);
+    globalQueries = before;
+    return bearing;
+  }
+
+  @Override
   public ZoomLevel zoom(int camera, int atLevel) {
-    return new ZoomLevel(1.0 + atLevel, 1, views[camera], Double.NaN, 2 * Math.PI);
+    return zoomLevels[camera][atLevel % zooms(camera)];
   }
 
   @Override

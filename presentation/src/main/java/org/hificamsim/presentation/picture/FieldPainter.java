@@ -6,32 +6,25 @@ import java.awt.Color;
 import java.awt.Composite;
 import java.awt.Graphics2D;
 import java.awt.Shape;
-import java.awt.geom.Area;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.List;
 import java.util.Locale;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.presentation.plot.Fonts;
-import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.Frame;
-import org.hificamsim.presentation.replay.Interval;
-import org.hificamsim.presentation.replay.Level;
+import org.hificamsim.presentation.replay.Setup;
 
 /** Paints the field at one step: fields of view, detected ranges, trails, cameras, targets. */
 final class FieldPainter {
-  static final Color RANGE = Palette.BLUE;
-  static final double RANGE_STRENGTH = 0.13;
-
-  /** {@link #RANGE} as it looks where two cameras detect. */
+  /** {@link SightPainter#RANGE} as it looks where two cameras detect. */
   static final Color DETECTED = new Color(0xC1DDEC);
 
   static final Color INK = new Color(0x1D2733);
   static final Color FAINT = new Color(0x6B7785);
   static final Color GRID = new Color(0xE4E8ED);
   private static final Color CAMERA = new Color(0x2B3A4A);
-  private static final float[] DASHES = {5, 4};
 
   /** How many frames a trail is long. */
   private static final int TRAIL = 40;
@@ -46,7 +39,7 @@ final class FieldPainter {
   private final Frame frame;
   private final List<CameraPose> poses;
   private final FieldMap map;
-  private final Surroundings surroundings;
+  private final PaintedPart painted;
 
   /**
    * @param area the part of the picture that shows the field
@@ -58,27 +51,48 @@ final class FieldPainter {
     this.frame = run.frame(index);
     this.poses = run.poses(index);
     this.map = FieldMap.fit(run.setup().field(), area);
-    this.surroundings = Surroundings.of(area);
+    this.painted = PaintedPart.of(area);
   }
 
   void paint() {
+    SitePainter site = new SitePainter(graphics, map);
+    site.floor(run, run.look().floor());
     grid();
-    for (int camera = 0; camera < poses.size(); camera++) {
-      if (frame.online()[camera]) {
-        view(poses.get(camera), frame.level()[camera]);
-      }
-    }
+    run.look().zones().ifPresent(this::zones);
+    views();
+    site.obstacles(run.setup());
     for (int target = 0; target < frame.x().length; target++) {
       trail(target);
     }
     for (int camera = 0; camera < poses.size(); camera++) {
-      camera(poses.get(camera), frame.online()[camera]);
+      int view = frame.seen(camera) < 0 ? frame.level()[camera] : frame.seen(camera);
+      camera(poses.get(camera), view, frame.online()[camera]);
     }
     for (int target = 0; target < frame.x().length; target++) {
       if (frame.present()[target]) {
         target(target);
       }
     }
+  }
+
+  private void zones(int camera) {
+    CameraPose pose = poses.get(camera);
+    int view = frame.seen(camera);
+    if (frame.online()[camera] && view >= 0 && pose.density(view) > 0) {
+      DensityZone.paint(graphics, map, pose, view);
+    }
+  }
+
+  private void views() {
+    SightPainter sight = new SightPainter(graphics, map);
+    for (int camera = 0; camera < poses.size(); camera++) {
+      if (frame.online()[camera] && frame.seen(camera) >= 0) {
+        sight.view(poses.get(camera), frame.seen(camera));
+      } else if (frame.online()[camera]) {
+        sight.blind(poses.get(camera), frame.level()[camera]);
+      }
+    }
+    sight.shadows();
   }
 
   private void grid() {
@@ -103,20 +117,6 @@ final class FieldPainter {
     text("m", border.getMaxX() + 12, border.getMaxY() + 13);
   }
 
-  /** The field of view as an outline, the ranges where a target is detected as areas. */
-  private void view(CameraPose pose, int atLevel) {
-    Level level = pose.levels().get(atLevel);
-    graphics.setColor(Palette.pale(RANGE, RANGE_STRENGTH));
-    for (Interval interval : level.detected()) {
-      Area ring = new Area(map.sector(pose, interval.to()));
-      ring.subtract(new Area(map.sector(pose, interval.from())));
-      graphics.fill(ring);
-    }
-    graphics.setStroke(
-        new BasicStroke(1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, DASHES, 0));
-    line(Palette.pale(RANGE, 0.55), map.sector(pose, level.radius()));
-  }
-
   private void trail(int target) {
     int first = Math.max(1, index - TRAIL + 1);
     Composite before = graphics.getComposite();
@@ -129,7 +129,7 @@ final class FieldPainter {
         graphics.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, strength));
         graphics.setStroke(
             new BasicStroke(cover.trail(), BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND));
-        surroundings.within(moved(from, to, target)).ifPresent(line -> line(cover.color(), line));
+        painted.within(moved(from, to, target)).ifPresent(line -> line(cover.color(), line));
       }
     }
     graphics.setComposite(before);
@@ -143,8 +143,8 @@ final class FieldPainter {
         map.y(to.y()[target]));
   }
 
-  /** A square with a line along the heading; hollow and crossed out while it is not online. */
-  private void camera(CameraPose pose, boolean online) {
+  /** A square with a line along its view; hollow and crossed out while it is not online. */
+  private void camera(CameraPose pose, int view, boolean online) {
     double r = CAMERA_RADIUS;
     double x = map.x(pose.x());
     double y = map.y(pose.y());
@@ -153,12 +153,12 @@ final class FieldPainter {
     graphics.fill(box);
     graphics.setStroke(new BasicStroke(1.5f));
     line(CAMERA, box);
-    if (pose.viewingAngle() < 2 * Math.PI) {
+    double heading = pose.heading(view);
+    if (pose.viewingAngle(view) < 2 * Math.PI) {
       double length = 2.4 * r;
       line(
           CAMERA,
-          new Line2D.Double(
-              x, y, x + length * Math.sin(pose.heading()), y - length * Math.cos(pose.heading())));
+          new Line2D.Double(x, y, x + length * Math.sin(heading), y - length * Math.cos(heading)));
     }
     if (!online) {
       line(CAMERA, new Line2D.Double(x - r, y - r, x + r, y + r));
@@ -170,7 +170,9 @@ final class FieldPainter {
     CoverClass cover = CoverClass.of(k);
     double x = map.x(frame.x()[target]);
     double y = map.y(frame.y()[target]);
-    double r = Math.max(TARGET_RADIUS, map.scale() * run.setup().targets().get(target).size() / 2);
+    Setup setup = run.setup();
+    double least = TARGET_RADIUS * run.prominence(target);
+    double r = Math.max(least, map.scale() * setup.width(target) / 2);
     Shape shape = cover.at(x, y, r);
     graphics.setColor(cover.color());
     graphics.fill(shape);

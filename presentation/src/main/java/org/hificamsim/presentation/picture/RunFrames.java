@@ -1,10 +1,13 @@
 package org.hificamsim.presentation.picture;
 
+import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.CameraSetup;
+import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.Recording;
@@ -14,11 +17,21 @@ import org.hificamsim.presentation.replay.Setup;
 public final class RunFrames {
   private final Setup setup;
   private final Recording recording;
+  private final Look look;
+  private final double[] prominence;
+  private final List<BufferedImage> floor;
   private final long[] steps;
   private final int[] kMin;
 
   public RunFrames(Setup setup, Recording recording) {
+    this(setup, recording, Look.USUAL);
+  }
+
+  public RunFrames(Setup setup, Recording recording, Look look) {
     this.setup = setup;
+    this.look = look;
+    this.prominence = prominence(setup);
+    this.floor = setup.floor().stream().map(FloorPictures::image).toList();
     this.recording = recording;
     this.steps = recording.frames().stream().mapToLong(Frame::step).toArray();
     this.kMin = recording.frames().stream().mapToInt(frame -> frame.measure().kMin()).toArray();
@@ -26,6 +39,32 @@ public final class RunFrames {
 
   Setup setup() {
     return setup;
+  }
+
+  private static double[] prominence(Setup setup) {
+    double[] widths =
+        IntStream.range(0, setup.targets().size()).mapToDouble(setup::width).toArray();
+    boolean alike = Arrays.stream(widths).distinct().count() < 2;
+    return Arrays.stream(widths)
+        .map(width -> alike ? 1 : Math.max(0.6, Math.min(2, width / setup.targetSize())))
+        .toArray();
+  }
+
+  /**
+   * How large a target is drawn where its own size would be too small: its width over the usual
+   * size, in [0.6, 2]; 1 where all are alike.
+   */
+  double prominence(int target) {
+    return prominence[target];
+  }
+
+  Look look() {
+    return look;
+  }
+
+  /** The pictures under the field. */
+  List<BufferedImage> floor() {
+    return floor;
   }
 
   Recording recording() {

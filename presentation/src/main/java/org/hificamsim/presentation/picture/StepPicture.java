@@ -27,6 +27,7 @@ public final class StepPicture implements Picture {
 
   private final RunFrames run;
   private final int index;
+  private final SiteLegend site;
 
   /**
    * @param index the frame to be shown
@@ -34,6 +35,7 @@ public final class StepPicture implements Picture {
   public StepPicture(RunFrames run, int index) {
     this.run = run;
     this.index = index;
+    this.site = new SiteLegend(run.setup(), run.look());
   }
 
   @Override
@@ -43,7 +45,11 @@ public final class StepPicture implements Picture {
 
   @Override
   public int height() {
-    return HEADING + fieldHeight(run.setup().field()) + LEGEND + BETWEEN + STRIP + MARGIN;
+    return HEADING + fieldHeight(run.setup().field()) + legendHeight() + BETWEEN + STRIP + MARGIN;
+  }
+
+  private int legendHeight() {
+    return LEGEND * (1 + site.lines());
   }
 
   private static int fieldHeight(Field field) {
@@ -73,10 +79,11 @@ public final class StepPicture implements Picture {
     new FieldPainter(graphics, run, index, field).paint();
     graphics.setClip(before);
     legend(graphics, (int) field.getMaxY() + LEGEND / 2);
+    site.paint(graphics, MARGIN, (int) field.getMaxY() + LEGEND + LEGEND / 2, LEGEND);
     Rectangle2D strip =
         new Rectangle2D.Double(
             MARGIN + GUTTER,
-            field.getMaxY() + LEGEND + BETWEEN,
+            field.getMaxY() + legendHeight() + BETWEEN,
             (double) fieldWidth() - GUTTER,
             STRIP);
     new KMinStrip(graphics, run, strip).paint(index);
@@ -124,13 +131,13 @@ public final class StepPicture implements Picture {
       graphics.fill(cover.at(x + 6.0, middle, 5.5));
       x = word(graphics, cover.label(), x + 16, middle);
     }
-    graphics.setColor(FieldPainter.RANGE);
+    graphics.setColor(SightPainter.RANGE);
     graphics.setStroke(
         new BasicStroke(
             1, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, new float[] {3, 2}, 0));
     graphics.draw(new Ellipse2D.Double(x, middle - 6.0, 12, 12));
     x = word(graphics, "field of view", x + 16, middle);
-    graphics.setColor(Palette.pale(FieldPainter.RANGE, 2 * FieldPainter.RANGE_STRENGTH));
+    graphics.setColor(Palette.pale(SightPainter.RANGE, 2 * SightPainter.RANGE_STRENGTH));
     graphics.fill(new Ellipse2D.Double(x, middle - 6.0, 12, 12));
     word(graphics, "detection range", x + 16, middle);
   }

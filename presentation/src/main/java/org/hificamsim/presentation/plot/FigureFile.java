@@ -131,6 +131,7 @@ public final class FigureFile {
     SVGGeneratorContext context = SVGGeneratorContext.createDefault(document());
     context.setComment("HiFi-CamSim");
     context.setPrecision(2);
+    context.setImageHandler(new EmbeddedImages());
     SVGGraphics2D graphics = new SVGGraphics2D(context, false);
     graphics.setSVGCanvasSize(new Dimension(picture.width(), picture.height()));
     paint(picture, graphics);

@@ -8,8 +8,49 @@ import java.util.List;
  * @param x metres
  * @param y metres
  * @param heading radians, 0 is +y and pi/2 is +x; not normalised
- * @param viewingAngle full opening angle, radians, (0, 2 pi]
+ * @param viewingAngle full opening angle, radians, (0, 2 pi]; of the narrowest level where they
+ *     differ
  * @param levels its zoom levels, the narrowest first
+ * @param pans its pan angles, radians off the heading, to the right; empty where it cannot turn
+ * @param lenses by level, where the levels differ in angle or have a pixel density
+ * @param visible corners of the region that solid obstacles leave in sight, x and y in turn,
+ *     metres; empty where the scenario has none
  */
 public record CameraPose(
-    double x, double y, double heading, double viewingAngle, List<Level> levels) {}
+    double x,
+    double y,
+    double heading,
+    double viewingAngle,
+    List<Level> levels,
+    @IfAny List<Double> pans,
+    @IfAny List<Lens> lenses,
+    @IfAny List<Double> visible) {
+  /** How many views it can choose: each level at each pan angle. */
+  public int views() {
+    return levels.size() * Math.max(1, pans.size());
+  }
+
+  /** The zoom level of a view. */
+  public Level level(int view) {
+    return levels.get(view % levels.size());
+  }
+
+  /** Where it looks in a view, as {@link #heading()}. */
+  public double heading(int view) {
+    return pans.isEmpty() ? heading : heading + pans.get(view / levels.size());
+  }
+
+  /** The opening angle of a view, radians. */
+  public double viewingAngle(int view) {
+    return lenses.isEmpty() ? viewingAngle : lens(view).viewingAngle();
+  }
+
+  /** Pixels per metre at one metre in a view; 0 where that is not known. */
+  public double density(int view) {
+    return lenses.isEmpty() ? 0 : lens(view).density();
+  }
+
+  private Lens lens(int view) {
+    return lenses.get(view % levels.size());
+  }
+}

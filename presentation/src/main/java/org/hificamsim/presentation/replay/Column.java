@@ -22,10 +22,13 @@ record Column(ToLongFunction<Frame> pack, ObjLongConsumer<Frame> unpack) {
       addTarget(columns, target, place);
     }
     for (int camera = 0; estimated && camera < setup.cameras().size(); camera++) {
-      int levels = setup.cameras().get(camera).pose().levels().size();
-      for (int level = 0; level < levels; level++) {
-        addEstimate(columns, camera, level, estimate);
+      int views = setup.cameras().get(camera).pose().views();
+      for (int view = 0; view < views; view++) {
+        addEstimate(columns, camera, view, estimate);
       }
+    }
+    for (int camera = 0; !setup.slow().isEmpty() && camera < setup.cameras().size(); camera++) {
+      addSeeing(columns, camera);
     }
     return columns;
   }
@@ -41,6 +44,10 @@ record Column(ToLongFunction<Frame> pack, ObjLongConsumer<Frame> unpack) {
     columns.add(new Column(f -> s.pack(f.x()[t]), (f, v) -> f.x()[t] = s.unpack(v)));
     columns.add(new Column(f -> s.pack(f.y()[t]), (f, v) -> f.y()[t] = s.unpack(v)));
     columns.add(new Column(f -> f.coverage()[t], (f, v) -> f.coverage()[t] = (int) v));
+  }
+
+  private static void addSeeing(List<Column> columns, int c) {
+    columns.add(new Column(f -> f.seeing()[c], (f, v) -> f.seeing()[c] = (int) v));
   }
 
   private static void addEstimate(List<Column> columns, int c, int l, Scale s) {

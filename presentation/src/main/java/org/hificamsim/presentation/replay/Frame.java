@@ -1,5 +1,6 @@
 package org.hificamsim.presentation.replay;
 
+import com.fasterxml.jackson.annotation.JsonInclude;
 import org.hificamsim.core.metrics.CoveredTargets;
 import org.hificamsim.core.metrics.StepCoverage;
 
@@ -8,15 +9,18 @@ import org.hificamsim.core.metrics.StepCoverage;
  * in the {@link Setup}; the values of a camera that is not online, or of a target that is not
  * present, mean nothing.
  *
- * @param level by camera, 0 is the narrowest
+ * @param level by camera, the view that it chose last; where it cannot turn, its zoom level: 0 is
+ *     the narrowest
  * @param detected by camera, number of targets
  * @param x by target, metres, where the cameras observed it
  * @param y by target, metres
  * @param coverage by target, the number of cameras that detect it: k_j of thesis 7.1
- * @param estimates by camera and level, what the agent knows, NaN where nothing; without any camera
+ * @param estimates by camera and view, what the agent knows, NaN where nothing; without any camera
  *     where the policy estimates nothing
- * @param counts by camera and level, how many observations an estimate rests on, NaN if not known;
+ * @param counts by camera and view, how many observations an estimate rests on, NaN if not known;
  *     as {@code estimates}
+ * @param seeing by camera, the view through which it sees, -1 while it moves blindly; empty where
+ *     no camera needs time for a move
  */
 public record Frame(
     long step,
@@ -28,7 +32,8 @@ public record Frame(
     double[] y,
     int[] coverage,
     double[][] estimates,
-    double[][] counts)
+    double[][] counts,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) int[] seeing)
     implements CoveredTargets {
   /**
    * A frame to be filled.
@@ -47,16 +52,22 @@ public record Frame(
         new double[targets],
         new double[targets],
         new int[targets],
-        byLevel(setup, estimated ? cameras : 0),
-        byLevel(setup, estimated ? cameras : 0));
+        byView(setup, estimated ? cameras : 0),
+        byView(setup, estimated ? cameras : 0),
+        new int[setup.slow().isEmpty() ? 0 : cameras]);
   }
 
-  private static double[][] byLevel(Setup setup, int cameras) {
+  private static double[][] byView(Setup setup, int cameras) {
     double[][] values = new double[cameras][];
     for (int camera = 0; camera < cameras; camera++) {
-      values[camera] = new double[setup.cameras().get(camera).pose().levels().size()];
+      values[camera] = new double[setup.cameras().get(camera).pose().views()];
     }
     return values;
+  }
+
+  /** The view through which a camera sees; -1 while it moves blindly. */
+  public int seen(int camera) {
+    return seeing.length == 0 ? level[camera] : seeing[camera];
   }
 
   /** How the targets present are covered: k_min and the rest of a row of {@code steps.csv}. */

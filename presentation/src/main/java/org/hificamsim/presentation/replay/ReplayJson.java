@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.SerializerProvider;
 import com.fasterxml.jackson.databind.module.SimpleModule;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import org.hificamsim.core.obstacle.Obstacle;
 
 /**
  * The JSON form of everything here: an object per record, its fields named as its components. NaN
@@ -17,6 +18,7 @@ import java.io.UncheckedIOException;
 public final class ReplayJson {
   private static final ObjectMapper MAPPER =
       new ObjectMapper()
+          .addMixIn(Obstacle.class, ObstacleJson.class)
           .registerModule(new SimpleModule().addSerializer(double[].class, new NaNAsNull()))
           .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
           .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)

@@ -5,9 +5,10 @@ import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
@@ -23,6 +24,10 @@ import org.hificamsim.core.world.World;
  *     heading
  * @param cameras by number, with those that events add
  * @param targets by number, with those that events add
+ * @param widths of targets, by number, metres; empty where all are as wide as their size
+ * @param slow the numbers of cameras that need time for a move
+ * @param obstacles in the order of the scenario
+ * @param floor pictures under the field, one at most
  */
 public record Setup(
     String scenario,
@@ -35,7 +40,11 @@ public record Setup(
     double targetSize,
     boolean onAxis,
     List<CameraSetup> cameras,
-    List<TargetSetup> targets) {
+    List<TargetSetup> targets,
+    @IfAny List<Double> widths,
+    @IfAny List<Integer> slow,
+    @IfAny List<Obstacle> obstacles,
+    @IfAny List<FloorPicture> floor) {
   private static final Pattern BY_CHANCE = Pattern.compile("@(chance|probability)");
 
   /** The set-up of a world that has not begun yet. */
@@ -45,11 +54,10 @@ public record Setup(
             .mapToObj(i -> new TargetSetup(world.targets().name(i), world.targets().size(i)))
             .toList();
     double size = DetectedRanges.usualSize(world);
-    DetectedRanges ranges = new DetectedRanges(detection, size);
+    List<Obstacle> obstacles = world.scenario().surroundings().obstacles();
+    Poses poses = new Poses(detection, size, obstacles, world.scenario().field());
     List<CameraSetup> cameras =
-        IntStream.range(0, world.cameras().count())
-            .mapToObj(i -> new CameraSetup(world.cameras().name(i), pose(world, i, ranges)))
-            .toList();
+        IntStream.range(0, world.cameras().count()).mapToObj(i -> camera(world, i, poses)).toList();
     return new Setup(
         world.scenario().name(),
         world.scenario().field(),
@@ -61,7 +69,56 @@ public record Setup(
         size,
         detection.model().dependsOnBearing(),
         cameras,
-        targets);
+        targets,
+        widths(world.targets()),
+        slow(world),
+        obstacles,
+        List.of());
+  }
+
+  private static CameraSetup camera(World world, int camera, Poses poses) {
+    return new CameraSetup(
+        world.cameras().name(camera), poses.of(world.cameras(), camera, world.cameraSpec(camera)));
+  }
+
+  private static List<Double> widths(Targets targets) {
+    boolean square =
+        IntStream.range(0, targets.count()).allMatch(i -> targets.width(i) == targets.size(i));
+    return square
+        ? List.of()
+        : IntStream.range(0, targets.count()).mapToObj(targets::width).toList();
+  }
+
+  private static List<Integer> slow(World world) {
+    return IntStream.range(0, world.cameras().count())
+        .filter(i -> world.cameraSpec(i).optics().filter(OpticsSpec::takesTime).isPresent())
+        .boxed()
+        .toList();
+  }
+
+  /** The same with pictures under the field. */
+  public Setup on(List<FloorPicture> pictures) {
+    return new Setup(
+        scenario,
+        field,
+        order,
+        detection,
+        threshold,
+        policy,
+        seed,
+        targetSize,
+        onAxis,
+        cameras,
+        targets,
+        widths,
+        slow,
+        obstacles,
+        pictures);
+  }
+
+  /** How wide a target is, metres. */
+  public double width(int target) {
+    return widths.isEmpty() ? targets.get(target).size() : widths.get(target);
   }
 
   /** Whether targets are detected by chance, as the detection's name says. */
@@ -72,15 +129,7 @@ public record Setup(
   /** How many numbers a frame holds, but for its step. */
   public long numbersPerFrame() {
     return 4L * targets.size()
-        + cameras.stream().mapToLong(camera -> 3 + 2L * camera.pose().levels().size()).sum();
-  }
-
-  /** A camera that is yet to be added stands nowhere in the world: the scenario says where. */
-  private static CameraPose pose(World world, int camera, DetectedRanges ranges) {
-    CameraSpec spec = world.cameraSpec(camera);
-    Cameras cameras = world.cameras();
-    List<Level> levels = ranges.levels(cameras.views(camera), level -> cameras.zoom(camera, level));
-    double angle = cameras.zoom(camera, 0).viewingAngle();
-    return new CameraPose(spec.x(), spec.y(), Math.toRadians(spec.heading()), angle, levels);
+        + (slow.isEmpty() ? 0 : cameras.size())
+        + cameras.stream().mapToLong(camera -> 3 + 2L * camera.pose().views()).sum();
   }
 }

@@ -11,7 +11,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 /** Takes frames of one run, at the end of any step, and notes the cameras that moved. */
 public final class Snapshots {
   private final Setup setup;
-  private final DetectedRanges ranges;
+  private final Poses made;
   private final ZoomPolicy policy;
   private final CameraPose[] poses;
   private String estimated;
@@ -22,7 +22,7 @@ public final class Snapshots {
    */
   public Snapshots(Setup setup, Detection detection, ZoomPolicy policy) {
     this.setup = setup;
-    this.ranges = new DetectedRanges(detection, setup.targetSize());
+    this.made = new Poses(detection, setup.targetSize(), setup.obstacles(), setup.field());
     this.policy = policy;
     this.poses = setup.cameras().stream().map(CameraSetup::pose).toArray(CameraPose[]::new);
   }
@@ -47,6 +47,9 @@ public final class Snapshots {
       frame.level()[camera] = network.view(camera);
       frame.detected()[camera] = network.detected(camera);
     }
+    for (int camera = 0; camera < frame.seeing().length; camera++) {
+      frame.seeing()[camera] = network.seeing(camera);
+    }
     for (int target = 0; target < network.targets(); target++) {
       frame.present()[target] = network.present(target);
       frame.x()[target] = network.oracle().targetX(target);
@@ -69,7 +72,8 @@ public final class Snapshots {
     revision = network.revision();
     List<Move> moves = new ArrayList<>();
     for (int camera = 0; camera < network.cameras(); camera++) {
-      CameraPose pose = network.online(camera) ? pose(network, camera) : poses[camera];
+      CameraPose before = poses[camera];
+      CameraPose pose = network.online(camera) ? made.of(network, camera, before) : before;
       if (!pose.equals(poses[camera])) {
         poses[camera] = pose;
         moves.add(new Move(network.step(), camera, pose));
@@ -81,14 +85,5 @@ public final class Snapshots {
   /** Where every camera is, as the last call of {@link #moves} found it. */
   public List<CameraPose> poses() {
     return Arrays.asList(poses.clone());
-  }
-
-  private CameraPose pose(NetworkView network, int camera) {
-    return new CameraPose(
-        network.cameraX(camera),
-        network.cameraY(camera),
-        network.cameraHeading(camera),
-        network.zoom(camera, 0).viewingAngle(),
-        ranges.levels(network.views(camera), level -> network.zoom(camera, level)));
   }
 }

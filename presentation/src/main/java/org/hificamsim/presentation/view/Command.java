@@ -24,6 +24,9 @@ import org.hificamsim.core.InputException;
   @JsonSubTypes.Type(value = Command.Drag.class, name = "drag"),
   @JsonSubTypes.Type(value = Command.Turn.class, name = "turn"),
   @JsonSubTypes.Type(value = Command.Add.class, name = "add"),
+  @JsonSubTypes.Type(value = Command.Hold.class, name = "hold"),
+  @JsonSubTypes.Type(value = Command.Wall.class, name = "wall"),
+  @JsonSubTypes.Type(value = Command.Remove.class, name = "remove"),
   @JsonSubTypes.Type(value = Command.Choose.class, name = "choose"),
   @JsonSubTypes.Type(value = Command.Compare.class, name = "compare")
 })
@@ -123,6 +126,38 @@ public sealed interface Command {
     @Override
     public void obey(Session session) {
       session.add(like, x, y);
+    }
+  }
+
+  /**
+   * A camera stays in a view, whatever its policy chooses, in all simulations.
+   *
+   * @param view -1 to leave it to the policy again
+   */
+  record Hold(int camera, int view) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.hold(camera, view);
+    }
+  }
+
+  /** A solid wall more, its ends in metres: learning begins anew. */
+  record Wall(double x1, double y1, double x2, double y2) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.wall(x1, y1, x2, y2);
+    }
+  }
+
+  /**
+   * An obstacle less: learning begins anew.
+   *
+   * @param obstacle its number in the scenario, from 0
+   */
+  record Remove(int obstacle) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.remove(obstacle);
     }
   }
 

@@ -1,13 +1,20 @@
 package org.hificamsim.presentation.view;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.Surroundings;
+import org.hificamsim.core.scenario.TargetSpec;
 
-/** A scenario with cameras that have been moved, turned and added since it was read. */
+/** A scenario with cameras and walls that have been changed since it was read. */
 final class EditedScenario {
   private static final String ADDED = "added-";
 
@@ -32,7 +39,7 @@ final class EditedScenario {
   /**
    * Moves a camera; metres.
    *
-   * @throws InputException when the place is not in the field
+   * @throws InputException when the place is not in the field, or in a solid obstacle
    */
   void move(String name, double x, double y) {
     checkPlace(x, y);
@@ -70,6 +77,71 @@ final class EditedScenario {
     now = now.withCamera(spec.named(freeName()).standing(x, y, spec.heading()));
   }
 
+  /**
+   * Adds a solid wall after the other obstacles; metres.
+   *
+   * @throws InputException when its ends are one point or not in the field, or a camera or target
+   *     would stand in it
+   */
+  void wall(double x1, double y1, double x2, double y2) {
+    checkInField(x1, y1);
+    checkInField(x2, y2);
+    if (x1 == x2 && y1 == y2) {
+      throw new InputException(
+          "both ends of the wall are (%s, %s), expected two places".formatted(x1, y1));
+    }
+    Obstacle wall = new Obstacle.Wall(x1, y1, x2, y2, 0);
+    places()
+        .filter(place -> wall.contains(place.x(), place.y()))
+        .findFirst()
+        .ifPresent(
+            place -> {
+              throw new InputException(
+                  "the wall is expected off all cameras and targets, and one stands at (%s, %s)"
+                      .formatted(place.x(), place.y()));
+            });
+    List<Obstacle> more = new ArrayList<>(now.surroundings().obstacles());
+    more.add(wall);
+    change(more);
+  }
+
+  /**
+   * Takes an obstacle away.
+   *
+   * @throws InputException when there is none of this number
+   */
+  void remove(int number) {
+    List<Obstacle> rest = new ArrayList<>(now.surroundings().obstacles());
+    if (number < 0 || number >= rest.size()) {
+      throw new InputException(
+          "obstacle is %s, expected one of the %s, from 0".formatted(number, rest.size()));
+    }
+    rest.remove(number);
+    change(rest);
+  }
+
+  private void change(List<Obstacle> obstacles) {
+    Surroundings before = now.surroundings();
+    now = now.withSurroundings(new Surroundings(obstacles, before.occlusion(), before.floorplan()));
+  }
+
+  /** Where a scenario file may have nothing solid: cameras and the starts and ways of targets. */
+  private Stream<Point> places() {
+    Stream<TargetSpec> later =
+        now.events().stream()
+            .filter(ScenarioEvent.AddTarget.class::isInstance)
+            .map(event -> ((ScenarioEvent.AddTarget) event).target());
+    return Stream.concat(
+        cameras().map(camera -> new Point(camera.x(), camera.y())),
+        Stream.concat(now.targets().stream(), later).flatMap(EditedScenario::places));
+  }
+
+  private static Stream<Point> places(TargetSpec target) {
+    return Stream.concat(
+        Stream.of(new Point(target.x(), target.y())),
+        target.movement().waypoints().stream().map(point -> new Point(point.x(), point.y())));
+  }
+
   private String freeName() {
     int number = 1;
     while (isTaken(ADDED + number)) {
@@ -92,6 +164,14 @@ final class EditedScenario {
   }
 
   private void checkPlace(double x, double y) {
+    checkInField(x, y);
+    if (new Obstacles(now.surroundings().obstacles()).containing(x, y).isPresent()) {
+      throw new InputException(
+          "x is %s and y is %s, expected a place off all solid obstacles".formatted(x, y));
+    }
+  }
+
+  private void checkInField(double x, double y) {
     Field field = now.field();
     if (!field.contains(x, y) || Double.isNaN(x) || Double.isNaN(y)) {
       throw new InputException(

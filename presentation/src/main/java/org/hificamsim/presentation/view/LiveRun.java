@@ -5,12 +5,16 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
+import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
 
@@ -25,6 +29,8 @@ public final class LiveRun {
   private final String firstName;
   private final DetectionSpec first;
   private final List<Choice> choices = new ArrayList<>();
+  private final List<FloorPicture> floor;
+  private final Map<Integer, Integer> held = new TreeMap<>();
   private List<LiveSide> sides = new ArrayList<>();
   private long seed;
   private long next;
@@ -34,6 +40,17 @@ public final class LiveRun {
    * @throws InputException when the choice is wrong or does not suit the scenario
    */
   public LiveRun(Catalogue catalogue, Scenario scenario, Choice choice, long seed) {
+    this(catalogue, scenario, choice, seed, List.of());
+  }
+
+  /**
+   * @param choice of the first simulation; its detection may be a model file
+   * @param floor pictures under the field
+   * @throws InputException when the choice is wrong or does not suit the scenario
+   */
+  public LiveRun(
+      Catalogue catalogue, Scenario scenario, Choice choice, long seed, List<FloorPicture> floor) {
+    this.floor = List.copyOf(floor);
     this.catalogue = catalogue;
     this.scenario = new EditedScenario(scenario);
     this.firstName = choice.detection();
@@ -67,9 +84,10 @@ public final class LiveRun {
     next = 0;
   }
 
-  /** Has cameras begin as the scenario says, from the next restart on. */
+  /** Has everything be as the scenario says, from the next restart on. */
   public void forgetEdits() {
     scenario.forget();
+    held.clear();
   }
 
   /**
@@ -103,6 +121,58 @@ public final class LiveRun {
    */
   public void add(int like, double x, double y) {
     scenario.add(online(like), x, y);
+    rebuild();
+  }
+
+  /**
+   * Adds a solid wall to every simulation, as if it had been there from the start: targets are
+   * where they would be then, learning begins anew. The next step tells where every camera is.
+   *
+   * @throws InputException when its ends are one point or not in the field, or a camera or target
+   *     would stand in it
+   */
+  public void wall(double x1, double y1, double x2, double y2) {
+    scenario.wall(x1, y1, x2, y2);
+    rebuild();
+  }
+
+  /**
+   * Takes an obstacle away, as {@link #wall} adds one.
+   *
+   * @param obstacle its number, from 0
+   * @throws InputException when there is no such obstacle
+   */
+  public void remove(int obstacle) {
+    scenario.remove(obstacle);
+    rebuild();
+  }
+
+  /**
+   * Has a camera stay in a view in every simulation, from the next step on.
+   *
+   * @param view -1 to leave it to the policies again
+   * @throws InputException when there is no such camera online, or it has no such view
+   */
+  public void hold(int camera, int view) {
+    online(camera);
+    int views = sides.get(0).world().cameras().views(camera);
+    if (view < -1 || view >= views) {
+      throw new InputException(
+          "view is %s, expected one from 0 to %s, or -1".formatted(view, views - 1));
+    }
+    if (view < 0) {
+      held.remove(camera);
+    } else {
+      held.put(camera, view);
+    }
+  }
+
+  /** The cameras that are held in a view. */
+  Set<Integer> held() {
+    return new TreeSet<>(held.keySet());
+  }
+
+  private void rebuild() {
     World before = sides.get(0).world();
     List<LiveSide> begun = new ArrayList<>();
     for (Choice choice : choices) {
@@ -182,7 +252,7 @@ public final class LiveRun {
     Detection detection =
         Overrides.ofDetection(Optional.ofNullable(choice.threshold()), Optional.empty())
             .detection(spec(choice.detection()), scenario.now());
-    return new LiveSide(world, catalogue, detection, choice.policy(), ofSeed, at);
+    return new LiveSide(world, catalogue, detection, choice.policy(), ofSeed, at, floor, held);
   }
 
   /** A page may name what the catalogue has, and the file that the session began with. */
@@ -205,7 +275,7 @@ public final class LiveRun {
     return seed;
   }
 
-  /** The scenario with its cameras as they were put. */
+  /** The scenario with its cameras and walls as they were put. */
   Scenario scenario() {
     return scenario.now();
   }

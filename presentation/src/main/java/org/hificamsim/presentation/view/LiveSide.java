@@ -2,6 +2,7 @@ package org.hificamsim.presentation.view;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
@@ -12,6 +13,7 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.CameraPose;
+import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
@@ -28,8 +30,9 @@ final class LiveSide {
   /**
    * @param world as the steps before {@code next} have left it
    * @param seed of the world, and of the policy
-   * @param next the step that comes next
    * @param policySpec name and options
+   * @param next the step that comes next
+   * @param held views of cameras that their policy does not choose, now or later
    * @throws InputException when the policy is unknown or does not suit the scenario
    */
   LiveSide(
@@ -38,17 +41,20 @@ final class LiveSide {
       Detection detection,
       String policySpec,
       long seed,
-      long next) {
+      long next,
+      List<FloorPicture> floor,
+      Map<Integer, Integer> held) {
     this.world = world;
     ZoomPolicy policy = catalogue.policies().create(policySpec);
     if (policy instanceof HindsightZoomPolicy) {
       throw new InputException(
           "policy '" + policy.name() + "' looks at the whole run first: it cannot be viewed live");
     }
-    this.setup = Setup.of(world, detection, policySpec, seed);
+    this.setup = Setup.of(world, detection, policySpec, seed).on(floor);
     this.snapshots = new Snapshots(setup, detection, policy);
     this.simulation =
-        new Simulation(world, detection, policy, seed, List.of(this::record)).continuingAt(next);
+        new Simulation(world, detection, new HeldViews(policy, held), seed, List.of(this::record))
+            .continuingAt(next);
   }
 
   /** Runs one step. */

@@ -44,7 +44,8 @@ public record LiveStep(List<Side> sides) {
             frame.y(),
             frame.coverage(),
             new double[0][],
-            new double[0][]);
+            new double[0][],
+            frame.seeing());
     changed.set(side, new Side(bare, sides.get(side).moves()));
     return new LiveStep(changed);
   }

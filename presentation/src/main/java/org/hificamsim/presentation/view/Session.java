@@ -1,7 +1,9 @@
 package org.hificamsim.presentation.view;
 
+import com.fasterxml.jackson.annotation.JsonInclude;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -53,8 +55,15 @@ public final class Session implements AutoCloseable {
    * How it runs.
    *
    * @param fault why it has stopped; empty unless a policy or model failed
+   * @param held cameras that somebody holds in a view
    */
-  record StateMessage(boolean running, int perSecond, long next, long seed, String fault) {}
+  record StateMessage(
+      boolean running,
+      int perSecond,
+      long next,
+      long seed,
+      String fault,
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) Set<Integer> held) {}
 
   private final LiveRun run;
   private final LinkedBlockingQueue<Runnable> queue = new LinkedBlockingQueue<>();
@@ -92,7 +101,7 @@ public final class Session implements AutoCloseable {
         });
   }
 
-  /** The scenario with its cameras as commands have put them, as XML. */
+  /** The scenario with its cameras and walls as commands have put them, as XML. */
   CompletableFuture<Object> scenario() {
     return inTurn(() -> ScenarioWriter.write(run.scenario()));
   }
@@ -235,6 +244,21 @@ public final class Session implements AutoCloseable {
     beginAnew();
   }
 
+  void hold(int camera, int view) {
+    run.hold(camera, view);
+    tellState();
+  }
+
+  void wall(double x1, double y1, double x2, double y2) {
+    run.wall(x1, y1, x2, y2);
+    beginAnew();
+  }
+
+  void remove(int obstacle) {
+    run.remove(obstacle);
+    beginAnew();
+  }
+
   void choose(int side, Choice choice) {
     run.choose(side, choice);
     history.replaceAll(step -> step.withoutEstimates(side));
@@ -268,7 +292,8 @@ public final class Session implements AutoCloseable {
   }
 
   private String state() {
-    return ReplayJson.of(new StateMessage(running, perSecond, run.next(), run.seed(), fault));
+    return ReplayJson.of(
+        new StateMessage(running, perSecond, run.next(), run.seed(), fault, run.held()));
   }
 
   private static void between(String name, int value, int least, int most) {

@@ -1,6 +1,8 @@
-// What the chosen camera does and knows: a bar of its estimate for each zoom level.
+// What the chosen camera does and knows: a bar of its estimate for each zoom level, or each view.
 import { el, decimals, metres, say } from './dom.js';
 import { PoseForm } from './pose-form.js';
+import { ViewTable } from './view-table.js';
+import { viewOf } from './views.js';
 
 const MEANING = {
   Q: 'Q of the state the camera is in. ',
@@ -18,22 +20,38 @@ export class AgentPanel {
     this.counted = Boolean(run.estimated) && run.estimated !== 'Q';
     this.title = el('h2', {}, '');
     this.facts = el('p', {class: 'facts'});
-    this.head = el('tr', {}, ...['level', 'radius', 'detects at'].map(text => el('th', {scope: 'col'}, text)),
-      run.estimated ? el('th', {scope: 'col', class: 'wide'}, run.estimated) : null, this.counted ? el('th', {scope: 'col'}, 'times used') : null);
+    this.edit = edit;
+    this.head = el('tr');
+    this.views = el('div');
     this.body = el('tbody');
     this.note = el('p', {class: 'note'});
     this.element = el('section', {class: 'agent', 'aria-label': 'the chosen camera'}, this.title, this.facts, this.form?.element,
-      el('table', {}, el('thead', {}, this.head), this.body), this.note);
+      el('table', {}, el('thead', {}, this.head), this.body), this.views, this.note);
     if (run.setup.cameras.length) this.select(0);
   }
 
   select(camera) {
     this.camera = camera;
     say(this.title, this.run.setup.cameras[camera].name);
-    this.rows = this.run.setup.cameras[camera].pose.levels.map((level, i) => levelRow(i, this.run.estimated, this.counted));
+    const {pose} = this.run.setup.cameras[camera];
+    const inRows = !pose.pans; // estimates: otherwise in the table of views
+    const [estimated, counted] = [inRows && this.run.estimated, inRows && this.counted];
+    const heads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text => el('th', {scope: 'col'}, text));
+    this.head.replaceChildren(el('th', {scope: 'col'}, 'level'), ...heads,
+      ...(estimated ? [el('th', {scope: 'col', class: 'wide'}, estimated)] : []), ...(counted ? [el('th', {scope: 'col'}, 'times used')] : []));
+    this.rows = pose.levels.map((level, i) => levelRow(i, estimated, counted));
+    this.showViews(pose);
     this.body.replaceChildren(...this.rows.map(row => row.element).reverse());
     this.pose = null;
     this.show(this.frame || 0);
+  }
+
+  /** Makes the table of a camera that can turn, and the choice to leave its views to the policy again. */
+  showViews(pose) {
+    const hold = this.edit?.hold;
+    this.table = pose.pans ? new ViewTable(pose, hold && (view => hold(this.camera, view))) : null;
+    this.free = hold && this.table ? el('button', {type: 'button', class: 'free', hidden: true, onclick: () => hold(this.camera, -1)}, 'leave its views to the policy') : null;
+    this.views.replaceChildren(...[this.table && el('h3', {}, this.run.estimated ? `views: ${this.run.estimated}` : 'views'), this.free, this.table?.element].filter(Boolean));
   }
 
   show(frame) {
@@ -41,21 +59,31 @@ export class AgentPanel {
     const {run, camera} = this;
     if (!run.count || !this.rows) return;
     const pose = run.pose(camera, frame);
-    const level = run.level[camera][frame];
+    const view = run.level[camera][frame];
+    const blind = run.seen(camera, frame) < 0;
     const online = run.online[camera][frame];
     say(this.facts, `x ${metres(pose.x)}, y ${metres(pose.y)}` +
-      (online ? `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets` : '; not online'));
+      (online ? `; detects ${run.detected[camera][frame]} of ${run.targets[frame]} targets${blind ? '; on its way to its view, sees nothing' : ''}` : '; not online'));
     this.form?.show(camera, pose);
     if (pose !== this.pose) this.describe(pose);
-    this.rows.forEach((row, i) => row.element.classList.toggle('now', Boolean(online) && i === level));
-    if (run.estimated) this.estimates(frame);
+    this.rows.forEach((row, i) => row.element.classList.toggle('now', Boolean(online) && i === view % pose.levels.length));
+    if (this.table) this.showTable(frame, online ? view : -1, blind);
+    else if (run.estimated) this.estimates(frame);
     say(this.note, this.remark());
+  }
+
+  showTable(frame, view, blind) {
+    const {run, camera} = this;
+    const of = lists => (run.estimated ? lists[camera].map(list => list[frame]) : null);
+    this.table.show(view, blind, of(run.estimates), this.counted ? of(run.counts) : null);
+    if (this.free) this.free.hidden = !this.edit.held(camera);
   }
 
   describe(pose) {
     this.pose = pose;
     pose.levels.forEach((level, i) => {
-      say(this.rows[i].radius, `${decimals(level.radius, 3)} m`);
+      const {viewingAngle} = viewOf(pose, i);
+      say(this.rows[i].radius, pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}°` : `${decimals(level.radius, 3)} m`);
       say(this.rows[i].range, level.detected.map(({from, to}) => `${decimals(from)}–${decimals(to)} m`).join(', ') || 'nowhere');
     });
   }

@@ -93,7 +93,7 @@ export function onKeys(actionOf) {
   document.addEventListener('keydown', event => {
     const tag = event.target.tagName;
     if (event.ctrlKey || event.altKey || event.metaKey || tag === 'SELECT' || tag === 'TEXTAREA') return;
-    if (tag === 'INPUT' && event.target.type !== 'range') return;
+    if (tag === 'INPUT' && (event.target.type !== 'range' || event.target.dataset.keys === 'own')) return;
     if (event.key === ' ' && (tag === 'BUTTON' || tag === 'SUMMARY')) return;
     const action = actionOf(event);
     if (!action) return;

@@ -1,6 +1,9 @@
 // The field to scale: cameras with their fields of view, the ranges in which they detect, targets and trails.
 import { el, metres, decimals, onThemeChange, style, Surface } from './dom.js';
 import { COVER, coverClass, shape } from './palette.js';
+import { densityAt, paintZones, ZONES, zoneAt } from './density.js';
+import { named, Site } from './site.js';
+import { fillDetected, inSight, sector, signed, viewOf } from './views.js';
 
 const TRAIL = 40;
 const NEAR = 16;
@@ -13,22 +16,57 @@ const ROOM = 40; // pixels a figure has about it before it shrinks
 export class FieldView {
   /**
    * @param run what is shown
-   * @param on `select(camera)` when one is clicked; `drag(camera, x, y)`, if cameras can be moved
+   * @param on `select(camera)` when one is clicked; `drag(camera, x, y)`, if cameras can be moved; `line(ends)` when a wall has been
+   *   drawn, its ends as x and y in turn, and `lining(ends)` while it is
    */
   constructor(run, on) {
     this.run = run;
     this.on = on;
     this.frame = 0;
     this.selected = -1;
+    this.prominence = prominence(run.setup);
     this.surface = new Surface({class: 'field', role: 'img', tabindex: 0}, (context, width, height) => this.paint(context, width, height));
     this.tip = el('div', {class: 'tip', hidden: true});
-    this.element = el('div', {class: 'field-box'}, this.surface.canvas, this.tip, legend());
+    this.site = new Site(run.setup, () => this.surface.draw());
+    const [options, more] = [this.options(), this.site.legend(run.setup)];
+    this.element = el('div', {class: options || more.length ? 'field-box much' : 'field-box'}, this.surface.canvas, this.tip, options, legend(more));
     this.readColours();
     onThemeChange(() => {
       this.readColours();
       this.surface.draw();
     });
     this.listen(this.surface.canvas);
+  }
+
+  /** What can be shown or not: zones of pixel density, and the floorplan, more or less of it. */
+  options() {
+    const known = this.run.setup.cameras.some(({pose}) => pose.lenses?.some(({density}) => density));
+    const zones = el('input', {type: 'checkbox', name: 'zones', onchange: () => this.showZones(zones.checked)});
+    this.zoneKey = el('span', {class: 'zone-key', hidden: true}, ...ZONES.map(({name, least, colour}) => swatch(colour, `${name} ${least}`)));
+    const floor = el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.site.opacity, oninput: () => this.fade(floor.value / 100)});
+    const parts = [
+      ...(known ? [el('label', {}, zones, ' pixel density of the chosen camera (EN 62676-4, px/m)'), this.zoneKey] : []),
+      ...(this.site.floor.length ? [el('label', {}, 'floorplan ', floor)] : []),
+    ];
+    return parts.length ? el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'}, ...parts) : null;
+  }
+
+  showZones(on) {
+    this.zones = on;
+    this.zoneKey.hidden = !on;
+    this.surface.draw();
+  }
+
+  fade(opacity) {
+    this.site.opacity = opacity;
+    this.surface.draw();
+  }
+
+  /** Whether pressing in the field begins a wall. */
+  drawLines(on) {
+    this.draws = on;
+    this.line = null;
+    this.surface.draw();
   }
 
   show(frame) {
@@ -43,7 +81,7 @@ export class FieldView {
   }
 
   readColours() {
-    this.colours = Object.fromEntries(['ink', 'faint', 'grid', 'paper', 'camera', 'range'].map(name => [name, style(`--${name}`)]));
+    this.colours = Object.fromEntries(['ink', 'faint', 'grid', 'paper', 'camera', 'range', 'wall', 'shadow', 'accent'].map(name => [name, style(`--${name}`)]));
   }
 
   listen(canvas) {
@@ -53,12 +91,18 @@ export class FieldView {
       this.tip.hidden = true;
     });
     canvas.addEventListener('pointerdown', event => this.pressed(event));
-    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, () => (this.grabbed = null));
+    for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, event => this.released(event.type === 'pointerup'));
   }
 
   pressed(event) {
     if (event.button !== 0) return;
     this.pointer = [event.offsetX, event.offsetY];
+    if (this.draws) {
+      const place = this.map.place(...this.pointer);
+      this.line = [...place, ...place];
+      this.surface.canvas.setPointerCapture(event.pointerId);
+      return;
+    }
     const camera = this.nearest().camera;
     this.on.select(camera);
     if (camera >= 0 && this.on.drag) {
@@ -71,7 +115,23 @@ export class FieldView {
   moved(event) {
     this.pointer = [event.offsetX, event.offsetY];
     if (this.grabbed) this.dragGrabbed(this.grabbed);
+    if (this.line) this.drawLine();
     this.hover();
+  }
+
+  drawLine() {
+    this.line.splice(2, 2, ...this.map.place(...this.pointer));
+    this.on.lining(this.line);
+    this.surface.draw();
+  }
+
+  /** What was held is let go: a wall that has been drawn is there now, but for a mere click. */
+  released(done) {
+    this.grabbed = null;
+    const {line} = this;
+    this.line = null;
+    if (line && done && this.map.scale * Math.hypot(line[2] - line[0], line[3] - line[1]) >= STILL) this.on.line(line);
+    this.surface.draw();
   }
 
   /** Moves the camera as far as the pointer has moved: it does not jump to where it was pressed. */
@@ -104,7 +164,7 @@ export class FieldView {
   hover() {
     if (!this.map || !this.run.count) return;
     const {camera, target} = this.nearest();
-    const lines = target >= 0 ? this.describeTarget(target) : camera >= 0 ? this.describeCamera(camera) : null;
+    const lines = target >= 0 ? this.describeTarget(target) : camera >= 0 ? this.describeCamera(camera) : this.describePlace();
     this.tip.hidden = !lines;
     if (!lines) return;
     this.tip.textContent = lines.join('\n');
@@ -117,16 +177,26 @@ export class FieldView {
     const {run, frame} = this;
     const k = run.coverage[i][frame];
     return [`target ${run.setup.targets[i].name}`, `x ${metres(run.x[i][frame])}, y ${metres(run.y[i][frame])}`,
-      `covered by ${k} camera${k === 1 ? '' : 's'}`, `size ${decimals(run.setup.targets[i].size, 3)} m`];
+      `covered by ${k} camera${k === 1 ? '' : 's'}`, `size ${decimals(run.setup.targets[i].size, 3)} m${run.setup.widths ? `, ${decimals(run.setup.widths[i], 3)} m wide` : ''}`];
   }
 
   describeCamera(i) {
     const {run, frame} = this;
     const pose = run.pose(i, frame);
-    const level = run.level[i][frame];
+    const view = run.level[i][frame];
     return [`camera ${run.setup.cameras[i].name}`, `x ${metres(pose.x)}, y ${metres(pose.y)}`,
-      run.online[i][frame] ? `level ${level}, radius ${decimals(pose.levels[level].radius, 3)} m` : 'not online',
+      run.online[i][frame] ? describeView(pose, view) + (run.seen(i, frame) < 0 ? ', on its way to it: sees nothing' : '') : 'not online',
       `detects ${run.detected[i][frame]} of ${run.targets[frame]} targets`];
+  }
+
+  /** The obstacle under the pointer, and the pixel density there where zones are shown. */
+  describePlace() {
+    const obstacle = this.site.at(this.surface.canvas.getContext('2d'), ...this.pointer);
+    const lines = obstacle >= 0 ? [named(this.site.obstacles[obstacle])] : [];
+    const online = this.zones && this.run.online[this.selected]?.[this.frame];
+    const density = online ? densityAt(this.view(this.selected), ...this.map.place(...this.pointer)) : NaN;
+    if (Number.isFinite(density)) lines.push(`${decimals(density, 1)} px/m: ${zoneAt(density)}`);
+    return lines.length ? lines : null;
   }
 
   paint(context, width, height) {
@@ -134,16 +204,19 @@ export class FieldView {
     if (this.surface.changed) {
       this.map = fit(run.setup.field, width, height, this.surface.unit);
       this.size = this.figureSize(width, height);
+      this.site.fit(this.map, this.surface.unit);
       this.surface.changed = false;
     }
     context.fillStyle = this.colours.paper;
     context.fillRect(0, 0, width, height);
+    this.site.paintFloor(context);
     this.paintGrid(context, width, height);
     if (!run.count) return;
-    run.setup.cameras.forEach((camera, i) => run.online[i][frame] && this.paintView(context, i));
+    this.paintSight(context);
     this.paintTrails(context);
     run.setup.cameras.forEach((camera, i) => this.paintCamera(context, i));
     run.setup.targets.forEach((target, i) => run.present[i][frame] && this.paintTarget(context, i));
+    this.paintLine(context);
     this.label();
   }
 
@@ -186,26 +259,56 @@ export class FieldView {
   /** The field of view as an outline, the ranges in which a target of the usual size is detected as areas. */
   paintView(context, i) {
     const {run, frame, map, colours} = this;
-    const pose = run.pose(i, frame);
-    const level = pose.levels[run.level[i][frame]];
+    const blind = run.seen(i, frame) < 0;
+    const view = this.view(i);
     const chosen = i === this.selected;
-    context.fillStyle = colours.range;
-    context.globalAlpha = chosen ? 0.4 : 0.13;
-    for (const {from, to} of level.detected) {
+    const {unit} = this.surface;
+    inSight(context, map, view, () => {
+      context.fillStyle = colours.range;
+      context.globalAlpha = chosen ? 0.4 : 0.13;
+      if (!blind && !(chosen && this.zones)) fillDetected(context, map, view);
+      context.globalAlpha = chosen ? 1 : 0.55;
+      context.strokeStyle = colours.range;
+      context.lineWidth = (chosen ? 2.5 : 1) * unit;
+      context.setLineDash(blind ? [2 * unit, 5 * unit] : chosen ? [] : [5 * unit, 4 * unit]);
       context.beginPath();
-      sector(context, map, pose, to);
-      if (from > 0) sector(context, map, pose, from);
-      context.fill('evenodd');
+      sector(context, map, view, view.reach);
+      context.stroke();
+      context.setLineDash([]);
+      context.globalAlpha = 1;
+    });
+  }
+
+  /** What a camera sees in this frame, or will see once it has moved. */
+  view(i) {
+    const {run, frame} = this;
+    const seen = run.seen(i, frame);
+    return viewOf(run.pose(i, frame), seen < 0 ? run.level[i][frame] : seen);
+  }
+
+  paintSight(context) {
+    const {run, frame, map} = this;
+    const online = run.setup.cameras.map((camera, i) => i).filter(i => run.online[i][frame]);
+    const {selected} = this;
+    if (this.zones && online.includes(selected) && run.seen(selected, frame) >= 0) {
+      paintZones(context, map, this.view(selected), this.colours.ink, this.surface.unit);
     }
-    context.globalAlpha = chosen ? 1 : 0.55;
-    context.strokeStyle = colours.range;
-    context.lineWidth = (chosen ? 2.5 : 1) * this.surface.unit;
-    context.setLineDash(chosen ? [] : [5 * this.surface.unit, 4 * this.surface.unit]);
+    online.forEach(i => this.paintView(context, i));
+    if (this.site.obstacles.length) {
+      this.site.paintShadows(context, online.filter(i => run.seen(i, frame) >= 0).map(i => this.view(i)), this.colours.shadow);
+      this.site.paintObstacles(context, this.colours.wall);
+    }
+  }
+
+  paintLine(context) {
+    if (!this.line) return;
+    const [x1, y1, x2, y2] = this.line;
+    context.strokeStyle = this.colours.accent;
+    context.lineWidth = 3 * this.surface.unit;
     context.beginPath();
-    sector(context, map, pose, level.radius);
+    context.moveTo(this.map.x(x1), this.map.y(y1));
+    context.lineTo(this.map.x(x2), this.map.y(y2));
     context.stroke();
-    context.setLineDash([]);
-    context.globalAlpha = 1;
   }
 
   paintTrails(context) {
@@ -229,10 +332,10 @@ export class FieldView {
     context.globalAlpha = 1;
   }
 
-  /** A square with a short line along the heading; hollow and crossed out while it is not online. */
+  /** A square with a short line along its view; hollow and crossed out while it is not online. */
   paintCamera(context, i) {
     const {run, frame, map, colours} = this;
-    const pose = run.pose(i, frame);
+    const pose = this.view(i);
     const [x, y] = [map.x(pose.x), map.y(pose.y)];
     const r = (i === this.selected ? 7 : 5) * this.size;
     const online = run.online[i][frame];
@@ -261,7 +364,8 @@ export class FieldView {
     const k = run.coverage[i][frame];
     const kind = coverClass(k);
     const [x, y] = [map.x(run.x[i][frame]), map.y(run.y[i][frame])];
-    const r = Math.max(9 * this.size, (map.scale * run.setup.targets[i].size) / 2);
+    const width = run.setup.widths?.[i] ?? run.setup.targets[i].size;
+    const r = Math.max(9 * this.size * this.prominence[i], (map.scale * width) / 2);
     context.fillStyle = COVER[kind].colour;
     context.strokeStyle = colours.ink;
     context.lineWidth = 1.5 * this.size;
@@ -305,27 +409,33 @@ function fit({minX, maxX, minY, maxY}, width, height, unit) {
   };
 }
 
-/** A sector or a full circle about a camera; headings run clockwise from +y, which is upwards. */
-function sector(context, map, {x, y, heading, viewingAngle}, radius) {
-  const [cx, cy, r] = [map.x(x), map.y(y), map.scale * radius];
-  if (viewingAngle >= 2 * Math.PI) {
-    context.moveTo(cx + r, cy);
-    context.arc(cx, cy, r, 0, 2 * Math.PI);
-  } else {
-    const along = heading - Math.PI / 2;
-    context.moveTo(cx, cy);
-    context.arc(cx, cy, r, along - viewingAngle / 2, along + viewingAngle / 2);
-    context.closePath();
-  }
-}
-
 /** 1, 2 or 5 times a power of ten, at least this much. */
 function niceGap(least) {
   const power = 10 ** Math.floor(Math.log10(least));
   return power * [1, 2, 5, 10].find(factor => factor * power >= least);
 }
 
-function legend() {
+/** A view in words. */
+function describeView(pose, view) {
+  const {zoom, pan, level, viewingAngle} = viewOf(pose, view);
+  return `level ${zoom}, ${pose.pans ? `${signed(pan)}, ` : ''}` +
+    (pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide` : `radius ${decimals(level.radius, 3)} m`);
+}
+
+/** How large targets are drawn whose own size would be too small: by their widths, where these differ. */
+function prominence({targets, widths, targetSize}) {
+  const all = widths ?? targets.map(({size}) => size);
+  const alike = new Set(all).size < 2;
+  return all.map(width => (alike ? 1 : Math.max(0.6, Math.min(2, width / targetSize))));
+}
+
+function swatch(colour, text) {
+  const mark = el('i', {class: 'swatch'});
+  mark.style.background = colour;
+  return el('span', {}, mark, text);
+}
+
+function legend(more) {
   const items = COVER.map((cover, kind) => {
     const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
     svg.setAttribute('viewBox', '-10 -10 20 20');
@@ -337,7 +447,7 @@ function legend() {
     return el('span', {}, svg, cover.label);
   });
   return el('div', {class: 'legend'}, 'covered by', ...items, el('span', {class: 'key-view'}, 'field of view'),
-    el('span', {class: 'key-range'}, 'detection range'));
+    el('span', {class: 'key-range'}, 'detection range'), ...more.map(([mark, text]) => el('span', {class: mark}, text)));
 }
 
 /** A shape as the data of an SVG path. */

@@ -4,22 +4,30 @@ import { FieldView } from './field.js';
 import { Readout } from './readout.js';
 import { AgentPanel } from './agent.js';
 import { Timeline } from './timeline.js';
+import { WallForm } from './wall-form.js';
 
 export class Player {
   /**
    * @param run recorded or growing
    * @param playhead may be shared with other players
-   * @param options `middle`: an element between the field and the timeline; `edit`: cameras can be moved, as {@link PoseForm} says;
+   * @param options `middle`: an element between the field and the timeline; `edit`: what can be done to cameras and walls, as {@link PoseForm}, {@link ViewTable}
+   *   and {@link WallForm} say;
    *   `ceiling()`: how far the axis of k_min reaches at least
    */
   constructor(run, playhead, options = {}) {
     this.run = run;
     this.playhead = playhead;
-    const on = {select: camera => this.select(camera), drag: options.edit?.move, ceiling: options.ceiling};
+    const {edit} = options;
+    const on = {
+      select: camera => this.select(camera), drag: edit?.move, ceiling: options.ceiling,
+      line: ends => edit.wall(...ends), lining: ends => this.walls.show(ends),
+    };
     this.field = new FieldView(run, on);
     this.readout = new Readout(run);
     this.agent = new AgentPanel(run, options.edit);
     this.timeline = new Timeline(playhead, on);
+    this.walls = edit && new WallForm(run.setup, {...edit, drawing: draws => this.field.drawLines(draws)});
+    if (edit) this.agent.element.append(this.walls.element);
     this.element = el('div', {class: 'player'}, this.field.element,
       el('div', {class: 'side'}, this.readout.element, this.agent.element), options.middle, this.timeline.element);
     this.timeline.load(run);

@@ -60,11 +60,12 @@ export async function unpack(setup, packed) {
     run.coverage[i] = next(plain);
   });
   if (packed.estimated) {
-    setup.cameras.forEach((camera, i) => camera.pose.levels.forEach((level, j) => {
-      run.estimates[i][j] = next(optional(packed.estimateScale));
+    run.estimates.forEach((views, i) => views.forEach((list, j) => {
+      views[j] = next(optional(packed.estimateScale));
       run.counts[i][j] = next(optional(1));
     }));
   }
+  run.seeing.forEach((list, i) => (run.seeing[i] = next(plain)));
   packed.moves.forEach(move => run.move(move));
   Object.assign(run, {every: packed.every, steps: packed.steps, seed: packed.seed, number: packed.run});
   for (run.count = 0; run.count < packed.frames; run.count++) run.measure(run.count);

@@ -1,4 +1,5 @@
 // A run as far as it is known: the set-up, and a list by frame for each quantity. It may still grow.
+import { viewCount } from './views.js';
 
 /** Says that one step in so many is shown. */
 export const thinned = (run, every) => `This run has ${run.steps} steps; the page shows one in ${every}`;
@@ -26,8 +27,9 @@ export class Run {
     this.x = lists(targets);
     this.y = lists(targets);
     this.coverage = lists(targets);
-    this.estimates = setup.cameras.map(camera => lists(camera.pose.levels.length));
-    this.counts = setup.cameras.map(camera => lists(camera.pose.levels.length));
+    this.seeing = setup.slow ? lists(cameras) : []; // the view through which a camera sees, -1 while it moves blindly
+    this.estimates = setup.cameras.map(camera => lists(viewCount(camera.pose)));
+    this.counts = setup.cameras.map(camera => lists(viewCount(camera.pose)));
     this.poses = setup.cameras.map(camera => [{step: -1, pose: camera.pose}]);
     this.kMin = [];
     this.highest = 0;
@@ -42,8 +44,9 @@ export class Run {
     for (const name of ['online', 'level', 'detected', 'present', 'x', 'y', 'coverage']) {
       frame[name].forEach((value, i) => this[name][i].push(value));
     }
+    frame.seeing?.forEach((view, i) => this.seeing[i].push(view));
     for (const name of ['estimates', 'counts']) {
-      this[name].forEach((levels, camera) => levels.forEach((list, level) => list.push(frame[name][camera]?.[level] ?? NaN)));
+      this[name].forEach((views, camera) => views.forEach((list, view) => list.push(frame[name][camera]?.[view] ?? NaN)));
     }
     moves.forEach(move => this.move(move));
     this.steps = frame.step + 1;
@@ -66,12 +69,17 @@ export class Run {
     poses.push({step: this.step[this.count - 1] ?? -1, pose: {...last.pose, ...change}, preview: true});
   }
 
+  /** Shows a camera where it was before somebody asked for what was refused. */
+  forgetPreview(camera) {
+    if (this.poses[camera]?.at(-1).preview) this.poses[camera].pop();
+  }
+
   /** Leaves out every other frame, but not the last one. */
   thin() {
     const rest = (this.count - 1) % 2;
     const half = list => list.filter((value, i) => i % 2 === rest);
     this.step = half(this.step);
-    for (const name of ['online', 'level', 'detected', 'present', 'x', 'y', 'coverage', 'covered']) this[name] = this[name].map(half);
+    for (const name of ['online', 'level', 'detected', 'present', 'x', 'y', 'coverage', 'covered', 'seeing']) this[name] = this[name].map(half);
     for (const name of ['estimates', 'counts']) this[name] = this[name].map(levels => levels.map(half));
     for (const name of ['kMin', 'targets', 'sum']) this[name] = half(this[name]);
     this.count = this.step.length;
@@ -120,6 +128,11 @@ export class Run {
     let last = poses.length - 1;
     while (last > 0 && poses[last].step > this.step[frame]) last--;
     return poses[last].pose;
+  }
+
+  /** The view through which a camera sees in a frame; -1 while it moves blindly. */
+  seen(camera, frame) {
+    return (this.seeing[camera] ?? this.level[camera])[frame];
   }
 
   /** The camera that has detected most. */

@@ -2,6 +2,7 @@
 import { el, decimals, onThemeChange, rem, say, style, Surface } from './dom.js';
 import { COVER, levelColour, levelShare } from './palette.js';
 import { SHOWN_RAW, smoothed } from './smooth.js';
+import { signed, viewOf } from './views.js';
 
 const GUTTER = 6.5; // rem, as in the style sheet
 const RIGHT = 1;
@@ -144,9 +145,11 @@ class ZoomStrip {
     const frame = this.frameAt(event.clientX - this.box.getBoundingClientRect().left);
     const camera = this.cameraAt(event);
     const level = this.run.level[camera][frame];
-    const {radius} = this.run.pose(camera, frame).levels[level];
+    const pose = this.run.pose(camera, frame);
+    const {zoom, pan, viewingAngle} = viewOf(pose, level);
+    const wide = pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide` : `radius ${decimals(pose.levels[zoom].radius, 3)} m`;
     const text = this.run.online[camera][frame]
-      ? `level ${level}, radius ${decimals(radius, 3)} m, detects ${this.run.detected[camera][frame]}` : 'not online';
+      ? `level ${zoom}, ${pose.pans ? `${signed(pan)}, ` : ''}${wide}, detects ${this.run.detected[camera][frame]}` : 'not online';
     say(this.value, `${this.run.setup.cameras[camera].name}, step ${this.run.step[frame]}: ${text}`);
   }
 
@@ -195,7 +198,7 @@ function meanLevel(run, camera, from, to) {
   let count = 0;
   for (let frame = from; frame <= to; frame++) {
     if (!run.online[camera][frame]) continue;
-    sum += levelShare(levels[frame], most);
+    sum += levelShare(levels[frame] % most, most);
     count++;
   }
   return sum / count;

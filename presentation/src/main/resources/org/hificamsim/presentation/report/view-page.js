@@ -6,6 +6,8 @@ import { Player } from './player.js';
 import { LivePlayhead } from './live-playhead.js';
 import { ChoiceForm } from './choice.js';
 import { degrees, tidy } from './pose-form.js';
+import { located } from './site.js';
+import { signed, viewOf } from './views.js';
 
 const MAX_FRAMES = 8000;
 const RECENT = 100;
@@ -38,6 +40,7 @@ class LiveView {
     this.thinned = el('p', {class: 'notice', hidden: true});
     this.said = el('p', {class: 'unseen', role: 'status'});
     this.pending = new Map();
+    this.held = []; // cameras whose views are chosen by hand
     this.place = el('div', {class: 'live-view'});
     root.append(this.header(), this.fault, this.thinned, this.said, this.place);
     this.playhead = new LivePlayhead(command => this.send(command));
@@ -50,10 +53,10 @@ class LiveView {
     return el('header', {class: 'live'}, el('h1', {}, this.data.scenario, el('small', {}, 'live')),
       el('p', {class: 'badges'}, this.twice,
         el('button', {type: 'button', id: 'restart', onclick: () => this.restart()}, 'restart'),
-        el('label', {}, 'with seed ', this.seed), el('label', {}, this.keep, ' keep moved cameras'),
+        el('label', {}, 'with seed ', this.seed), el('label', {}, this.keep, ' keep changes'),
         el('a', {href: 'scenario.xml', id: 'save', class: 'button', download: `${this.data.scenario}-edited.xml`}, 'save scenario')),
       el('p', {class: 'note'}, 'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten times as far). ' +
-        'After a new model, policy or camera the targets go on, and learning begins anew.'));
+        'After a new model, policy, camera or wall the targets go on, and learning begins anew.'));
   }
 
   restart() {
@@ -109,7 +112,11 @@ class LiveView {
     this.controls.run = this.runs[0];
     this.playhead.subscribe(frame => this.controls.show(frame));
     if (fresh) this.forms = this.runs.map((run, side) => this.form(run, side));
-    const edit = {move: (camera, x, y) => this.move(camera, x, y), turn: (camera, heading) => this.turn(camera, heading), add: camera => this.add(camera)};
+    const edit = {
+      move: (camera, x, y) => this.move(camera, x, y), turn: (camera, heading) => this.turn(camera, heading), add: camera => this.add(camera),
+      hold: (camera, view) => this.hold(camera, view), held: camera => this.held.includes(camera),
+      wall: (...ends) => this.wall(...ends), remove: obstacle => this.remove(obstacle),
+    };
     const ceiling = () => Math.max(...this.runs.map(run => run.highest));
     this.players = this.runs.map(run => new Player(run, this.playhead, {edit, ceiling, middle: pair ? null : this.controls.element}));
     this.selectTogether();
@@ -172,6 +179,8 @@ class LiveView {
 
   state(state) {
     this.playhead.told(state);
+    this.held = state.held ?? [];
+    this.players.forEach(player => player.agent.show(this.playhead.frame));
     if (document.activeElement !== this.seed) this.seed.value = String(state.seed);
     if (state.fault) this.tell(state.fault);
     if (!this.started && state.next <= 1 && !state.running) this.playhead.play();
@@ -233,6 +242,24 @@ class LiveView {
     this.send({command: 'add', like: camera, ...this.inField(x + (x + apart > maxX && x - apart >= minX ? -apart : apart), y)});
   }
 
+  /** Has a camera stay in a view, or leaves it to the policy again with -1. */
+  hold(camera, view) {
+    const {name, pose} = this.runs[0].setup.cameras[camera];
+    const {zoom, pan} = view < 0 ? {} : viewOf(pose, view);
+    say(this.said, view < 0 ? `camera ${name}: its views are left to the policy` : `camera ${name}: held at level ${zoom}, ${signed(pan)}`);
+    this.send({command: 'hold', camera, view});
+  }
+
+  async wall(...ends) {
+    const [x1, y1, x2, y2] = ends.map(tidy);
+    if (await this.send({command: 'wall', x1, y1, x2, y2})) say(this.said, `wall from (${x1}, ${y1}) to (${x2}, ${y2}) added`);
+  }
+
+  async remove(obstacle) {
+    const place = located(this.runs[0].setup.obstacles[obstacle]);
+    if (await this.send({command: 'remove', obstacle})) say(this.said, `${place}: removed`);
+  }
+
   /** Shows the camera so at once, and says it. */
   preview(camera, change) {
     this.playhead.show(this.playhead.count - 1);
@@ -249,7 +276,7 @@ class LiveView {
     this.editing = true;
     for (const [key, latest] of this.pending) {
       this.pending.delete(key);
-      await this.send(latest);
+      if (!(await this.send(latest))) this.runs.forEach(run => run.forgetPreview(latest.camera));
     }
     this.editing = false;
   }

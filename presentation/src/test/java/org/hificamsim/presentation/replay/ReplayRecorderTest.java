@@ -124,6 +124,42 @@ class ReplayRecorderTest {
   }
 
   @Test
+  void givesBackWhatMovingCamerasSeeAndWhatStandsInTheirWay() throws IOException {
+    Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
+    RunPlan plan = plan(hall, "epsilon-greedy:epsilon=0.5", 100, 1);
+    List<Frame> seen = record(plan, RecordingLimits.USUAL);
+    Replay replay = Replay.read(folder);
+    List<Frame> frames = replay.recording(folder, 0).frames();
+    int blind = 0;
+    for (int step = 0; step < 100; step++) {
+      assertClose(seen.get(step), frames.get(step));
+      assertArrayEquals(seen.get(step).seeing(), frames.get(step).seeing());
+      blind += frames.get(step).seen(0) < 0 ? 1 : 0;
+      assertEquals(frames.get(step).level()[2], frames.get(step).seen(2), "turns at once");
+    }
+    assertTrue(blind > 0 && blind < 100, blind + " steps");
+    assertEquals(List.of(0, 1), replay.setup().slow());
+    assertEquals(plan.scenario().surroundings().obstacles(), replay.setup().obstacles());
+    assertEquals(List.of(0.5, 0.5, 1.8, 0.5, 0.5), replay.setup().widths());
+    CameraPose pose = replay.setup().cameras().get(0).pose();
+    assertEquals(25, pose.views());
+    assertEquals(25, frames.get(0).estimates()[0].length);
+    assertEquals(Math.toRadians(90 - 60), pose.heading(2), 1e-12);
+    assertEquals(Math.toRadians(8), pose.viewingAngle(5), 1e-12);
+    assertEquals(640 / (2 * Math.tan(Math.toRadians(4))), pose.density(5), 1e-6);
+  }
+
+  @Test
+  void saysNothingOfWhatAScenarioDoesNotHave() throws IOException {
+    record(plan("lattice-random", "zoom-out", 3, 1), RecordingLimits.USUAL);
+    String json = Files.readString(folder.resolve(ResultFolder.REPLAY));
+    for (String name :
+        List.of("pans", "lenses", "visible", "widths", "slow", "obstacles", "floor", "seeing")) {
+      assertTrue(!json.contains('"' + name + '"'), name);
+    }
+  }
+
+  @Test
   void tellsTheRangesInWhichTargetsAreDetected() throws IOException {
     record(plan("lattice-random", "zoom-out", 1, 1), RecordingLimits.USUAL);
     Setup setup = Replay.read(folder).setup();

@@ -205,6 +205,101 @@ class LiveRunTest {
   }
 
   @Test
+  void aWallHidesTargetsFromTheNextStepOnUntilItIsRemoved() {
+    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-scripted"), zoomOut(), 0);
+    int sure = detections(live, 60);
+    live.restart(0);
+    Scenario scenario = live.scenario();
+    List<CameraSpec> cameras = scenario.cameras();
+    for (CameraSpec camera : cameras) {
+      live.wall(camera.x() + 0.01, camera.y() - 0.02, camera.x() + 0.01, camera.y() + 0.02);
+    }
+    assertEquals(cameras.size(), live.sides().get(0).setup().obstacles().size());
+    int walled = detections(live, 60);
+    assertTrue(walled < sure && walled > 0, walled + " of " + sure);
+    for (int i = 0; i < cameras.size(); i++) {
+      live.remove(0);
+    }
+    live.restart(0);
+    assertEquals(sure, detections(live, 60));
+    assertEquals(scenario, live.scenario());
+  }
+
+  private static int detections(LiveRun live, int steps) {
+    int sum = 0;
+    for (int i = 0; i < steps; i++) {
+      sum += java.util.Arrays.stream(frame(live.step(), 0).detected()).sum();
+    }
+    return sum;
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "0, 0, 0, 0, both ends",
+    "99, 0, 0, 0, in the field",
+    "NaN, 0, 0, 0, in the field",
+    "0, Infinity, 0, 0, in the field"
+  })
+  void aWrongWallIsRefused(double x1, double y1, double x2, double y2, String told) {
+    LiveRun live = live("ring-random", 0);
+    Scenario before = live.scenario();
+    InputException refused = assertThrows(InputException.class, () -> live.wall(x1, y1, x2, y2));
+    assertTrue(refused.getMessage().contains(told), refused.getMessage());
+    assertThrows(InputException.class, () -> live.remove(0));
+    assertEquals(before, live.scenario());
+  }
+
+  @Test
+  void noCameraStandsInAWall() {
+    LiveRun live = live("ring-random", 0);
+    CameraSpec first = live.scenario().cameras().get(0);
+    assertThrows(
+        InputException.class,
+        () -> live.wall(first.x(), first.y() - 0.1, first.x(), first.y() + 0.1));
+    live.wall(0.123, -1, 0.123, 1);
+    assertThrows(InputException.class, () -> live.drag(0, 0.123, 0.5));
+    assertThrows(InputException.class, () -> live.add(0, 0.123, 0.5));
+  }
+
+  @Test
+  void aHeldCameraStaysInItsViewWhateverItsPolicyChooses() {
+    Scenario hall = Scenarios.hall();
+    LiveRun live = new LiveRun(catalogue, hall, new Choice("hifi:orb-lin", null, "random"), 0);
+    live.compare(true);
+    live.hold(1, 7);
+    for (int step = 0; step < 30; step++) {
+      LiveStep both = live.step();
+      assertEquals(7, frame(both, 0).level()[1]);
+      assertEquals(7, frame(both, 1).level()[1]);
+    }
+    assertEquals(java.util.Set.of(1), live.held());
+    live.hold(1, -1);
+    assertTrue(
+        java.util.stream.IntStream.range(0, 30)
+            .anyMatch(step -> frame(live.step(), 0).level()[1] != 7));
+    assertThrows(InputException.class, () -> live.hold(1, 25));
+    assertThrows(InputException.class, () -> live.hold(1, -2));
+    assertThrows(InputException.class, () -> live.hold(9, 0));
+  }
+
+  @Test
+  void wallsAndOpticsAreReadBackFromWhatIsSaved() throws Exception {
+    LiveRun live = new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7);
+    live.wall(25, 15, 28.5, 15);
+    live.remove(1);
+    live.turn(0, 45);
+    Path file = folder.resolve("edited.xml");
+    Files.writeString(file, ScenarioWriter.write(live.scenario()));
+    Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
+    assertEquals(live.scenario().surroundings(), read.surroundings());
+    LiveRun other = new LiveRun(catalogue, read, zoomOut(), 7);
+    live.restart(7);
+    for (int step = 0; step < 30; step++) {
+      assertEquals(ReplayJson.of(live.step()), ReplayJson.of(other.step()));
+    }
+  }
+
+  @Test
   void draggingChangesWhatIsDetected() {
     LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0);
     LiveRun still = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0);

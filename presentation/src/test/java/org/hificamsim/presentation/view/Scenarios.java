@@ -10,8 +10,16 @@ final class Scenarios {
   private Scenarios() {}
 
   static Scenario read(String name) {
-    Path folder = Path.of(System.getProperty("hificamsim.root", "."), "scenarios");
-    return ScenarioReader.read(
-        folder.resolve(name + ".xml"), Movements.registry()::knows, warning -> {});
+    return from("scenarios/" + name + ".xml");
+  }
+
+  /** One with optics, pans that take time, walls, a polygon and pillars. */
+  static Scenario hall() {
+    return from("src/test/resources/seen/hall.xml");
+  }
+
+  private static Scenario from(String file) {
+    Path root = Path.of(System.getProperty("hificamsim.root", "."));
+    return ScenarioReader.read(root.resolve(file), Movements.registry()::knows, warning -> {});
   }
 }

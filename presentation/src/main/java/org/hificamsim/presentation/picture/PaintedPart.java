@@ -5,15 +5,15 @@ import java.awt.geom.Rectangle2D;
 import java.util.Optional;
 
 /**
- * What lies about a picture, as far as it matters: painting a line takes as long as the line is,
- * also where nobody sees it.
+ * The part of the plane in which lines are painted: a picture and what lies about it, since
+ * painting a line takes as long as the line is, also where nobody sees it.
  *
  * @param bounds the picture with as much again on each side, so that no end of a stroke is seen
  */
-record Surroundings(Rectangle2D bounds) {
-  /** The surroundings of a part of a picture. */
-  static Surroundings of(Rectangle2D area) {
-    return new Surroundings(
+record PaintedPart(Rectangle2D bounds) {
+  /** About a part of a picture. */
+  static PaintedPart of(Rectangle2D area) {
+    return new PaintedPart(
         new Rectangle2D.Double(
             area.getX() - area.getWidth(),
             area.getY() - area.getHeight(),

@@ -1,0 +1,75 @@
+package org.hificamsim.core.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Map;
+import java.util.SplittableRandom;
+import java.util.TreeMap;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.Visibility;
+import org.hificamsim.core.world.World;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What a camera is told of the targets that it sees is what it gets by asking for each. */
+class SeenTargetsTest {
+  private static final int CAMERAS = 6;
+  private static final int TARGETS = 40;
+
+  private record Seen(double distance, double bearing) {}
+
+  @ParameterizedTest
+  @ValueSource(doubles = {0.5, 3, 100})
+  void thoseThatAreSeenAreTheSameAsByAskingForEach(double side) {
+    World world = world();
+    PointGrid grid = PointGrid.over(-10, -10, 20, 20, side, TARGETS);
+    Visibility visibility = Visibility.of(Detection.of(new GeometricDetection()));
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, grid);
+    network.beginStep(0);
+    network.locate();
+    int all = 0;
+    for (int camera = 0; camera < CAMERAS; camera++) {
+      Map<Integer, Seen> seen = new TreeMap<>();
+      network.eachSeen(
+          camera, seen, (work, target, away, at) -> work.put(target, new Seen(away, at)));
+      assertEquals(byAsking(network, camera), seen);
+      all += seen.size();
+    }
+    assertTrue(all > 20 && all < CAMERAS * TARGETS / 2, all + " seen");
+  }
+
+  private static Map<Integer, Seen> byAsking(NetworkView network, int camera) {
+    Map<Integer, Seen> seen = new TreeMap<>();
+    for (int target = 0; target < TARGETS; target++) {
+      if (network.sees(camera, target)) {
+        seen.put(
+            target, new Seen(network.distance(camera, target), network.bearing(camera, target)));
+      }
+    }
+    return seen;
+  }
+
+  private static World world() {
+    SplittableRandom random = new SplittableRandom(3);
+    TestScenario scenario = new TestScenario().zooms(3, 6);
+    for (int camera = 0; camera < CAMERAS; camera++) {
+      scenario.camera(
+          TestScenario.camera(
+              "c" + camera,
+              random.nextDouble(-10, 10),
+              random.nextDouble(-10, 10),
+              random.nextDouble(360),
+              camera == 0 ? 360 : 120,
+              6));
+    }
+    for (int target = 0; target < TARGETS; target++) {
+      scenario.target(random.nextDouble(-10, 10), random.nextDouble(-10, 10));
+    }
+    return scenario.world();
+  }
+}

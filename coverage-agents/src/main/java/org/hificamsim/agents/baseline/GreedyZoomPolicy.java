@@ -1,0 +1,109 @@
+package org.hificamsim.agents.baseline;
+
+import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import org.hificamsim.agents.choice.PanAngles;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * Each camera takes the view in which it would detect most targets now, whatever the others detect.
+ * It knows what no camera knows: what it would detect in other views.
+ *
+ * <p>It chooses among the views that it {@linkplain NetworkView#reaches reaches}; where it would
+ * detect nothing in any of these, it sets out for the best view of all, however far. Of equally
+ * good views it takes the one it is in, then the widest, then the one that it turns least for.
+ */
+public final class GreedyZoomPolicy implements ZoomPolicy {
+  public static final String NAME = "greedy";
+
+  /** Which views a camera chooses among. */
+  public enum Among {
+    REACHED,
+    ALL
+  }
+
+  private final Among among;
+  private long[] masks = {};
+  private int words;
+
+  public GreedyZoomPolicy(Among among) {
+    this.among = among;
+  }
+
+  /** The policy with its option {@code among}. */
+  public static GreedyZoomPolicy from(Options options) {
+    return new GreedyZoomPolicy(
+        options.choice(
+            "among",
+            Among.REACHED,
+            "reached: views that a camera can be in by the end of the step; all: any view"));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
+    int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
+    masks = new long[most * words];
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] views) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        views[camera] = choose(network, camera);
+      }
+    }
+  }
+
+  private int choose(NetworkView network, int camera) {
+    network.oracle().detections(camera, masks, words);
+    int reached = among == Among.REACHED ? best(network, camera, false) : network.view(camera);
+    return among == Among.ALL || count(reached) == 0 ? best(network, camera, true) : reached;
+  }
+
+  private int best(NetworkView network, int camera, boolean any) {
+    int best = network.view(camera);
+    int most = any || network.reaches(camera, best) ? count(best) : 0;
+    for (int view = 0; view < network.views(camera); view++) {
+      int count = count(view);
+      boolean better = count > most || (count == most && isPreferred(network, camera, view, best));
+      if (better && (any || network.reaches(camera, view))) {
+        best = view;
+        most = count;
+      }
+    }
+    return best;
+  }
+
+  private int count(int view) {
+    int count = 0;
+    for (int word = view * words; word < (view + 1) * words; word++) {
+      count += Long.bitCount(masks[word]);
+    }
+    return count;
+  }
+
+  /** Whether a view is better than another one in which as much is detected. */
+  private static boolean isPreferred(NetworkView network, int camera, int view, int other) {
+    int current = network.view(camera);
+    if (other == current) {
+      return false;
+    }
+    int wider = view % network.zooms(camera) - other % network.zooms(camera);
+    return wider > 0
+        || (wider == 0
+            && turn(network, camera, view, current) < turn(network, camera, other, current));
+  }
+
+  private static double turn(NetworkView network, int camera, int view, int from) {
+    return PanAngles.off(
+        network, camera, PanAngles.of(network, camera, view), network.pan(camera, from));
+  }
+}

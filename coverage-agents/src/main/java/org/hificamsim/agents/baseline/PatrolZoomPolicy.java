@@ -1,0 +1,64 @@
+package org.hificamsim.agents.baseline;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.registry.Options;
+
+/** Each camera sweeps over its pan angles to and fro, at one zoom level, whatever it sees. */
+public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
+  public static final String NAME = "patrol";
+
+  static final int MAX_DWELL = 1_000_000;
+
+  /** Which of its zoom levels a camera patrols with. */
+  public enum Zoom {
+    WIDEST,
+    MIDDLE,
+    NARROWEST;
+
+    private int of(int zooms) {
+      return switch (this) {
+        case WIDEST -> zooms - 1;
+        case MIDDLE -> zooms / 2;
+        case NARROWEST -> 0;
+      };
+    }
+  }
+
+  private final int dwell;
+  private final Zoom zoom;
+  private Sweep[] sweeps = {};
+
+  /**
+   * @param dwell steps that a camera stays in each view, 1 or more
+   */
+  public PatrolZoomPolicy(int dwell, Zoom zoom) {
+    this.dwell = dwell;
+    this.zoom = zoom;
+  }
+
+  /** The policy with its options {@code dwell} and {@code zoom}. */
+  public static PatrolZoomPolicy from(Options options) {
+    return new PatrolZoomPolicy(
+        options.integer("dwell", 1, 1, MAX_DWELL, "steps that a camera stays at each pan angle"),
+        options.choice("zoom", Zoom.WIDEST, "the zoom level: widest, middle, narrowest"));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    sweeps = new Sweep[network.cameras()];
+    Arrays.setAll(sweeps, camera -> new Sweep(dwell));
+  }
+
+  @Override
+  protected int choose(NetworkView network, int camera) {
+    return sweeps[camera].next(network, camera, zoom.of(network.zooms(camera)));
+  }
+}

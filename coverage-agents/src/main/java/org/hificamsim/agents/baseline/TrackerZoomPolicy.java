@@ -1,0 +1,95 @@
+package org.hificamsim.agents.baseline;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
+import org.hificamsim.agents.choice.PanAngles;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * Each camera keeps the nearest target that it sees in the middle of its picture, and as large as
+ * it can: it turns to the pan angle nearest to the target's direction, and takes the narrowest zoom
+ * level that has the target in angle and reach with a margin. Where none has, it takes the widest.
+ *
+ * <p>A camera that sees no target widens, and then sweeps over its pan angles. It knows what it
+ * sees and nothing else.
+ */
+public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
+  public static final String NAME = "tracker";
+
+  private static final double MAX_MARGIN = 0.9;
+
+  private final double margin;
+  private final int dwell;
+  private NearestTarget[] nearest = {};
+  private Sweep[] sweeps = {};
+
+  /**
+   * @param margin share of half the opening angle, and of the reach, that is to stay free, [0, 1)
+   * @param dwell steps that a camera which searches stays in each view, 1 or more
+   */
+  public TrackerZoomPolicy(double margin, int dwell) {
+    this.margin = margin;
+    this.dwell = dwell;
+  }
+
+  /** The policy with its options {@code margin} and {@code dwell}. */
+  public static TrackerZoomPolicy from(Options options) {
+    return new TrackerZoomPolicy(
+        options.number(
+            "margin", 0.2, 0, MAX_MARGIN, "share of the angle and reach kept free beyond a target"),
+        options.integer(
+            "dwell",
+            1,
+            1,
+            PatrolZoomPolicy.MAX_DWELL,
+            "steps that a camera which searches stays at each pan angle"));
+  }
+
+  @Override
+  public String name() {
+    return NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    nearest = new NearestTarget[network.cameras()];
+    Arrays.setAll(nearest, camera -> new NearestTarget());
+    sweeps = new Sweep[network.cameras()];
+    Arrays.setAll(sweeps, camera -> new Sweep(dwell));
+  }
+
+  @Override
+  protected int choose(NetworkView network, int camera) {
+    return nearest[camera].find(network, camera)
+        ? follow(network, camera)
+        : sweeps[camera].next(network, camera, network.zooms(camera) - 1);
+  }
+
+  /** A camera that sees while it moves follows what comes into its picture. */
+  @Override
+  protected int travel(NetworkView network, int camera) {
+    return nearest[camera].find(network, camera) ? follow(network, camera) : network.view(camera);
+  }
+
+  private int follow(NetworkView network, int camera) {
+    double axis = network.pan(camera, network.seeing(camera));
+    double direction = axis + nearest[camera].bearing();
+    int pan = PanAngles.nearest(network, camera, direction);
+    double off = PanAngles.off(network, camera, pan, direction);
+    int zoom = 0;
+    int widest = network.zooms(camera) - 1;
+    while (zoom < widest && !fits(network.zoom(camera, zoom), nearest[camera].distance(), off)) {
+      zoom++;
+    }
+    return PanAngles.view(network, camera, pan, zoom);
+  }
+
+  private boolean fits(ZoomLevel zoom, double distance, double off) {
+    double kept = 1 - margin;
+    return distance <= kept * zoom.radius()
+        && (zoom.allRound() || off <= kept * zoom.viewingAngle() / 2);
+  }
+}

@@ -1,0 +1,84 @@
+package org.hificamsim.agents.temporal;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.hificamsim.agents.baseline.FixedZoomPolicy;
+import org.hificamsim.agents.toy.RealWorld;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.registry.Options;
+import org.junit.jupiter.api.Test;
+
+/** What a camera at the origin that looks along +y makes of its picture, 60 degrees wide. */
+class PictureTest {
+  private static final String CAMERA =
+      "<optics name='o' hfov='60' reach='10' pan='0 60' pan_speed='40'/>"
+          + "<camera name='a' x='0' y='0' heading='0' viewing_angle='60' range='10' optics='o'/>";
+
+  @Test
+  void anEmptyPictureHasNothingInIt() {
+    assertPicture(0, false, "");
+    assertPicture(0, true, "");
+  }
+
+  @Test
+  void tellsTheThirdsOfItsAngleApart() {
+    assertPicture(0b001, false, at(-29, 3));
+    assertPicture(0b001, false, at(-11, 3));
+    assertPicture(0b010, false, at(-9, 3));
+    assertPicture(0b010, false, at(9, 3));
+    assertPicture(0b100, false, at(11, 3));
+    assertPicture(0b100, false, at(29, 3));
+    assertPicture(0b101, false, at(-20, 3) + at(20, 9) + at(21, 9));
+  }
+
+  @Test
+  void tellsNearFromFarAtHalfTheReach() {
+    assertPicture(0b000_001, true, at(-20, 4.9));
+    assertPicture(0b001_000, true, at(-20, 5.1));
+    assertPicture(0b110_010, true, at(1, 3) + at(-1, 9) + at(20, 9));
+  }
+
+  @Test
+  void hasNothingOfWhatIsOutsideOrHidden() {
+    String wall = "<wall x1='-1' y1='2' x2='1' y2='2'/>";
+    assertPicture(0b001, false, at(31, 3) + at(0, 10.1) + at(-20, 3));
+    assertPicture(0b100, false, wall + at(0, 3) + at(28, 6));
+  }
+
+  @Test
+  void isEmptyWhileTheCameraMovesBlindly() {
+    Simulation run = run("fixed:0,pans=1", at(20, 3) + at(60, 3));
+    assertEquals(-1, run.network().seeing(0));
+    assertEquals(0, new Picture(false).look(run.network(), 0));
+    run.step();
+    assertEquals(0b010, new Picture(false).look(run.network(), 0), "there now");
+  }
+
+  private static void assertPicture(int parts, boolean depth, String targets) {
+    Picture picture = new Picture(depth);
+    picture.look(run("fixed", at(0, -5)).network(), 0);
+    assertEquals(parts, picture.look(run("fixed", targets).network(), 0));
+    assertEquals(parts, picture.parts());
+  }
+
+  private static Simulation run(String policy, String targets) {
+    int colon = policy.indexOf(':');
+    Options options =
+        colon < 0 ? Options.none(policy) : Options.parse("fixed", policy.substring(colon + 1));
+    Simulation run = RealWorld.run(CAMERA + targets, FixedZoomPolicy.from(options), 1);
+    run.step();
+    return run;
+  }
+
+  /** {@code from} degrees off the camera's heading, to the right. */
+  private static String at(double from, double distance) {
+    double angle = Math.toRadians(from);
+    return "<object features='"
+        + (1000 + from + distance)
+        + "' x='"
+        + distance * Math.sin(angle)
+        + "' y='"
+        + distance * Math.cos(angle)
+        + "' heading='0' speed='0'/>";
+  }
+}

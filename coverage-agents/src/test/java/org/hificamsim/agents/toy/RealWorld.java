@@ -1,0 +1,60 @@
+package org.hificamsim.agents.toy;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.world.World;
+import org.hificamsim.core.world.movement.Movements;
+
+/** Small worlds written as scenario files, with lenses and walls, run by the engine itself. */
+public final class RealWorld {
+  /** Files have at least one target. */
+  private static final String FAR_AWAY =
+      "<object features=\"0\" x=\"-19\" y=\"-19\" heading=\"0\" speed=\"0\"/>";
+
+  private RealWorld() {}
+
+  /** A run, of targets that are detected wherever they are in view. */
+  public static Simulation run(String parts, ZoomPolicy policy, long seed) {
+    return run(parts, new GeometricDetection(), policy, seed);
+  }
+
+  /**
+   * @param parts the elements of the simulation; the field is 40 m x 40 m about the origin
+   */
+  public static Simulation run(String parts, DetectionModel model, ZoomPolicy policy, long seed) {
+    World world = new World(scenario(parts), Movements.registry(), seed);
+    return new Simulation(world, Detection.of(model), policy, seed, List.of());
+  }
+
+  private static Scenario scenario(String parts) {
+    try {
+      Path file = Files.createTempFile("world", ".xml");
+      try {
+        Files.writeString(file, text(parts));
+        return ScenarioReader.read(file, Movements.registry().names()::contains, warning -> {});
+      } finally {
+        Files.delete(file);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static String text(String parts) {
+    return "<root><simulation min_x=\"-20\" max_x=\"20\" min_y=\"-20\" max_y=\"20\""
+        + " order=\"coverage\" headings=\"degrees\">"
+        + parts.replace('\'', '"')
+        + (parts.contains("<object") ? "" : FAR_AWAY)
+        + "</simulation></root>";
+  }
+}

@@ -1,0 +1,160 @@
+package org.hificamsim.presentation.replay;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.Image;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReadParam;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.Floorplan;
+import org.hificamsim.core.scenario.Scenario;
+
+/** Reads the floorplan that a scenario names, and makes it small enough for a page. */
+public final class FloorPictures {
+  private static final Set<String> TYPES = Set.of("png", "jpeg");
+  private static final int MAX_PIXELS = 2000; // on its longer side
+  private static final int MAX_BYTES = 1_000_000;
+  private static final int FINER = 4;
+  private static final String START = "data:image/";
+  private static final String BASE64 = ";base64,";
+
+  private FloorPictures() {}
+
+  /**
+   * The floorplan of a scenario, if it names one.
+   *
+   * @param scenarioFile where the scenario was read from
+   * @throws InputException when there is no such file, or it is no PNG or JPEG
+   */
+  public static List<FloorPicture> of(Path scenarioFile, Scenario scenario) {
+    return scenario.surroundings().floorplan().stream()
+        .map(plan -> new FloorPicture(plan.area(), data(scenarioFile, plan)))
+        .toList();
+  }
+
+  /**
+   * The picture itself.
+   *
+   * @throws InputException when the data are no picture
+   */
+  public static BufferedImage image(FloorPicture picture) {
+    try {
+      String data = picture.data();
+      byte[] bytes = Base64.getDecoder().decode(data.substring(data.indexOf(',') + 1));
+      BufferedImage image = ImageIO.read(new ByteArrayInputStream(bytes));
+      if (data.startsWith(START) && image != null) {
+        return image;
+      }
+      throw new InputException("the floor of a recording is no PNG or JPEG");
+    } catch (IOException | IllegalArgumentException e) {
+      throw new InputException(
+          "the floor of a recording cannot be read, expected a PNG or JPEG", e);
+    }
+  }
+
+  private static String data(Path scenarioFile, Floorplan plan) {
+    try {
+      Path file = scenarioFile.resolveSibling(plan.file());
+      if (!Files.isRegularFile(file)) {
+        throw refused(scenarioFile, plan, "there is no such file", null);
+      }
+      return data(Files.readAllBytes(file), scenarioFile, plan);
+    } catch (IOException | InvalidPathException e) {
+      throw refused(scenarioFile, plan, "it cannot be read", e);
+    }
+  }
+
+  private static String data(byte[] bytes, Path scenarioFile, Floorplan plan) throws IOException {
+    try (ImageInputStream in = ImageIO.createImageInputStream(new ByteArrayInputStream(bytes))) {
+      Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
+      ImageReader reader = readers.hasNext() ? readers.next() : null;
+      String type = reader == null ? "" : reader.getFormatName().toLowerCase(Locale.ROOT);
+      if (!TYPES.contains(type)) {
+        throw refused(scenarioFile, plan, "it is neither", null);
+      }
+      reader.setInput(in);
+      BufferedImage image = read(reader);
+      boolean small = Math.max(reader.getWidth(0), reader.getHeight(0)) <= MAX_PIXELS;
+      return small && bytes.length <= MAX_BYTES ? uri(type, bytes) : smaller(image);
+    } catch (RuntimeException e) {
+      if (e instanceof InputException) {
+        throw e;
+      }
+      throw refused(scenarioFile, plan, "it cannot be read", e); // readers throw what they like
+    }
+  }
+
+  private static InputException refused(
+      Path scenarioFile, Floorplan plan, String why, Throwable cause) {
+    return new InputException(
+        "%s: floorplan is '%s', expected a PNG or JPEG, its path from the scenario's folder; %s"
+            .formatted(scenarioFile, plan.file(), why),
+        cause);
+  }
+
+  /** Leaves out pixels of a huge picture as it is read, so that it fits into the memory. */
+  private static BufferedImage read(ImageReader reader) throws IOException {
+    int side = Math.max(reader.getWidth(0), reader.getHeight(0));
+    int step = Math.max(1, side / (FINER * MAX_PIXELS));
+    ImageReadParam asked = reader.getDefaultReadParam();
+    asked.setSourceSubsampling(step, step, 0, 0);
+    return reader.read(0, asked);
+  }
+
+  /** As PNG, or where that is too many bytes as JPEG, of half the size as often as it takes. */
+  private static String smaller(BufferedImage image) throws IOException {
+    BufferedImage scaled = scaled(image, MAX_PIXELS);
+    byte[] png = bytes(scaled, "png");
+    if (png.length <= MAX_BYTES) {
+      return uri("png", png);
+    }
+    byte[] jpeg = bytes(scaled, "jpeg");
+    while (jpeg.length > MAX_BYTES) {
+      scaled = scaled(scaled, Math.max(scaled.getWidth(), scaled.getHeight()) / 2);
+      jpeg = bytes(scaled, "jpeg");
+    }
+    return uri("jpeg", jpeg);
+  }
+
+  /** On white, the longer side no longer than this. */
+  private static BufferedImage scaled(BufferedImage image, int most) {
+    double factor = Math.min(1, (double) most / Math.max(image.getWidth(), image.getHeight()));
+    int width = Math.max(1, (int) Math.round(factor * image.getWidth()));
+    int height = Math.max(1, (int) Math.round(factor * image.getHeight()));
+    BufferedImage scaled = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = scaled.createGraphics();
+    Image averaged = image.getScaledInstance(width, height, Image.SCALE_AREA_AVERAGING);
+    graphics.drawImage(averaged, 0, 0, Color.WHITE, null);
+    graphics.dispose();
+    return scaled;
+  }
+
+  private static byte[] bytes(BufferedImage image, String type) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try {
+      ImageIO.write(image, type, out);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return out.toByteArray();
+  }
+
+  private static String uri(String type, byte[] bytes) {
+    return START + type + BASE64 + Base64.getEncoder().encodeToString(bytes);
+  }
+}

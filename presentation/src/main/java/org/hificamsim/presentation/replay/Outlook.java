@@ -1,0 +1,73 @@
+package org.hificamsim.presentation.replay;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.obstacle.VisibleRegion;
+import org.hificamsim.core.scenario.Field;
+
+/** What solid obstacles leave in sight, as corners to be drawn. */
+final class Outlook {
+  /** Beyond what a camera reaches, so that few corners do where nothing is in the way. */
+  private static final double BEYOND = 1.1;
+
+  /** Of the way round: between corners where nothing is in the way. */
+  private static final double ARC = 2 * Math.PI / 24;
+
+  private final Obstacles obstacles;
+  private final boolean open;
+  private final Scale scale;
+
+  Outlook(List<Obstacle> obstacles, Field field) {
+    this.obstacles = new Obstacles(obstacles);
+    this.open = obstacles.stream().noneMatch(Obstacle::solid);
+    this.scale = Scale.of(field);
+  }
+
+  /**
+   * The corners as in {@link CameraPose#visible}; the place itself where a camera sees nothing.
+   *
+   * @param reach of the camera, metres
+   */
+  List<Double> from(double x, double y, double reach) {
+    if (open || !(reach > 0)) {
+      return List.of();
+    }
+    double most = BEYOND * reach;
+    List<Point> corners = VisibleRegion.of(obstacles, x, y).polygon(most);
+    return rounded(corners.isEmpty() ? List.of(new Point(x, y)) : fewer(corners, x, y, most));
+  }
+
+  /** Leaves out most corners of arcs about the camera. */
+  private static List<Point> fewer(List<Point> corners, double x, double y, double reach) {
+    List<Point> kept = new ArrayList<>();
+    double last = Double.NaN;
+    for (int i = 0; i < corners.size(); i++) {
+      Point corner = corners.get(i);
+      double angle = Math.atan2(corner.y() - y, corner.x() - x);
+      boolean onArc =
+          isFar(corner, x, y, reach) && isFar(corners.get((i + 1) % corners.size()), x, y, reach);
+      if (!onArc || !(Math.abs(angle - last) < ARC)) {
+        kept.add(corner);
+        last = isFar(corner, x, y, reach) ? angle : Double.NaN;
+      }
+    }
+    return kept;
+  }
+
+  private static boolean isFar(Point corner, double x, double y, double reach) {
+    return Math.hypot(corner.x() - x, corner.y() - y) > reach * (1 - 1e-9);
+  }
+
+  private List<Double> rounded(List<Point> corners) {
+    return corners.stream()
+        .flatMap(corner -> List.of(rounded(corner.x()), rounded(corner.y())).stream())
+        .toList();
+  }
+
+  private double rounded(double metres) {
+    return scale.unpack(scale.pack(metres));
+  }
+}

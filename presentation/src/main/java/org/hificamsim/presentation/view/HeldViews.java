@@ -1,0 +1,56 @@
+package org.hificamsim.presentation.view;
+
+import java.util.Map;
+import java.util.SplittableRandom;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/** A policy some of whose cameras are held in views that somebody has chosen. */
+final class HeldViews implements ZoomPolicy {
+  private final ZoomPolicy policy;
+  private final Map<Integer, Integer> held;
+
+  /**
+   * @param held views by camera, which may change between steps
+   */
+  HeldViews(ZoomPolicy policy, Map<Integer, Integer> held) {
+    this.policy = policy;
+    this.held = held;
+  }
+
+  @Override
+  public String name() {
+    return policy.name();
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    policy.begin(network, random);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] views) {
+    policy.decide(network, views);
+    held.forEach((camera, view) -> views[camera] = view);
+  }
+
+  @Override
+  public boolean jumps() {
+    return policy.jumps();
+  }
+
+  @Override
+  public void learn(NetworkView network) {
+    policy.learn(network);
+  }
+
+  @Override
+  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+    return policy.estimates(network, camera, estimates, counts);
+  }
+
+  @Override
+  public long messages() {
+    return policy.messages();
+  }
+}

@@ -1,0 +1,50 @@
+// The views of a camera that can turn: a row for each zoom level, a column for each pan angle.
+import { el, decimals, say } from './dom.js';
+import { signed } from './views.js';
+
+export class ViewTable {
+  /**
+   * @param pose of the camera
+   * @param hold called with the view that is chosen by hand, -1 to leave it to the policy; nothing where cameras cannot be commanded
+   */
+  constructor({levels, pans}, hold) {
+    this.cells = pans.flatMap((pan, i) => levels.map((level, zoom) => cell(i * levels.length + zoom, `level ${zoom}, ${signed(pan)}`, hold)));
+    const rows = levels.map((level, zoom) => el('tr', {}, el('th', {scope: 'row'}, String(zoom)), ...pans.map((pan, i) => this.cells[i * levels.length + zoom].element)));
+    this.element = el('div', {class: 'views', tabindex: 0, role: 'group', 'aria-label': 'views: zoom levels by pan angles'}, el('table', {},
+      el('thead', {}, el('tr', {}, el('th', {scope: 'col'}, 'level'), ...pans.map(pan => el('th', {scope: 'col'}, signed(pan))))),
+      el('tbody', {}, ...rows.reverse())));
+  }
+
+  /**
+   * @param chosen the view that was chosen; -1 for none
+   * @param blind whether the camera is still on its way to it
+   * @param estimates by view, and how many observations each rests on; nothing where none are kept
+   */
+  show(chosen, blind, estimates, counts) {
+    const largest = Math.max(1e-12, ...(estimates ?? []).filter(Number.isFinite).map(Math.abs));
+    this.cells.forEach(({element, bar, text, button}, i) => {
+      const value = estimates?.[i];
+      const known = Number.isFinite(value);
+      element.classList.toggle('now', i === chosen);
+      element.classList.toggle('blind', i === chosen && blind);
+      if (i === chosen) element.setAttribute('aria-current', 'true');
+      else element.removeAttribute('aria-current');
+      bar.style.transform = `scaleX(${known ? Math.abs(value) / largest : 0})`;
+      bar.classList.toggle('negative', known && value < 0);
+      say(text, known ? short(value) : i === chosen ? (blind ? '○' : '●') : '·');
+      const count = counts?.[i];
+      element.title = `${element.dataset.named}${known ? `: ${decimals(value, 4)}` : ''}${Number.isFinite(count) ? `, used ${count} times` : ''}`;
+      button?.setAttribute('aria-label', `hold ${element.title}`);
+    });
+  }
+}
+
+/** Three digits. */
+const short = value => String(Number(value.toPrecision(3)));
+
+function cell(view, named, hold) {
+  const bar = el('i', {class: 'bar'});
+  const text = el('span');
+  const button = hold && el('button', {type: 'button', onclick: () => hold(view)}, text);
+  return {bar, text, button, element: el('td', {data: {view, named}}, bar, button || text)};
+}

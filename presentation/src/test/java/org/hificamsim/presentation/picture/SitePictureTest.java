@@ -1,0 +1,183 @@
+package org.hificamsim.presentation.picture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
+import java.util.List;
+import java.util.OptionalInt;
+import javax.imageio.ImageIO;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.replay.CameraPose;
+import org.hificamsim.presentation.replay.CameraSetup;
+import org.hificamsim.presentation.replay.FloorPicture;
+import org.hificamsim.presentation.replay.Frame;
+import org.hificamsim.presentation.replay.Interval;
+import org.hificamsim.presentation.replay.Lens;
+import org.hificamsim.presentation.replay.Level;
+import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.Setup;
+import org.junit.jupiter.api.Test;
+
+/** Pictures of a camera at (5, 10) that looks east, with a wall at x = 10 in its way. */
+class SitePictureTest {
+  private static final int WIDTH = 800; // one pixel a point
+  private static final Field FIELD = new Field(0, 30, 0, 20);
+  private static final Obstacle WALL = new Obstacle.Wall(10, 8, 10, 12, 0);
+
+  /** Sees to both sides of the wall, but not behind it. */
+  private static final List<Double> VISIBLE =
+      List.of(5.0, 10.0, 30.0, -10.0, 30.0, 0.0, 10.0, 8.0, 10.0, 12.0, 30.0, 20.0, 30.0, 30.0);
+
+  private static final Color LIT = new Color(222, 237, 245);
+  private static final Color SHADOW = new Color(0xD6, 0xD9, 0xDD);
+
+  @Test
+  void whatAWallHidesIsInShadowAndWhatIsBeforeItIsLit() {
+    BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), 1, Look.USUAL);
+    assertEquals(LIT, at(image, 8.3, 10.2));
+    assertEquals(SHADOW, at(image, 12.3, 10.2));
+    assertEquals(Color.WHITE, at(image, 2.3, 10.2), "behind the camera");
+    assertEquals(SitePainter.WALL, at(image, 10, 9.2));
+  }
+
+  @Test
+  void aCameraThatMovesBlindlyLightsNothing() {
+    BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), -1, Look.USUAL);
+    assertEquals(Color.WHITE, at(image, 8.3, 10.2));
+    assertEquals(Color.WHITE, at(image, 12.3, 10.2));
+  }
+
+  @Test
+  void itsPanTurnsItsView() {
+    BufferedImage image = image(setup(List.of(), List.of(), List.of()), 0, Look.USUAL);
+    assertEquals(Color.WHITE, at(image, 8.3, 10.2));
+    assertEquals(LIT, at(image, 5.3, 14.2), "a quarter to the left");
+  }
+
+  @Test
+  void whatLetsLightThroughIsPaler() {
+    Obstacle solid = new Obstacle.Pillar(20, 16, 1.5, 0);
+    Obstacle pale = new Obstacle.Pillar(25, 16, 1.5, 0.3);
+    BufferedImage image = image(setup(List.of(solid, pale), List.of(), List.of()), 0, Look.USUAL);
+    int dark = at(image, 20.3, 16.3).getGreen();
+    int light = at(image, 25.3, 16.3).getGreen();
+    assertTrue(dark < light - 60 && light < 250, dark + " and " + light);
+  }
+
+  @Test
+  void pixelDensitiesAreShownOfTheCameraThatIsAskedFor() {
+    Setup setup = setup(List.of(), List.of(), List.of());
+    BufferedImage image = image(setup, 1, new Look(0.5, OptionalInt.of(0)));
+    Color identify = at(image, 6.3, 10.4); // 500 px/m at a metre: identify to 2 m
+    Color recognise = at(image, 8.3, 10.9); // to 4 m
+    Color observe = at(image, 11.3, 10.9); // to 8 m
+    Color detect = at(image, 16.3, 10.9); // to 20 m
+    assertTrue(identify.getGreen() < recognise.getGreen(), identify + " " + recognise);
+    assertTrue(recognise.getGreen() < observe.getGreen(), recognise + " " + observe);
+    assertTrue(observe.getGreen() < detect.getGreen(), observe + " " + detect);
+    assertEquals(Color.WHITE, at(image, 26.3, 10.2));
+  }
+
+  @Test
+  void theFloorplanIsUnderItAllAsOpaqueAsIsAskedFor() throws IOException {
+    Setup setup = setup(List.of(), List.of(), List.of(floor()));
+    Color half = at(image(setup, 1, Look.USUAL), 20.3, 17.3);
+    assertEquals(255, half.getRed());
+    assertEquals(127.5, half.getGreen(), 1);
+    Look whole = new Look(1, OptionalInt.empty());
+    assertEquals(Color.RED, at(image(setup, 1, whole), 20.3, 17.3));
+    assertEquals(Color.WHITE, at(image(setup, 1, whole), 20.3, 3.3), "beside the plan");
+    ByteArrayOutputStream svg = new ByteArrayOutputStream();
+    FigureFile.svg(svg, new StepPicture(frames(setup, 1, whole), 0));
+    assertTrue(svg.toString(StandardCharsets.UTF_8).contains("xlink:href=\"data:image/png;base64"));
+  }
+
+  @Test
+  void widerTargetsAreDrawnLarger() {
+    Setup setup = setup(List.of(), List.of(), List.of());
+    RunFrames frames = frames(setup, 1, Look.USUAL);
+    assertEquals(1, frames.prominence(0));
+    assertEquals(2, frames.prominence(1));
+    assertNotEquals(setup.width(0), setup.width(1));
+  }
+
+  private static FloorPicture floor() throws IOException {
+    BufferedImage red = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
+    red.createGraphics().fillRect(0, 0, 4, 4);
+    for (int i = 0; i < 16; i++) {
+      red.setRGB(i % 4, i / 4, 0xFF0000);
+    }
+    ByteArrayOutputStream png = new ByteArrayOutputStream();
+    ImageIO.write(red, "png", png);
+    String data = Base64.getEncoder().encodeToString(png.toByteArray());
+    return new FloorPicture(new Field(0, 30, 10, 20), "data:image/png;base64," + data);
+  }
+
+  private static Setup setup(
+      List<Obstacle> obstacles, List<Double> visible, List<FloorPicture> floor) {
+    Level level = new Level(30, List.of(new Interval(0, 10)));
+    CameraPose pose =
+        new CameraPose(
+            5,
+            10,
+            Math.PI / 2,
+            Math.PI / 3,
+            List.of(level),
+            List.of(-Math.PI / 2, 0.0),
+            List.of(new Lens(Math.PI / 3, 500)),
+            visible);
+    return new Setup(
+        "hall",
+        FIELD,
+        "coverage",
+        "model",
+        0.5,
+        "policy",
+        0,
+        0.5,
+        false,
+        List.of(new CameraSetup("cam", pose)),
+        List.of(
+            new org.hificamsim.presentation.replay.TargetSetup("a", 0.5),
+            new org.hificamsim.presentation.replay.TargetSetup("b", 0.5)),
+        List.of(0.5, 2.0),
+        List.of(0),
+        obstacles,
+        floor);
+  }
+
+  private static RunFrames frames(Setup setup, int seeing, Look look) {
+    Frame frame =
+        new Frame(
+            0,
+            new boolean[] {true},
+            new int[] {Math.max(0, seeing)},
+            new int[1],
+            new boolean[2],
+            new double[2],
+            new double[2],
+            new int[2],
+            new double[0][],
+            new double[0][],
+            new int[] {seeing});
+    return new RunFrames(setup, new Recording(0, 0, 1, 1, "", List.of(), List.of(frame)), look);
+  }
+
+  private static BufferedImage image(Setup setup, int seeing, Look look) {
+    return FigureFile.image(new StepPicture(frames(setup, seeing, look), 0), WIDTH);
+  }
+
+  private static Color at(BufferedImage image, double x, double y) {
+    FieldMap map = StepPicture.map(FIELD);
+    return new Color(image.getRGB((int) Math.round(map.x(x)), (int) Math.round(map.y(y))));
+  }
+}

@@ -1,0 +1,293 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.openqa.selenium.Keys;
+import org.openqa.selenium.WebElement;
+
+/**
+ * A scenario with optics, obstacles and a floorplan, on the pages of a run and of the live view.
+ */
+class SitePageTest {
+  private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
+
+  /** The colour of the field at a place in metres. */
+  private static final String COLOUR =
+      """
+const {map, surface} = (hificamsim.player ?? hificamsim.players[0]).field;
+const at = [map.x(arguments[0]), map.y(arguments[1])].map(pixel => Math.round(pixel * surface.ratio));
+return [...surface.canvas.getContext('2d').getImageData(...at, 1, 1).data].join();
+""";
+
+  /** What is told about a place in metres. */
+  private static final String TOLD =
+      """
+const {field} = hificamsim.player, {map, surface: {canvas}} = field, box = canvas.getBoundingClientRect();
+canvas.dispatchEvent(new PointerEvent('pointermove', {clientX: box.left + map.x(arguments[0]), clientY: box.top + map.y(arguments[1])}));
+return field.tip.hidden ? '' : field.tip.textContent;
+""";
+
+  @TempDir static Path folder;
+  private static Browser browser;
+  private static Path scenario;
+  private static Path run;
+
+  @BeforeAll
+  static void recordAndStart() throws IOException {
+    scenario =
+        Files.copy(ROOT.resolve("src/test/resources/seen/hall.xml"), folder.resolve("hall.xml"));
+    BufferedImage floor = new BufferedImage(60, 40, BufferedImage.TYPE_INT_RGB);
+    floor.createGraphics().fillRect(0, 0, 60, 40);
+    for (int i = 0; i < 60 * 40; i++) {
+      floor.setRGB(i % 60, i / 60, 0xFFE0C0);
+    }
+    ImageIO.write(floor, "png", folder.resolve("floor.png").toFile());
+    run = folder.resolve("run");
+    Cli cli =
+        Cli.run(
+            "run",
+            scenario,
+            "--record",
+            "--policy",
+            "epsilon-greedy:epsilon=0.3",
+            "--steps",
+            120,
+            "--out",
+            run);
+    assertEquals(0, cli.exit(), cli.err());
+    browser = Browser.start(folder);
+  }
+
+  @AfterAll
+  static void stop() {
+    if (browser != null) {
+      browser.close();
+    }
+  }
+
+  private static void open() {
+    browser.open(run.resolve("report.html").toUri() + "#60");
+  }
+
+  @Test
+  void obstaclesAreToldAndCastShadows() {
+    open();
+    assertEquals("wall, solid", browser.run(TOLD, 10, 4));
+    assertEquals("pillar, lets 10 % through", browser.run(TOLD, 6.3, 14.2));
+    assertEquals("polygon, solid", browser.run(TOLD, 22.2, 5.2));
+    assertEquals("", browser.run(TOLD, 28, 17));
+    Object ground = browser.run(COLOUR, 28.3, 17.3);
+    assertNotEquals(ground, browser.run(COLOUR, 11.3, 6.3), "the fixed camera detects here");
+    assertNotEquals(browser.run(COLOUR, 11.3, 6.3), browser.run(COLOUR, 9.3, 7.8), "behind a wall");
+    String legend = browser.text(".legend");
+    assertTrue(legend.contains("obstacle") && legend.contains("lets 30 % through"), legend);
+    assertTrue(legend.contains("moves, sees nothing"), legend);
+    browser.assertQuietConsole();
+    assertEquals(1, browser.requests().size());
+  }
+
+  @Test
+  void theViewsOfACameraAreATableOfLevelsByPanAngles() throws IOException {
+    open();
+    browser.findAll(".rows button").get(0).click();
+    assertEquals("ptz-west", browser.text(".agent h2"));
+    assertEquals(25, browser.findAll(".views td").size());
+    String[] row = Files.readAllLines(run.resolve("zooms.csv")).get(1 + 60 * 4).split(",");
+    WebElement now = browser.find(".views td[aria-current=true]");
+    assertEquals(row[3], now.getDomAttribute("data-view"));
+    assertTrue(now.getDomAttribute("title").startsWith("level "), now.getDomAttribute("title"));
+    browser.findAll(".rows button").get(3).click();
+    assertEquals(0, browser.findAll(".views td").size(), "a camera that cannot turn");
+  }
+
+  @Test
+  void aCameraThatMovesBlindlySaysSo() {
+    open();
+    browser.findAll(".rows button").get(0).click();
+    browser.run(
+        "const {run, playhead} = hificamsim;"
+            + "playhead.show(run.seeing[0].findIndex((view, i) => view < 0 && run.online[0][i]))");
+    assertTrue(browser.text(".agent .facts").contains("sees nothing"));
+    assertEquals(1, browser.findAll(".views td.now.blind").size());
+  }
+
+  @Test
+  void pixelDensitiesAreShownAndTold() {
+    open();
+    browser.findAll(".rows button").get(2).click();
+    String place = "const {field} = hificamsim.player, view = field.view(2);" + "return %s";
+    String east = "view.x + 5 * Math.sin(view.heading)";
+    String north = "view.y + 5 * Math.cos(view.heading)";
+    Object x = browser.run(place.formatted(east));
+    Object y = browser.run(place.formatted(north));
+    Object before = browser.run(COLOUR, x, y);
+    assertEquals("", browser.run(TOLD, x, y));
+    browser.find("[name=zones]").sendKeys(" ");
+    assertNotEquals(before, browser.run(COLOUR, x, y));
+    double density = ((Number) browser.run(place.formatted("view.density / 5"))).doubleValue();
+    String told = (String) browser.run(TOLD, x, y);
+    assertEquals(density, Double.parseDouble(told.split(" ")[0]), 0.06);
+    String zone = density >= 250 ? "identify" : density >= 125 ? "recognise" : "observe";
+    assertTrue(told.endsWith("px/m: " + zone), told);
+    assertTrue(browser.text(".zone-key").contains("observe 62.5"));
+  }
+
+  @Test
+  void theFloorplanFadesByKeysAndTheStepStays() {
+    open();
+    browser.until("return hificamsim.player.field.site.floor[0].image.complete");
+    Object half = browser.run(COLOUR, 28.3, 17.3);
+    browser.run("document.querySelector('[name=floor]').focus()");
+    browser.press(Keys.HOME);
+    assertEquals("255,255,255,255", browser.run(COLOUR, 28.3, 17.3));
+    assertNotEquals(half, browser.run(COLOUR, 28.3, 17.3));
+    assertEquals("60", browser.text("[data-name=step]"));
+  }
+
+  @Test
+  void isReadableAtAllWidths() throws IOException {
+    open();
+    browser.find("[name=zones]").sendKeys(" ");
+    Path pictures = Files.createDirectories(ROOT.resolve("build/screenshots"));
+    for (Map.Entry<Integer, Integer> size : Map.of(400, 2400, 1280, 1000, 3840, 2000).entrySet()) {
+      browser.size(size.getKey(), size.getValue());
+      browser.screenshot(pictures.resolve("site-" + size.getKey() + ".png"));
+    }
+    browser.size(1280, 1000);
+    Accessibility.check(browser);
+    Accessibility.assertNothingSticksOut(browser, 400);
+    Accessibility.assertNothingSticksOut(browser, 3840);
+  }
+
+  @Test
+  void aWallIsDrawnTypedRemovedAndSaved() throws Exception {
+    try (ViewProcess view = new ViewProcess(scenario, "--policy", "zoom-out")) {
+      browser.open(view.address());
+      browser.find(".controls .play").click();
+      browser.until("return !hificamsim.playhead.playing");
+      browser.find(".walls .draw").click();
+      drag(26, 18, 28, 16);
+      browser.until("return hificamsim.runs[0].setup.obstacles.length === 6");
+      assertEquals(26, end("x1"), 0.1);
+      assertEquals(16, end("y2"), 0.1);
+      type("x1", "25", "y1", "12.5", "x2", "28.5", "y2", "12.5");
+      browser.find(".walls [name=y2]").sendKeys(Keys.ENTER);
+      browser.until("return hificamsim.runs[0].setup.obstacles.length === 7");
+      assertEquals("wall from (25, 12.5) to (28.5, 12.5) added", said());
+      type("x1", "99", "y1", "1", "x2", "2", "y2", "2");
+      browser.find(".walls .add-wall").click();
+      browser.until("return !hificamsim.fault.hidden");
+      assertTrue(browser.text("[role=alert]").contains("x is 99"), browser.text("[role=alert]"));
+      browser.forgetConsole(); // Chromium tells of the answer 400
+      browser.find(".walls select").sendKeys("polygon");
+      browser.find(".walls .remove").sendKeys(Keys.ENTER);
+      browser.until("return hificamsim.runs[0].setup.obstacles.length === 6");
+      assertTrue(said().startsWith("polygon, solid"), said());
+      savedIsValid();
+      Accessibility.check(browser);
+      Accessibility.assertNothingSticksOut(browser, 400);
+      Accessibility.assertNothingSticksOut(browser, 3840);
+      browser.assertQuietConsole();
+      browser.leave();
+    }
+  }
+
+  @Test
+  void aViewIsHeldByHandUntilItIsLeftToThePolicyAgain() {
+    try (ViewProcess view = new ViewProcess(scenario, "--policy", "zoom-out")) {
+      browser.open(view.address());
+      browser.findAll(".rows button").get(2).click();
+      browser.find(".views td[data-view='3'] button").sendKeys(Keys.ENTER);
+      browser.until("return hificamsim.runs[0].level[2].at(-1) === 3");
+      assertEquals("camera dome-corner: held at level 0, 0°", said());
+      browser.until("return !document.querySelector('.agent .free').hidden");
+      browser.find(".agent .free").sendKeys(Keys.ENTER);
+      browser.until("return hificamsim.runs[0].level[2].at(-1) !== 3");
+      browser.until("return document.querySelector('.agent .free').hidden");
+      browser.leave();
+    }
+  }
+
+  @Test
+  void aFloorplanThatIsNotThereIsToldBeforeAnythingIsWritten() throws IOException {
+    Path other =
+        Files.writeString(
+            folder.resolve("other.xml"),
+            Files.readString(scenario).replace("floor.png", "none.png"));
+    Path out = folder.resolve("none");
+    Cli cli = Cli.run("run", other, "--record", "--steps", 5, "--out", out);
+    assertEquals(2, cli.exit());
+    assertTrue(cli.err().contains("floorplan is 'none.png', expected a PNG or JPEG"), cli.err());
+    assertFalse(Files.exists(out));
+    assertEquals(2, Cli.run("view", other, "--no-browser").exit());
+    assertTrue(Cli.run("validate", other).err().startsWith("warning: " + other + ": floorplan is"));
+    assertEquals(0, Cli.run("run", other, "--steps", 5, "--out", out).exit());
+  }
+
+  private static void drag(double x1, double y1, double x2, double y2) {
+    WebElement field = browser.find("canvas.field");
+    browser
+        .actions()
+        .moveToElement(field, right(x1, field), down(y1, field))
+        .clickAndHold()
+        .moveToElement(field, right(x2, field), down(y2, field))
+        .release()
+        .perform();
+  }
+
+  private static int right(double x, WebElement field) {
+    return pixel("map.x", x) - field.getSize().getWidth() / 2;
+  }
+
+  private static int down(double y, WebElement field) {
+    return pixel("map.y", y) - field.getSize().getHeight() / 2;
+  }
+
+  private static int pixel(String map, double metres) {
+    String script = "return Math.round(hificamsim.players[0].field." + map + "(arguments[0]))";
+    return ((Number) browser.run(script, metres)).intValue();
+  }
+
+  private static double end(String name) {
+    String last = "return hificamsim.runs[0].setup.obstacles.at(-1).";
+    return ((Number) browser.run(last + name)).doubleValue();
+  }
+
+  private static void type(String... namesAndValues) {
+    for (int i = 0; i < namesAndValues.length; i += 2) {
+      browser
+          .find(".walls [name=" + namesAndValues[i] + "]")
+          .sendKeys(Keys.chord(Keys.CONTROL, "a"), namesAndValues[i + 1]);
+    }
+  }
+
+  private static String said() {
+    return (String) browser.run("return document.querySelector('[role=status]').textContent");
+  }
+
+  private static void savedIsValid() throws IOException {
+    String xml =
+        (String)
+            browser.run(
+                "const asked = new XMLHttpRequest(); asked.open('GET', 'scenario.xml', false);"
+                    + "asked.send(); return asked.responseText");
+    Path saved = Files.writeString(folder.resolve("saved.xml"), xml);
+    assertTrue(xml.contains("x1=\"25.0\" y1=\"12.5\" x2=\"28.5\" y2=\"12.5\""), xml);
+    assertTrue(xml.contains("floorplan=\"floor.png\"") && !xml.contains("<polygon"), xml);
+    Cli validate = Cli.run("validate", saved);
+    assertEquals(0, validate.exit(), validate.err());
+  }
+}
