@@ -6,10 +6,13 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.agents.search.CoverageSolver;
+import org.hificamsim.agents.search.Solver;
+import org.hificamsim.core.metrics.Objective;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -74,7 +77,13 @@ public class StepOptimumBenchmark {
 
   private final List<Instance> read = new ArrayList<>();
   private CoverageProblem problem;
-  private CoverageSolver solver;
+
+  @Param({"kmin"})
+  private String objective;
+
+  private Objective scored;
+  private Solver solver;
+  private int[] k;
   private int next;
 
   /** Reads the instances, at most 64 targets each, and writes their optima. */
@@ -87,20 +96,35 @@ public class StepOptimumBenchmark {
     int cameras = read.stream().mapToInt(instance -> instance.cameras().length).max().orElseThrow();
     int sets = read.stream().mapToInt(Instance::sets).max().orElseThrow();
     problem = new CoverageProblem(cameras, sets, Long.SIZE);
-    solver = new CoverageSolver(problem, CoverageSolver.UNLIMITED);
+    scored = Objective.parse(objective);
+    solver = Solver.of(scored, problem, CoverageSolver.UNLIMITED);
+    k = new int[Long.SIZE];
     List<String> values = new ArrayList<>();
-    for (int i = 0; i < read.size(); i++) {
-      values.add(Integer.toString(solve()));
+    for (Instance instance : read) {
+      solve();
+      values.add(score(instance));
     }
     Files.write(Path.of(instances + ".values"), values);
   }
 
+  /** Shares are given as numbers of targets. */
+  private String score(Instance instance) {
+    Arrays.fill(k, 0);
+    for (int camera = 0; camera < instance.cameras().length; camera++) {
+      for (int target = 0; target < instance.targets(); target++) {
+        k[target] += problem.contains(solver.chosen(camera), target) ? 1 : 0;
+      }
+    }
+    double factor = scored instanceof Objective.Covered ? instance.targets() : 1;
+    return Long.toString(Math.round(factor * scored.score(k, 0, instance.targets())));
+  }
+
   /** One instance. */
   @Benchmark
-  public int solve() {
+  public boolean solve() {
     read.get(next).fill(problem);
     next = (next + 1) % read.size();
     solver.solve();
-    return solver.value();
+    return solver.proven();
   }
 }

@@ -9,6 +9,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -44,6 +45,7 @@ final class BridgeOptions {
     Optional<String> size = text("size", "target size, m");
     Optional<String> policy = text("policy", "name and options of the zoom policy");
     Optional<String> zooms = text("zooms", "radii, m");
+    Optional<String> objective = text("objective", "what a step is scored by");
     Optional<String> seed = text("seed", "seed of the policy, and of luck");
     Optional<String> out = text("out", "folder for result files");
     given.choice("strict", Strict.FALSE, "whether to stop when something is wrong");
@@ -54,6 +56,7 @@ final class BridgeOptions {
     Optional<Detection> used = model.map(name -> detection(name, threshold, detect));
     boolean draws = policy.isPresent() || used.filter(one -> !one.certain()).isPresent();
     requireFor("seed", seed, draws, "policy or detect");
+    requireFor("objective", objective, policy.isPresent() || out.isPresent(), "policy or out");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
     return new BridgeSettings(
         used,
@@ -61,6 +64,7 @@ final class BridgeOptions {
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),
         zooms.map(BridgeOptions::radii).orElse(List.of()),
+        objective.map(Objective::parse).orElseGet(Objective::kMin),
         seed.map(BridgeOptions::seed).orElse(0),
         out.map(Path::of));
   }

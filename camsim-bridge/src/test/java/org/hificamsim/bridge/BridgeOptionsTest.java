@@ -98,7 +98,8 @@ class BridgeOptionsTest {
         arguments(
             "policy=sarsa:gamma=0.9,epsilon=0.1",
             "options: unknown option 'epsilon=0.1', expected one of detection, threshold, detect,"
-                + " size, policy, zooms, seed, out, strict, with ';' between a policy's own"),
+                + " size, policy, zooms, objective, seed, out, strict, with ';' between a policy's"
+                + " own"),
         arguments("seed=4,out=results", "seed is '4' without policy or detect, expected both"),
         arguments(
             "policy=random,seed=1.5", "options: seed is '1.5', expected a whole number from -2147"),

@@ -111,7 +111,7 @@ class PolicyTest {
     assertEquals(
         List.of(
             "\"unproven_steps\" : " + policy.unprovenSteps(),
-            "\"performance_bound\" : " + (coverage.performance() + policy.gap())),
+            "\"performance_bound\" : " + (coverage.performance() + (long) policy.gap())),
         proof(with));
   }
 

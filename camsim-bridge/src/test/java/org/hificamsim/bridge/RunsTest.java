@@ -203,7 +203,7 @@ public class Threads {
     String summary = run.text("results/summary.json");
     assertTrue(summary.contains("\"scenario\" : \"camsim\""), summary);
     int messages = 2 * (4 * 40 + 3 * 15 + 4 * 45); // a query and an answer for each online camera
-    assertTrue(summary.contains("\"messages\" : " + messages + "\n"), summary);
+    assertTrue(summary.contains("\"messages\" : " + messages + ",\n"), summary);
   }
 
   @Test

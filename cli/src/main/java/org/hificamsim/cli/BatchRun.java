@@ -123,7 +123,7 @@ final class BatchRun {
   private void warnOfUnproven(CaseResult one) {
     if (one.proof().unprovenSteps() > 0) {
       long steps = (long) one.plan().steps() * one.plan().repeats();
-      warnOfUnproven(one.plan(), " in " + one.proof().missing(steps));
+      warnOfUnproven(one.plan(), " in " + one.proof().missing(steps, one.plan().objective()));
     }
     double gap = one.runs().stream().mapToDouble(run -> run.result().expectedGap()).max().orElse(0);
     if (gap > 0) {

@@ -30,7 +30,7 @@ final class ComparisonTable {
 
   static void print(PrintWriter out, List<CaseResult> cases) {
     cases(out, cases);
-    if (cases.stream().allMatch(one -> one.sample(Score.PERFORMANCE).mean().mean() == 0)) {
+    if (cases.stream().allMatch(one -> one.sample(Score.SCORE).mean().mean() == 0)) {
       nothing(out, cases);
     }
     List<PolicyScores> policies =
@@ -44,8 +44,13 @@ final class ComparisonTable {
   /** One row per case; of the optimum, the last column is what adapting is worth. */
   private static void cases(PrintWriter out, List<CaseResult> cases) {
     boolean fixed = cases.stream().anyMatch(one -> one.runs().get(0).bestFixed().isPresent());
+    boolean scored = cases.stream().anyMatch(one -> !one.plan().objective().isKMin());
     Columns table = new Columns(3);
-    table.add("scenario", "detection", "policy", "performance [95%]", "of the optimum [95%]");
+    table.add("scenario", "detection", "policy", "performance [95%]");
+    if (scored) {
+      table.addToRow("score [95%]");
+    }
+    table.addToRow("of the optimum [95%]");
     if (fixed) {
       table.addToRow("over best-fixed [95%]");
     }
@@ -54,8 +59,11 @@ final class ComparisonTable {
           one.plan().scenario().name(),
           one.plan().detection().name(),
           one.plan().policy(),
-          text("%.0f", one, Score.PERFORMANCE),
-          text("%.3f", one, Score.PROPORTION_OF_OPTIMAL));
+          text("%.0f", one, Score.PERFORMANCE));
+      if (scored) {
+        table.addToRow(text("%.2f", one, Score.SCORE));
+      }
+      table.addToRow(text("%.3f", one, Score.PROPORTION_OF_OPTIMAL));
       if (fixed) {
         table.addToRow(text("%.3f", one, Score.OVER_BEST_FIXED));
       }

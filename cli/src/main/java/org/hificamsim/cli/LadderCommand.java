@@ -72,12 +72,24 @@ final class LadderCommand implements Callable<Integer> {
     Distinct.require("--policies", specs);
     List<Scenario> scenarios =
         files.stream().map(file -> scenarioOptions.read(file, catalogue, screen.err())).toList();
+    scenarios.forEach(LadderCommand::requireKMin);
     Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     return new Ladder(
         scenarios,
         asked(),
         specs,
         (rung, scenario) -> scenarioOptions.detection(rung.spec(catalogue::detection), scenario));
+  }
+
+  private static void requireKMin(Scenario scenario) {
+    if (!scenario.objective().isKMin()) {
+      throw new InputException(
+          "the objective of '"
+              + scenario.name()
+              + "' is "
+              + scenario.objective().text()
+              + ", expected kmin, by which rungs are judged. Maybe give --objective kmin");
+    }
   }
 
   private static void refuse(String rule) {

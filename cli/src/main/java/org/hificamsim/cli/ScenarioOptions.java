@@ -10,6 +10,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
@@ -25,6 +26,14 @@ final class ScenarioOptions {
   @Mixin private DetectOptions detect;
 
   @Mixin private Warnings warnings;
+
+  @Option(
+      names = "--objective",
+      paramLabel = "kmin|covered:k=1|lexicographic|sum:cap=3",
+      description =
+          "What a step is scored by, and optimal, one-hop and best-fixed maximise; before the"
+              + " scenario's own. See docs/objectives.md.")
+  private Optional<String> objective;
 
   @Option(
       names = "--order",
@@ -72,6 +81,7 @@ final class ScenarioOptions {
     return new Overrides(
         detect.threshold(),
         detect.rule(),
+        objective.map(Objective::parse),
         order.map(text -> choice(StepOrder.class, "--order", text)),
         headings.map(text -> choice(Headings.class, "--headings", text)));
   }

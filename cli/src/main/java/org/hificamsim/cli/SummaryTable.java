@@ -42,6 +42,9 @@ final class SummaryTable {
                     + " to "
                     + plan.seed(plan.repeats() - 1)));
     table.figure("performance", Metric.PERFORMANCE, "%.0f", "sum of k_min");
+    if (!plan.objective().isKMin()) {
+      table.figure("score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
+    }
     table.figure("mean k_min", Metric.MEAN_K_MIN, "%.4f", "per step");
     table.figure("covered by none", Metric.COVERED_0, "%.4f", "share of targets");
     table.figure("covered by one", Metric.COVERED_1, "%.4f", "");
@@ -58,7 +61,7 @@ final class SummaryTable {
   private void unproven(RunPlan plan) {
     Proof proof = RunResult.proofOf(results);
     if (proof.unprovenSteps() > 0) {
-      line("not proven", proof.missing((long) plan.steps() * plan.repeats()));
+      line("not proven", proof.missing((long) plan.steps() * plan.repeats(), plan.objective()));
     }
     double gap = results.stream().mapToDouble(RunResult::expectedGap).max().orElse(0);
     if (gap > 0) {

@@ -16,6 +16,7 @@ public enum Metric {
   DETECTIONS("detections", RunResult::detections),
   ZOOM_CHANGES("zoom_changes", RunResult::zoomChanges),
   MESSAGES("messages", RunResult::messages),
+  SCORE("score", RunResult::score),
   EXPECTED_PERFORMANCE("expected_performance", result -> result.expected().performance()),
   EXPECTED_COVERED_0("expected_covered_0", result -> result.expected().covered0()),
   EXPECTED_COVERED_1("expected_covered_1", result -> result.expected().covered1()),

@@ -5,6 +5,7 @@ import java.util.OptionalDouble;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
@@ -15,10 +16,12 @@ import org.hificamsim.core.scenario.StepOrder;
  *
  * @param threshold of every detection without one of its own, in [0, 1]
  * @param rule how every detection without a rule of its own decides
+ * @param objective what a step is scored by
  */
 public record Overrides(
     Optional<Double> threshold,
     Optional<DetectionRule> rule,
+    Optional<Objective> objective,
     Optional<StepOrder> order,
     Optional<Headings> headings) {
   /** Nothing is asked for. */
@@ -31,13 +34,14 @@ public record Overrides(
 
   /** Nothing but perhaps a threshold or a rule is asked for. */
   public static Overrides ofDetection(Optional<Double> threshold, Optional<DetectionRule> rule) {
-    return new Overrides(threshold, rule, Optional.empty(), Optional.empty());
+    return new Overrides(threshold, rule, Optional.empty(), Optional.empty(), Optional.empty());
   }
 
   /** The scenario with what is asked for in its place. */
   public Scenario scenario(Scenario file) {
     return rule.map(file::withDetect)
         .orElse(file)
+        .withObjective(objective.orElse(file.objective()))
         .withOrder(order.orElse(file.order()))
         .withHeadings(headings.orElse(file.headings()));
   }

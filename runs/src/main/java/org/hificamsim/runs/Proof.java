@@ -1,6 +1,8 @@
 package org.hificamsim.runs;
 
+import java.util.Locale;
 import java.util.Optional;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
@@ -8,9 +10,9 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * How far a run's configurations are proven to be the best ones that its policy could take.
  *
  * @param unprovenSteps the number of steps whose search ended without a proof
- * @param gap what the performance might gain in those steps at most
+ * @param gap what the score might gain in those steps at most
  */
-public record Proof(long unprovenSteps, long gap) {
+public record Proof(long unprovenSteps, double gap) {
   /** Of no steps at all. */
   public static final Proof OF_NOTHING = new Proof(0, 0);
 
@@ -26,18 +28,32 @@ public record Proof(long unprovenSteps, long gap) {
    *
    * @param steps how many there were
    */
-  public String missing(long steps) {
-    return "%s of %s steps; their k_min might be up to %s higher in sum"
-        .formatted(unprovenSteps, steps, gap);
+  public String missing(long steps, Objective objective) {
+    String score = objective.isKMin() ? "k_min" : "score by " + objective.text();
+    return unprovenSteps
+        + " of "
+        + steps
+        + " steps; their "
+        + score
+        + " might be up to "
+        + (gap == Math.rint(gap)
+            ? Long.toString((long) gap)
+            : String.format(Locale.ROOT, "%.3f", gap))
+        + " higher in sum";
   }
 
   /**
-   * The most that the performance could have been.
+   * The most that the score could have been.
    *
-   * @param performance that was reached
+   * @param score that was reached
    */
-  public long bound(long performance) {
-    return performance + gap;
+  public double bound(double score) {
+    return score + gap;
+  }
+
+  /** The name in files of {@link #bound}. */
+  public static String boundLabel(Objective objective) {
+    return objective.isKMin() ? "performance_bound" : "score_bound";
   }
 
   /** What is proven of these steps and of others. */

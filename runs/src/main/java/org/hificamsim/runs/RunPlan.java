@@ -1,6 +1,7 @@
 package org.hificamsim.runs;
 
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
 
 /**
@@ -16,6 +17,11 @@ public record RunPlan(
   /** The seed of one repeat. */
   public long seed(int run) {
     return seed + run;
+  }
+
+  /** What a step is scored by: the scenario has what was asked for. */
+  public Objective objective() {
+    return scenario.objective();
   }
 
   /** The same plan under another policy. */

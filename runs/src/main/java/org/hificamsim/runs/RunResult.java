@@ -21,7 +21,9 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param messages sent between cameras
  * @param unprovenSteps steps whose configuration is not proven to be the best that the policy could
  *     take; -1 under a policy that does not claim it to be
- * @param gap what the performance might gain in those steps at most
+ * @param gap what the score might gain in those steps at most
+ * @param score the sum over the steps of what the objective makes of them; the performance by
+ *     default
  * @param expected before luck was drawn, where detections are by chance
  */
 public record RunResult(
@@ -37,12 +39,13 @@ public record RunResult(
     long zoomChanges,
     long messages,
     long unprovenSteps,
-    long gap,
+    double gap,
+    double score,
     ExpectedResult expected)
     implements Serializable {
   private static final Proof NO_CLAIM = new Proof(-1, 0);
 
-  /** A result whose policy proves nothing. */
+  /** A result under k_min whose policy proves nothing. */
   public RunResult(
       int run,
       long seed,
@@ -69,6 +72,7 @@ public record RunResult(
         messages,
         NO_CLAIM.unprovenSteps(),
         NO_CLAIM.gap(),
+        (double) performance,
         ExpectedResult.NONE);
   }
 
@@ -123,6 +127,7 @@ public record RunResult(
         messages,
         proof.unprovenSteps(),
         proof.gap(),
+        coverage.score(),
         ExpectedResult.of(coverage, Double.NaN));
   }
 
@@ -150,6 +155,7 @@ public record RunResult(
         messages,
         unprovenSteps,
         gap,
+        score,
         newExpected);
   }
 }

@@ -6,6 +6,7 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
@@ -15,6 +16,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param size edge of every target's bounding box, metres, above 0
  * @param policy chooses the cameras' ranges; CamSim does where it is missing
  * @param zooms radii common to all cameras, metres, rising; empty for those of each camera's range
+ * @param objective what a step is scored by
  * @param seed of the first run's policy; run i uses seed + i
  * @param out folder of the result files
  */
@@ -23,6 +25,7 @@ public record BridgeSettings(
     double size,
     Optional<Policy> policy,
     List<Double> zooms,
+    Objective objective,
     int seed,
     Optional<Path> out) {
   /**
@@ -48,6 +51,6 @@ public record BridgeSettings(
 
   /** The same with result files elsewhere, or nowhere. */
   BridgeSettings with(Optional<Path> newOut) {
-    return new BridgeSettings(detection, size, policy, zooms, seed, newOut);
+    return new BridgeSettings(detection, size, policy, zooms, objective, seed, newOut);
   }
 }

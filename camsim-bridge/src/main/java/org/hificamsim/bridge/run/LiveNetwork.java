@@ -4,6 +4,7 @@ import java.util.List;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.visibility.Visibility;
@@ -22,6 +23,7 @@ final class LiveNetwork implements OracleView {
   private final Visibility visibility;
   private final double size;
   private final Zooms zooms;
+  private final Objective objective;
   private final Roster<LiveCamera> cameras;
   private final Roster<LiveTarget> targets = new Roster<>(LiveTarget.TO_COME);
   private int revision;
@@ -32,7 +34,14 @@ final class LiveNetwork implements OracleView {
    * @param core CamSim's {@code SimCore}
    * @param size of every object, metres
    */
-  LiveNetwork(CamSim camsim, Object core, Visibility visibility, double size, Zooms zooms) {
+  LiveNetwork(
+      CamSim camsim,
+      Object core,
+      Visibility visibility,
+      double size,
+      Zooms zooms,
+      Objective objective) {
+    this.objective = objective;
     this.camsim = camsim;
     this.core = core;
     this.visibility = visibility;
@@ -54,6 +63,11 @@ final class LiveNetwork implements OracleView {
     for (int target = 0; target < targets.all().size(); target++) {
       targets.get(target).refresh(camsim, targets.isThere(target));
     }
+  }
+
+  @Override
+  public Objective objective() {
+    return objective;
   }
 
   /** Forgets what was seen: cameras are about to look. */

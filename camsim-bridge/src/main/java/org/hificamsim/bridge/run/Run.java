@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hificamsim.bridge.camsim.CamSim;
-import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Headings;
@@ -36,7 +35,7 @@ final class Run {
   private final LiveNetwork network;
   private final Optional<Steering> steering;
   private final Optional<SingleRun> files;
-  private final StepCoverage coverage = new StepCoverage();
+  private final StepCoverage coverage;
   private Optional<ScenarioFile> scenario = Optional.empty();
   private long step;
   private boolean prepared;
@@ -56,7 +55,9 @@ final class Run {
             core,
             Visibility.asInCamSim(settings.seen(), seed()),
             settings.size(),
-            new Zooms(settings.policy().isPresent(), settings.zooms()));
+            new Zooms(settings.policy().isPresent(), settings.zooms()),
+            settings.objective());
+    this.coverage = new StepCoverage(settings.objective());
     this.steering = settings.policy().map(policy -> new Steering(policy, seed()));
     this.files =
         settings.out().isPresent()
@@ -113,6 +114,7 @@ final class Run {
     prepare();
     steering.ifPresent(policy -> policy.learn(network));
     coverage.measure(network);
+    coverage.measureScore(network);
     if (!settings.seen().certain()) {
       coverage.expect(network);
     }
@@ -180,7 +182,7 @@ final class Run {
         Headings.DEGREES,
         OptionalDouble.empty(),
         Optional.empty(),
-        Objective.kMin(),
+        settings.objective(),
         OptionalDouble.empty(),
         settings.zooms(),
         network.cameraSpecs(),

@@ -19,7 +19,7 @@ record Scores(double[][] kMin, double[] optimum) {
     return new Scores(
         cases.stream().map(Scores::kMin).toArray(double[][]::new),
         cases.get(0).runs().stream()
-            .mapToDouble(run -> (double) run.optimum() / cases.get(0).plan().steps())
+            .mapToDouble(run -> run.optimum() / cases.get(0).plan().steps())
             .toArray());
   }
 

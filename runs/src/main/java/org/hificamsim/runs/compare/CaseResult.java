@@ -20,7 +20,7 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
   List<Score> scores() {
     List<Score> scores = new ArrayList<>(Score.ALL);
     if (runs.get(0).result().proof().isPresent()) {
-      scores.addAll(Score.OF_PROOFS);
+      scores.addAll(Score.ofProofs(plan.objective()));
     }
     Metric.measured(runs.get(0).result()).stream()
         .filter(Metric::ofChance)

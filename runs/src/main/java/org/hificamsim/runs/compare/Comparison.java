@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalLong;
+import java.util.OptionalDouble;
 import org.hificamsim.runs.RunPlan;
 
 /**
@@ -15,7 +15,7 @@ import org.hificamsim.runs.RunPlan;
  * optimum of its scenario, detection model and seed.
  *
  * <p>The results do not depend on the engine or its threads: a run depends on its plan and seed
- * alone, and sums over runs are sums of whole numbers.
+ * alone, and sums over runs are sums of whole numbers, or added in the order of seeds.
  */
 public final class Comparison {
   private final RunEngine engine;
@@ -136,7 +136,7 @@ public final class Comparison {
         runs.add(
             new ScoredRun(
                 outcomes[repeat].result(),
-                optimum.performance(repeat),
+                optimum.score(repeat),
                 bestFixed(fixed, repeat),
                 settling[repeat]));
       }
@@ -147,14 +147,14 @@ public final class Comparison {
           levels);
     }
 
-    private static OptionalLong bestFixed(Optional<CaseUnderWay> fixed, int repeat) {
+    private static OptionalDouble bestFixed(Optional<CaseUnderWay> fixed, int repeat) {
       return fixed.isPresent()
-          ? OptionalLong.of(fixed.get().performance(repeat))
-          : OptionalLong.empty();
+          ? OptionalDouble.of(fixed.get().score(repeat))
+          : OptionalDouble.empty();
     }
 
-    private long performance(int repeat) {
-      return outcomes[repeat].result().performance();
+    private double score(int repeat) {
+      return outcomes[repeat].result().score();
     }
   }
 }

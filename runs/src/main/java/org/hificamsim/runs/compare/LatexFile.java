@@ -38,6 +38,8 @@ public final class LatexFile {
         new ArrayList<>(
             List.of("Scenario", "Detection", "Policy", "Performance", "Of the optimum"));
     header.addAll(fixed ? List.of("Over best-fixed") : List.of());
+    boolean scored = cases.stream().anyMatch(one -> !one.plan().objective().isKMin());
+    header.addAll(scored ? List.of("Score") : List.of());
     LatexTable table =
         new LatexTable(
             "Means over "
@@ -57,6 +59,7 @@ public final class LatexFile {
       row.add(text("%.3f", one.sample(Score.PROPORTION_OF_OPTIMAL).mean()));
       row.addAll(
           fixed ? List.of(text("%.3f", one.sample(Score.OVER_BEST_FIXED).mean())) : List.of());
+      row.addAll(scored ? List.of(text("%.2f", one.sample(Score.SCORE).mean())) : List.of());
       table.row(row.toArray(new String[0]));
     }
     return table;

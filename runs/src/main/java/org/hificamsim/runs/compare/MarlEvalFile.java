@@ -25,12 +25,15 @@ public final class MarlEvalFile {
   private MarlEvalFile(JsonGenerator json, List<CaseResult> cases) {
     this.json = json;
     this.proportions =
-        cases.stream().flatMap(one -> one.runs().stream()).allMatch(run -> run.optimum() > 0);
+        cases.stream().allMatch(one -> one.plan().objective().isKMin())
+            && cases.stream()
+                .flatMap(one -> one.runs().stream())
+                .allMatch(run -> run.optimum() > 0);
   }
 
   /**
    * Adds the file to a folder's. All runs in it need the same metrics: proportions of the optimum
-   * are left out where an optimum is 0.
+   * are left out where an optimum is 0, and where it is not of k_min, whose course is logged.
    */
   public static void write(OutputFolder folder, List<CaseResult> cases) throws IOException {
     JsonFile.write(folder, NAME, json -> new MarlEvalFile(json, cases).environments(cases));

@@ -49,10 +49,17 @@ final class ResultFiles {
               result.covered0(),
               result.covered1(),
               result.coveredK(),
-              run.optimum());
+              number(run.optimum()),
+              one.plan().objective().text(),
+              number(result.score()));
         }
       }
     }
+  }
+
+  /** Whole numbers without a fraction. */
+  private static Number number(double value) {
+    return value == Math.rint(value) ? (Number) (long) value : (Number) value;
   }
 
   /** One row per run and figure. */

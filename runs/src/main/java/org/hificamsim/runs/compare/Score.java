@@ -3,6 +3,7 @@ package org.hificamsim.runs.compare;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
 
@@ -13,6 +14,7 @@ import org.hificamsim.runs.Proof;
  */
 public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
   public static final Score PERFORMANCE = of(Metric.PERFORMANCE);
+  public static final Score SCORE = of(Metric.SCORE);
   public static final Score PROPORTION_OF_OPTIMAL =
       new Score("proportion_of_optimal", ScoredRun::proportionOfOptimal);
 
@@ -23,10 +25,11 @@ public record Score(String label, ToDoubleFunction<ScoredRun> figure) {
   public static final List<Score> ALL = all();
 
   /** Figures of the policies that claim to be the best, beside all others. */
-  static final List<Score> OF_PROOFS =
-      List.of(
-          new Score("unproven_steps", run -> proof(run).unprovenSteps()),
-          new Score("performance_bound", run -> proof(run).bound(run.result().performance())));
+  static List<Score> ofProofs(Objective objective) {
+    return List.of(
+        new Score("unproven_steps", run -> proof(run).unprovenSteps()),
+        new Score(Proof.boundLabel(objective), run -> proof(run).bound(run.result().score())));
+  }
 
   /** Figures of the optimum, where the best fixed configuration was run too. */
   static final List<Score> OF_ADAPTING =

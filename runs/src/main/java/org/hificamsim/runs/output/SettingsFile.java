@@ -41,6 +41,7 @@ public final class SettingsFile {
       json.writeStringField("detect", plan.detection().rule().text());
     }
     json.writeStringField("policy", plan.policy());
+    json.writeStringField("objective", plan.objective().text());
     json.writeNumberField("steps", plan.steps());
     json.writeNumberField("seed", plan.seed());
     json.writeNumberField("repeat", plan.repeats());

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import java.io.IOException;
 import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
@@ -15,9 +16,11 @@ public final class SummaryFile {
   private static final double WHOLE = 1L << 53;
 
   private final JsonGenerator json;
+  private final Objective objective;
 
-  private SummaryFile(JsonGenerator json) {
+  private SummaryFile(JsonGenerator json, Objective objective) {
     this.json = json;
+    this.objective = objective;
   }
 
   /** Adds the file to a folder's. */
@@ -28,7 +31,7 @@ public final class SummaryFile {
         ResultFolder.SUMMARY,
         json -> {
           json.writeStartObject();
-          SummaryFile file = new SummaryFile(json);
+          SummaryFile file = new SummaryFile(json, plan.objective());
           SettingsFile.write(json, plan);
           List<Metric> metrics = Metric.measured(results.get(0));
           file.figures(metrics, results);
@@ -69,16 +72,17 @@ public final class SummaryFile {
         number(metric.of(result));
       }
       if (result.proof().isPresent()) {
-        proof(result.performance(), result.proof().get());
+        proof(result.score(), result.proof().get());
       }
       json.writeEndObject();
     }
     json.writeEndArray();
   }
 
-  private void proof(long performance, Proof proof) throws IOException {
+  private void proof(double score, Proof proof) throws IOException {
     json.writeNumberField("unproven_steps", proof.unprovenSteps());
-    json.writeNumberField("performance_bound", proof.bound(performance));
+    json.writeFieldName(Proof.boundLabel(objective));
+    number(proof.bound(score));
   }
 
   /** Whole numbers without a fraction. */

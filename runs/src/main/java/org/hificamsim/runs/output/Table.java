@@ -22,7 +22,7 @@ public enum Table {
       "results.csv",
       "scenario,detection,policy,seed,performance,proportion_of_optimal,"
           + "covered_0,covered_1,covered_k",
-      "optimum"),
+      "optimum,objective,score"),
   METRICS("metrics.csv", "scenario,detection,policy,seed,metric,value"),
   SUMMARY(
       "summary.csv",
