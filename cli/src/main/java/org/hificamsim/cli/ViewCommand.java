@@ -24,7 +24,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "view",
     description = {
-      "Shows a scenario live in the browser: choose models and policies, drag cameras.",
+      "Shows a scenario live in the browser: choose models and policies, drag cameras, draw walls.",
       "Only this machine can reach the page, and only by the address that is printed.",
       "Closing the page ends the command."
     })

@@ -1,5 +1,6 @@
 package org.hificamsim.core.engine;
 
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.space.PointGrid;
@@ -56,6 +57,15 @@ final class BearingSight implements Sight {
     double luck = visibility.luck(step, camera, target);
     double about = AngleBracket.about(cosine);
     return detects(targets.size(target), distance, cosine, about, zoom, luck, through);
+  }
+
+  @Override
+  public boolean detectsTurned(int camera, int view, int target) {
+    throw new InputException(
+        "detection '"
+            + detection.name()
+            + "' looks at where in the picture a target is, expected one that looks at its"
+            + " distance alone for cameras that turn freely");
   }
 
   @Override

@@ -50,9 +50,19 @@ final class ChanceSight implements Sight {
   @Override
   public boolean detects(int camera, int view, int target) {
     double distance = distance(camera, target);
-    return isInView(camera, view, target, distance)
-        && table(camera, view, target)
-            .detects(distance, visibility.luck(step, camera, target), through(camera, target));
+    return isInView(camera, view, target, distance) && isLucky(camera, view, target, distance);
+  }
+
+  @Override
+  public boolean detectsTurned(int camera, int view, int target) {
+    double distance = distance(camera, target);
+    return distance <= cameras.zoom(camera, view).radius()
+        && isLucky(camera, view, target, distance);
+  }
+
+  private boolean isLucky(int camera, int view, int target, double distance) {
+    return table(camera, view, target)
+        .detects(distance, visibility.luck(step, camera, target), through(camera, target));
   }
 
   @Override

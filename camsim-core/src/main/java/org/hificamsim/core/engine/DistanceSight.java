@@ -81,14 +81,25 @@ final class DistanceSight implements Sight {
         && (open || passes(camera, view, target, lines.transmittance(camera, target)));
   }
 
-  /** Whether the target is near and wide enough off the axis to be detected in the open. */
+  @Override
+  public boolean detectsTurned(int camera, int view, int target) {
+    double squared = cameras.pose(camera).squaredDistance(targets.x(target), targets.y(target));
+    return isInReach(camera, view, target, squared)
+        && (open || passes(camera, view, target, lines.transmittance(camera, target)));
+  }
+
+  /** Whether the target is near enough, and near enough to the axis, to be detected in the open. */
   private boolean isInView(int camera, int view, int target, double squared) {
+    return isInReach(camera, view, target, squared)
+        && (rows.allRound(camera, view) || isInAngle(camera, view, target));
+  }
+
+  private boolean isInReach(int camera, int view, int target, double squared) {
     int at = rows.entry(camera, view, target);
     if (!(squared >= from[at] && squared <= to[at])) {
       return false;
     }
-    return (single[at] || reach[at].contains(squared))
-        && (rows.allRound(camera, view) || isInAngle(camera, view, target));
+    return single[at] || reach[at].contains(squared);
   }
 
   private boolean isInAngle(int camera, int view, int target) {

@@ -222,6 +222,11 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
+  public double reach(int camera, int view) {
+    return sight.reach(camera, view);
+  }
+
+  @Override
   public int seeing(int camera) {
     return cameras.seeing(camera);
   }
@@ -285,6 +290,11 @@ final class ObservedNetwork implements OracleView {
   @Override
   public boolean detects(int camera, int view, int target) {
     return targets.present(target) && sight.detects(camera, view, target);
+  }
+
+  @Override
+  public boolean detectsTurned(int camera, int view, int target) {
+    return targets.present(target) && sight.detectsTurned(camera, view, target);
   }
 
   @Override

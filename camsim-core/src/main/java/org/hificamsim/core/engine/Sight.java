@@ -39,6 +39,9 @@ interface Sight {
   /** Whether the camera would detect the target, were it at this view. */
   boolean detects(int camera, int view, int target);
 
+  /** The same, were it turned so that its picture has the target. */
+  boolean detectsTurned(int camera, int view, int target);
+
   /** The chance that the camera detects the target, were it at this view, in [0, 1]. */
   default double chance(int camera, int view, int target) {
     return detects(camera, view, target) ? 1 : 0;

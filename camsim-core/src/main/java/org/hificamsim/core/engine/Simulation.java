@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.StepOrder;
@@ -27,6 +28,7 @@ public final class Simulation {
   private final int[] views;
   private final boolean byChance;
   private final boolean jumps;
+  private final AimingZoomPolicy aiming;
   private boolean started;
   private long step;
 
@@ -63,6 +65,7 @@ public final class Simulation {
     this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
     this.byChance = !detection.certain();
     this.jumps = policy.jumps();
+    this.aiming = policy instanceof AimingZoomPolicy aims ? aims : null;
     this.coverage = new StepCoverage(world.scenario().objective());
     this.views = new int[world.cameras().count()];
     policy.begin(network, new SplittableRandom(seed));
@@ -156,7 +159,9 @@ public final class Simulation {
               .formatted(
                   policy.name(), view, network.cameraName(camera), network.views(camera) - 1));
     }
-    if (jumps) {
+    if (aiming != null && !Double.isNaN(aiming.pan(camera))) {
+      world.cameras().aim(camera, view, aiming.pan(camera));
+    } else if (jumps) {
       world.cameras().jumpTo(camera, view);
     } else {
       world.cameras().turnTo(camera, view);

@@ -78,6 +78,14 @@ public interface NetworkView extends CoveredTargets {
   /** The zoom level of one of the camera's views. */
   ZoomLevel zoom(int camera, int view);
 
+  /**
+   * The distance beyond which the camera detects nothing in one of its views, metres, as far as it
+   * can be told: what the detection model reaches, at most the view's radius.
+   */
+  default double reach(int camera, int view) {
+    return zoom(camera, view).radius();
+  }
+
   /** The pan angle of one of the camera's views: radians off its heading, to the right. */
   default double pan(int camera, int view) {
     return 0;

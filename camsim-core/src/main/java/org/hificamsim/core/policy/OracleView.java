@@ -37,6 +37,17 @@ public interface OracleView extends NetworkView, DetectionChances, CoverableTarg
   }
 
   /**
+   * Whether the camera would detect the target where both are now at the zoom level of a view, were
+   * it turned so that its picture has the target.
+   *
+   * @throws org.hificamsim.core.InputException when the detection model looks at where in the
+   *     picture a target is
+   */
+  default boolean detectsTurned(int camera, int view, int target) {
+    return detects(camera, view, target);
+  }
+
+  /**
    * The chance that the camera detects the target where both are now, were it at this view, before
    * luck is drawn: in [0, 1], 1 or 0 by a threshold.
    */

@@ -21,6 +21,8 @@ public final class Cameras {
   private final Pose[][] poses; // by camera and view
   private final ZoomLevel[][] zooms; // likewise
   private final int[] view;
+  private final boolean[] aimed;
+  private final double[] aimedPan;
   private final boolean[] online;
   private Motion motion;
   private int revision;
@@ -33,6 +35,8 @@ public final class Cameras {
     poses = new Pose[count][];
     zooms = new ZoomLevel[count][];
     view = new int[count];
+    aimed = new boolean[count];
+    aimedPan = new double[count];
     online = new boolean[count];
   }
 
@@ -76,6 +80,7 @@ public final class Cameras {
   }
 
   private void turn(int camera) {
+    aimed[camera] = false;
     Pose pose = mounted[camera];
     ViewSet set = sets[camera];
     Pose[] byPan = new Pose[set.pans().size()];
@@ -86,14 +91,36 @@ public final class Cameras {
 
   /** Sends a camera towards a view. */
   public void turnTo(int camera, int newView) {
+    release(camera);
     view[camera] = newView;
   }
 
   /** Puts a camera into a view at once, however long it would have taken. */
   public void jumpTo(int camera, int newView) {
+    release(camera);
     view[camera] = newView;
     if (motion != null) {
       motion.arrive(camera, newView);
+    }
+  }
+
+  /**
+   * Puts a camera into a view at once, turned to any angle.
+   *
+   * @param pan radians off the mounted heading, which the view has until the next turn
+   */
+  public void aim(int camera, int newView, double pan) {
+    jumpTo(camera, newView);
+    poses[camera][newView] = mounted[camera].turned(pan);
+    aimed[camera] = true;
+    aimedPan[camera] = pan;
+  }
+
+  /** A view that was aimed has its own angle again. */
+  private void release(int camera) {
+    if (aimed[camera]) {
+      aimed[camera] = false;
+      poses[camera][view[camera]] = mounted[camera].turned(sets[camera].pan(view[camera]));
     }
   }
 
@@ -185,7 +212,7 @@ public final class Cameras {
 
   /** The pan angle of one of the views, radians off the mounted heading. */
   public double pan(int camera, int ofView) {
-    return sets[camera].pan(ofView);
+    return aimed[camera] && ofView == view[camera] ? aimedPan[camera] : sets[camera].pan(ofView);
   }
 
   /** Changes whenever a camera is added, moved, refitted or switched off. */

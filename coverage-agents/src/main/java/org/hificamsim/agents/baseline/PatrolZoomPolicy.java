@@ -18,7 +18,7 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
     MIDDLE,
     NARROWEST;
 
-    private int of(int zooms) {
+    int of(int zooms) {
       return switch (this) {
         case WIDEST -> zooms - 1;
         case MIDDLE -> zooms / 2;

@@ -11,10 +11,11 @@ import org.hificamsim.core.registry.Options;
 /**
  * Each camera keeps the nearest target that it sees in the middle of its picture, and as large as
  * it can: it turns to the pan angle nearest to the target's direction, and takes the narrowest zoom
- * level that has the target in angle and reach with a margin. Where none has, it takes the widest.
+ * level that has the target in angle and reach with a margin. Where none has, it stays where it
+ * sees the target.
  *
  * <p>A camera that sees no target widens, and then sweeps over its pan angles. It knows what it
- * sees and nothing else.
+ * sees, and how far its views reach, and nothing else.
  */
 public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   public static final String NAME = "tracker";
@@ -23,16 +24,19 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
 
   private final double margin;
   private final int dwell;
+  private final PatrolZoomPolicy.Zoom search;
   private NearestTarget[] nearest = {};
   private Sweep[] sweeps = {};
 
   /**
    * @param margin share of half the opening angle, and of the reach, that is to stay free, [0, 1)
    * @param dwell steps that a camera which searches stays in each view, 1 or more
+   * @param search the zoom level that it searches with
    */
-  public TrackerZoomPolicy(double margin, int dwell) {
+  public TrackerZoomPolicy(double margin, int dwell, PatrolZoomPolicy.Zoom search) {
     this.margin = margin;
     this.dwell = dwell;
+    this.search = search;
   }
 
   /** The policy with its options {@code margin} and {@code dwell}. */
@@ -45,7 +49,11 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
             1,
             1,
             PatrolZoomPolicy.MAX_DWELL,
-            "steps that a camera which searches stays at each pan angle"));
+            "steps that a camera which searches stays at each pan angle"),
+        options.choice(
+            "search",
+            PatrolZoomPolicy.Zoom.WIDEST,
+            "the zoom level to search with: widest, middle, narrowest"));
   }
 
   @Override
@@ -65,7 +73,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   protected int choose(NetworkView network, int camera) {
     return nearest[camera].find(network, camera)
         ? follow(network, camera)
-        : sweeps[camera].next(network, camera, network.zooms(camera) - 1);
+        : sweeps[camera].next(network, camera, search.of(network.zooms(camera)));
   }
 
   /** A camera that sees while it moves follows what comes into its picture. */
@@ -79,17 +87,19 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
     double direction = axis + nearest[camera].bearing();
     int pan = PanAngles.nearest(network, camera, direction);
     double off = PanAngles.off(network, camera, pan, direction);
-    int zoom = 0;
-    int widest = network.zooms(camera) - 1;
-    while (zoom < widest && !fits(network.zoom(camera, zoom), nearest[camera].distance(), off)) {
-      zoom++;
+    for (int zoom = 0; zoom < network.zooms(camera); zoom++) {
+      int view = PanAngles.view(network, camera, pan, zoom);
+      if (fits(network, camera, view, off)) {
+        return view;
+      }
     }
-    return PanAngles.view(network, camera, pan, zoom);
+    return network.view(camera);
   }
 
-  private boolean fits(ZoomLevel zoom, double distance, double off) {
+  private boolean fits(NetworkView network, int camera, int view, double off) {
+    ZoomLevel zoom = network.zoom(camera, view);
     double kept = 1 - margin;
-    return distance <= kept * zoom.radius()
+    return nearest[camera].distance() <= kept * network.reach(camera, view)
         && (zoom.allRound() || off <= kept * zoom.viewingAngle() / 2);
   }
 }

@@ -1,5 +1,6 @@
 package org.hificamsim.agents.optimal;
 
+import java.util.Arrays;
 import org.hificamsim.agents.search.Solver;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -8,22 +9,28 @@ import org.hificamsim.core.policy.NetworkView;
  * are, and counts where it gave up the proof.
  */
 final class ConfigurationSearch {
-  private final DetectionSets sets;
+  /** No set has been chosen. */
+  static final int NONE = -1;
+
+  private final ConfigurationSets sets;
   private final Solver solver;
+  private final int[] chosen;
   private long unprovenSteps;
   private double gap;
 
   /**
    * @param nodes search nodes after which a step's proof is given up
    */
-  ConfigurationSearch(NetworkView network, Preference preference, long nodes) {
-    sets = new DetectionSets(network, preference);
+  ConfigurationSearch(NetworkView network, ConfigurationSets sets, long nodes) {
+    this.sets = sets;
+    chosen = new int[network.cameras()];
+    Arrays.fill(chosen, NONE);
     solver = Solver.of(network.objective(), sets.problem(), nodes);
   }
 
   /** Writes the best configuration into {@code views}; leaves them when no target is present. */
-  void decide(NetworkView network, CandidateViews candidates, int[] views) {
-    if (!sets.fill(network, candidates)) {
+  void decide(NetworkView network, int[] views) {
+    if (!sets.fill(network)) {
       return;
     }
     solver.solve();
@@ -32,9 +39,15 @@ final class ConfigurationSearch {
     int online = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        views[camera] = sets.viewOf(solver.chosen(online++));
+        chosen[camera] = solver.chosen(online++);
+        views[camera] = sets.viewOf(chosen[camera]);
       }
     }
+  }
+
+  /** The set that a camera was given last; {@link #NONE} before the first. */
+  int chosen(int camera) {
+    return chosen[camera];
   }
 
   long unprovenSteps() {

@@ -11,7 +11,8 @@ import org.hificamsim.core.policy.NetworkView;
  * <p>A set that is included in a more preferred one of the same camera is left out: it would never
  * be chosen.
  */
-final class DetectionSets {
+final class DetectionSets implements ConfigurationSets {
+  private final CandidateViews candidates;
   private final Preference preference;
   private final CoverageProblem problem;
   private final int[] placeOf;
@@ -27,7 +28,8 @@ final class DetectionSets {
   private boolean everyTarget;
   private int words;
 
-  DetectionSets(NetworkView network, Preference preference) {
+  DetectionSets(NetworkView network, CandidateViews candidates, Preference preference) {
+    this.candidates = candidates;
     this.preference = preference;
     int most = 0;
     int all = 0;
@@ -47,22 +49,18 @@ final class DetectionSets {
     viewOfRow = new int[most];
   }
 
-  /** The problem that {@link #fill} fills. */
-  CoverageProblem problem() {
+  @Override
+  public CoverageProblem problem() {
     return problem;
   }
 
-  /** The view behind a set of the problem. */
-  int viewOf(int set) {
+  @Override
+  public int viewOf(int set) {
     return viewOf[set];
   }
 
-  /**
-   * Fills the problem with the network as it is now; its cameras are the online ones.
-   *
-   * @return whether any target is present; if none is, the problem stays as it was
-   */
-  boolean fill(NetworkView network, CandidateViews candidates) {
+  @Override
+  public boolean fill(NetworkView network) {
     findPresent(network);
     if (targets == 0) {
       return false;
@@ -72,7 +70,7 @@ final class DetectionSets {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
         problem.addCamera();
-        add(network, camera, candidates);
+        add(network, camera);
       }
     }
     return true;
@@ -88,19 +86,19 @@ final class DetectionSets {
     everyTarget = targets == network.targets();
   }
 
-  private void add(NetworkView network, int camera, CandidateViews candidates) {
+  private void add(NetworkView network, int camera) {
     network.oracle().detections(camera, seen, allWords);
-    int whole = firstThatSeesAll(camera, candidates);
+    int whole = firstThatSeesAll(camera);
     if (whole == 0 || (whole > 0 && preference.mostTargets())) {
-      look(camera, candidates, whole, 0);
+      look(camera, whole, 0);
       addSet(0);
     } else {
-      addInOrder(camera, candidates);
+      addInOrder(camera);
     }
   }
 
   /** The first candidate that detects all that any of them does; -1 when there is none. */
-  private int firstThatSeesAll(int camera, CandidateViews candidates) {
+  private int firstThatSeesAll(int camera) {
     int count = candidates.count(camera);
     Arrays.fill(union, 0);
     for (int i = 0; i < count; i++) {
@@ -118,10 +116,10 @@ final class DetectionSets {
     return -1;
   }
 
-  private void addInOrder(int camera, CandidateViews candidates) {
+  private void addInOrder(int camera) {
     int count = candidates.count(camera);
     for (int i = 0; i < count; i++) {
-      look(camera, candidates, i, i);
+      look(camera, i, i);
       place(i);
     }
     int first = problem.sets();
@@ -138,7 +136,7 @@ final class DetectionSets {
   }
 
   /** Copies what a camera sees as candidate i, by target, into a row, by target present. */
-  private void look(int camera, CandidateViews candidates, int i, int row) {
+  private void look(int camera, int i, int row) {
     viewOfRow[row] = candidates.view(camera, i);
     int from = viewOfRow[row] * allWords;
     int to = row * words;

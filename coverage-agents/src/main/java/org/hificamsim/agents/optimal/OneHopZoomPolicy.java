@@ -57,7 +57,8 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     candidates = new CandidateViews(network);
-    search = new ConfigurationSearch(network, preference, nodes);
+    search =
+        new ConfigurationSearch(network, new DetectionSets(network, candidates, preference), nodes);
   }
 
   @Override
@@ -65,7 +66,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
     for (int camera = 0; camera < network.cameras(); camera++) {
       findCandidates(network, camera);
     }
-    search.decide(network, candidates, views);
+    search.decide(network, views);
   }
 
   /** A camera that reaches no view within the step goes on to the one it has chosen. */

@@ -19,6 +19,12 @@ import org.hificamsim.core.registry.Options;
 public final class OptimalZoomPolicy implements ProvingZoomPolicy {
   public static final String NAME = "optimal";
 
+  /** The pan angles that cameras may turn to. */
+  private enum Pan {
+    LISTED,
+    CONTINUOUS
+  }
+
   private final int nodes;
   private CandidateViews candidates;
   private ConfigurationSearch search;
@@ -36,9 +42,13 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
     this.nodes = nodes;
   }
 
-  /** The policy with its option {@code nodes}. */
-  public static OptimalZoomPolicy from(Options options) {
-    return new OptimalZoomPolicy(NodeLimit.from(options));
+  /** The policy with its options {@code nodes} and {@code pan}. */
+  public static ProvingZoomPolicy from(Options options) {
+    int nodes = NodeLimit.from(options);
+    return options.choice("pan", Pan.LISTED, "angles to turn to: those listed, or any in between")
+            == Pan.LISTED
+        ? new OptimalZoomPolicy(nodes)
+        : new AimedOptimalZoomPolicy(nodes);
   }
 
   @Override
@@ -65,14 +75,16 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
     }
     if (!settled) {
       search = search != null ? search : newSearch(network);
-      search.decide(network, candidates, views);
+      search.decide(network, views);
     } else if (anyPresent(network)) {
       settle(network, views);
     }
   }
 
   private ConfigurationSearch newSearch(NetworkView network) {
-    return new ConfigurationSearch(network, Preference.MOST_TARGETS_THEN_NARROWEST, nodes);
+    Preference preference = Preference.MOST_TARGETS_THEN_NARROWEST;
+    return new ConfigurationSearch(
+        network, new DetectionSets(network, candidates, preference), nodes);
   }
 
   @Override

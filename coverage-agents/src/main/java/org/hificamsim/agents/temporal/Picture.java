@@ -1,13 +1,12 @@
 package org.hificamsim.agents.temporal;
 
-import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenTask;
 
 /**
  * Where in its picture a camera sees targets: in the left, centre or right third of its opening
- * angle, and, where depth counts, near or far: up to half the reach of its view, or farther. The
- * reach of a lens that has none of its own is the field's diagonal.
+ * angle, and, where depth counts, near or far: up to half the {@linkplain NetworkView#reach reach}
+ * of its view, or farther.
  */
 final class Picture {
   static final int THIRDS = 3;
@@ -29,9 +28,8 @@ final class Picture {
     parts = 0;
     int view = network.seeing(camera);
     if (view >= 0) {
-      ZoomLevel zoom = network.zoom(camera, view);
-      third = zoom.viewingAngle() / THIRDS;
-      near = zoom.radius() / 2;
+      third = network.zoom(camera, view).viewingAngle() / THIRDS;
+      near = depth ? network.reach(camera, view) / 2 : 0;
       network.eachSeen(camera, this, ADDING);
     }
     return parts;

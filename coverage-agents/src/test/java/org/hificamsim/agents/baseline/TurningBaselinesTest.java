@@ -122,6 +122,18 @@ class TurningBaselinesTest {
   }
 
   @Test
+  void trackerStaysWhereItSeesATargetThatNoZoomHasWithAMargin() {
+    assertViews("tracker", LENS, "5 5", at(25, 14));
+    assertViews("tracker:search=narrowest", LENS, "4 4", at(9, 14));
+  }
+
+  @Test
+  void trackerSearchesWithTheZoomLevelThatItIsTold() {
+    assertViews("tracker:search=narrowest", LENS, "4 6 8 6 4");
+    assertViews("tracker:search=narrowest,dwell=2", LENS, "4 4 6 6 8");
+  }
+
+  @Test
   void trackerKeepsTheNearestOfSeveral() {
     assertViews("tracker", LENS, "6 6", at(-25, 11), at(25, 10));
     assertViews("tracker", LENS, "2 2", at(-25, 10), at(25, 11));

@@ -25,6 +25,13 @@ public record CameraPose(
     @IfAny List<Double> pans,
     @IfAny List<Lens> lenses,
     @IfAny List<Double> visible) {
+  /** Whether its lists fit each other, as a file may say otherwise. */
+  boolean consistent() {
+    return !levels.isEmpty()
+        && (lenses.isEmpty() || lenses.size() == levels.size())
+        && visible.size() % 2 == 0;
+  }
+
   /** How many views it can choose: each level at each pan angle. */
   public int views() {
     return levels.size() * Math.max(1, pans.size());

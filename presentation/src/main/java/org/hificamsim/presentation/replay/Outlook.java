@@ -36,7 +36,7 @@ final class Outlook {
       return List.of();
     }
     double most = BEYOND * reach;
-    List<Point> corners = VisibleRegion.of(obstacles, x, y).polygon(most);
+    List<Point> corners = VisibleRegion.of(obstacles, x, y, most).polygon(most);
     return rounded(corners.isEmpty() ? List.of(new Point(x, y)) : fewer(corners, x, y, most));
   }
 

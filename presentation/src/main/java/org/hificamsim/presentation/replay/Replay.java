@@ -58,13 +58,19 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
     if (runs.isEmpty()) {
       throw broken(file, "runs", null);
     }
+    boolean fit = setup.widths().isEmpty() || setup.widths().size() == setup.targets().size();
+    if (!fit || !setup.cameras().stream().allMatch(camera -> camera.pose().consistent())) {
+      throw broken(file, "setup", null);
+    }
     int most = RecordingLimits.USUAL.frames(setup) + 2;
     for (PackedRun run : runs) {
       if (run.frames() < 1 || run.frames() > most || run.steps() < run.frames()) {
         throw broken(file, "frames of run " + run.run(), null);
       }
       for (Move move : run.moves()) {
-        if (move.camera() < 0 || move.camera() >= setup.cameras().size()) {
+        if (move.camera() < 0
+            || move.camera() >= setup.cameras().size()
+            || !move.pose().consistent()) {
           throw broken(file, "moves of run " + run.run(), null);
         }
       }

@@ -10,7 +10,7 @@ export const ZONES = [
 ];
 
 /** Paints the zones of a view, each with its name where it ends. */
-export function paintZones(context, map, view, ink, unit) {
+export function paintZones(context, map, view, {ink, paper}, unit) {
   inSight(context, map, view, () => {
     let from = 0;
     for (const {least, colour} of ZONES) {
@@ -26,11 +26,16 @@ export function paintZones(context, map, view, ink, unit) {
     }
   });
   context.fillStyle = ink;
+  context.strokeStyle = paper;
+  context.lineWidth = 3 * unit;
+  context.lineJoin = 'round';
   context.font = `${11 * unit}px sans-serif`;
   context.textAlign = 'center';
   for (const {name, least} of ZONES) {
     const far = view.density / least;
-    context.fillText(`${name} ${least}`, map.x(view.x + far * Math.sin(view.heading)), map.y(view.y + far * Math.cos(view.heading)));
+    const label = [`${name} ${least}`, map.x(view.x + far * Math.sin(view.heading)), map.y(view.y + far * Math.cos(view.heading))];
+    context.strokeText(...label);
+    context.fillText(...label);
   }
 }
 

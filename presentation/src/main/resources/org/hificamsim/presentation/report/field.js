@@ -291,7 +291,7 @@ export class FieldView {
     const online = run.setup.cameras.map((camera, i) => i).filter(i => run.online[i][frame]);
     const {selected} = this;
     if (this.zones && online.includes(selected) && run.seen(selected, frame) >= 0) {
-      paintZones(context, map, this.view(selected), this.colours.ink, this.surface.unit);
+      paintZones(context, map, this.view(selected), this.colours, this.surface.unit);
     }
     online.forEach(i => this.paintView(context, i));
     if (this.site.obstacles.length) {

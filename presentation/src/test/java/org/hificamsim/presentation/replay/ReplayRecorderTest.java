@@ -188,6 +188,28 @@ class ReplayRecorderTest {
     assertTrue(refused.getMessage().contains("replay.json"), refused.getMessage());
   }
 
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "\"widths\":[|\"widths\":[1,",
+        "\"lenses\":[|\"lenses\":[{\"viewingAngle\":1,\"density\":0},",
+        "\"visible\":[|\"visible\":[1,",
+        "\"kind\":\"wall\"|\"kind\":\"door\"",
+        "\"radius\":0.8|\"radius\":-1",
+      })
+  void refusesAPlaceThatDoesNotFitInOneLine(String change) throws IOException {
+    Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
+    record(plan(hall, "zoom-out", 3, 1), RecordingLimits.USUAL);
+    Path file = folder.resolve(ResultFolder.REPLAY);
+    String[] words = change.split("\\|");
+    String json = Files.readString(file);
+    assertTrue(json.contains(words[0]), words[0]);
+    Files.writeString(file, json.replace(words[0], words[1]));
+    InputException refused = assertThrows(InputException.class, () -> Replay.read(folder));
+    assertTrue(refused.getMessage().contains("replay.json"), refused.getMessage());
+    assertEquals(1, refused.getMessage().lines().count(), refused.getMessage());
+  }
+
   @Test
   void refusesDataThatEndEarly() throws IOException {
     record(plan("lattice-random", "sarsa", 50, 1), RecordingLimits.USUAL);

@@ -1,0 +1,60 @@
+package org.hificamsim.agents.optimal;
+
+import java.util.SplittableRandom;
+import org.hificamsim.core.policy.AimingZoomPolicy;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
+
+/**
+ * The best configuration of all if cameras may turn to any angle between their outermost pan
+ * angles, found exactly at each step: {@code optimal:pan=continuous}. It is a bound for cameras
+ * with any list of angles between.
+ *
+ * <p>Only {@linkplain PanSweep maximal detection sets} are searched. Among configurations with the
+ * best score it is the one in which camera 0 has its first set, then camera 1, and so on; sets are
+ * in the order of the zoom levels, the narrowest first. With no target present the views stay.
+ */
+final class AimedOptimalZoomPolicy implements AimingZoomPolicy, ProvingZoomPolicy {
+  private final int nodes;
+  private AimedSets sets;
+  private ConfigurationSearch search;
+
+  /**
+   * @param nodes search nodes after which a step's proof is given up, 0 or more
+   */
+  AimedOptimalZoomPolicy(int nodes) {
+    this.nodes = nodes;
+  }
+
+  @Override
+  public String name() {
+    return OptimalZoomPolicy.NAME;
+  }
+
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    sets = new AimedSets(network);
+    search = new ConfigurationSearch(network, sets, nodes);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] views) {
+    search.decide(network, views);
+  }
+
+  @Override
+  public double pan(int camera) {
+    int set = search.chosen(camera);
+    return set == ConfigurationSearch.NONE ? Double.NaN : sets.panOf(set);
+  }
+
+  @Override
+  public long unprovenSteps() {
+    return search.unprovenSteps();
+  }
+
+  @Override
+  public double gap() {
+    return search.gap();
+  }
+}
