@@ -94,15 +94,12 @@ class PlacesTest {
 
   private static List<String> places() throws IOException {
     try (InputStream stream = PlacesTest.class.getResourceAsStream(PLACES)) {
-      return new String(stream.readAllBytes(), UTF_8)
-          .lines()
-          .toList();
+      return new String(stream.readAllBytes(), UTF_8).lines().toList();
     }
   }
 
   private static Scenario read(String name, List<String> warnings) {
-    return ScenarioReader.read(
-        Cli.scenario(name), CATALOGUE.movements()::knows, warnings::add);
+    return ScenarioReader.read(Cli.scenario(name), CATALOGUE.movements()::knows, warnings::add);
   }
 
   private static Cli compare(

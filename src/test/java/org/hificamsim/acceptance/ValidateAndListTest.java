@@ -23,8 +23,9 @@ class ValidateAndListTest {
   @TempDir Path folder;
 
   @Test
-  void everyScenarioOfTheProjectIsValidWithoutAWarningButForSectorsThatNoLensHasAndArenasThatNoneSees()
-      throws IOException {
+  void
+      everyScenarioOfTheProjectIsValidWithoutAWarningButForSectorsThatNoLensHasAndArenasThatNoneSees()
+          throws IOException {
     try (Stream<Path> files = Files.list(Cli.ROOT.resolve("scenarios"))) {
       for (Path file : files.filter(path -> path.toString().endsWith(".xml")).sorted().toList()) {
         Cli validate = Cli.run("validate", file);

@@ -24,10 +24,14 @@ final class Descriptions {
 
   /** Old files say it as ever. */
   private static String views(Scenario scenario) {
-    long optics = scenario.cameras().stream().flatMap(one -> one.optics().stream()).distinct().count();
+    long optics =
+        scenario.cameras().stream().flatMap(one -> one.optics().stream()).distinct().count();
     if (optics > 0) {
       int obstacles = scenario.surroundings().obstacles().size();
-      return optics + (optics == 1 ? " kind" : " kinds") + " of optics, " + count(obstacles, "obstacle");
+      return optics
+          + (optics == 1 ? " kind" : " kinds")
+          + " of optics, "
+          + count(obstacles, "obstacle");
     }
     return scenario.inCoverageDialect()
         ? count(scenario.zooms().size(), "zoom level")
