@@ -54,7 +54,7 @@ class PlacesTest {
   @CsvFileSource(resources = PLACES)
   void runsUnderEveryPolicy(String name, String detection) throws IOException {
     Path out = folder.resolve("out");
-    List<String> policies = CATALOGUE.policies().names();
+    List<String> policies = policiesFor(read(name, new ArrayList<>()));
     Cli compare = compare(name, detection, String.join(",", policies), 50, 1, out);
     assertEquals(0, compare.exit(), compare.err());
     assertEquals(policies.size() + 1, Files.readAllLines(out.resolve("results.csv")).size());
@@ -90,6 +90,13 @@ class PlacesTest {
     }
     assertTrue(objectives.containsAll(Set.of("kmin", "covered:k=1", "covered:k=2")));
     assertTrue(cameras.containsAll(Set.of(4, 40)), cameras + " cameras");
+  }
+
+  /** All but the one that is of k_min alone where a place has another objective. */
+  private static List<String> policiesFor(Scenario place) {
+    return CATALOGUE.policies().names().stream()
+        .filter(name -> place.objective().isKMin() || !name.equals("optimal-expected"))
+        .toList();
   }
 
   private static List<String> places() throws IOException {
