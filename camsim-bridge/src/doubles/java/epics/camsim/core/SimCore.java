@@ -20,6 +20,8 @@ public class SimCore {
   private static final String HEADER =
       "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;proportion";
 
+  private static final String LOOKS = "time,camera,object,range,x,y,returned,kept,heading,angle";
+
   private final ArrayList<CameraController> cameras = new ArrayList<>();
   private final ArrayList<TraceableObject> objects = new ArrayList<>();
   private final List<Attributes> events;
@@ -140,7 +142,11 @@ public class SimCore {
             + ","
             + confidence
             + ","
-            + (kept == null ? "" : kept));
+            + (kept == null ? "" : kept)
+            + ","
+            + camera.getHeading()
+            + ","
+            + camera.getAngle());
   }
 
   private void trade() {
@@ -274,7 +280,7 @@ public class SimCore {
   /** Writes the table of steps, and beside it who saw what. */
   public void close_files() throws IOException {
     write(output, HEADER, rows);
-    write(output.resolveSibling("looks.csv"), "time,camera,object,range,x,y,returned,kept", looks);
+    write(output.resolveSibling("looks.csv"), LOOKS, looks);
   }
 
   private static void write(Path file, String header, List<String> rows) throws IOException {

@@ -1,7 +1,9 @@
 package org.hificamsim.bridge;
 
+import static org.hificamsim.bridge.NumberOption.number;
+import static org.hificamsim.bridge.NumberOption.requireFor;
+
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.bridge.run.BridgeSettings;
@@ -18,7 +20,6 @@ import org.hificamsim.runs.Overrides;
 
 /** Reads the text after {@code -javaagent:hificamsim-bridge.jar=}. */
 final class BridgeOptions {
-  private static final int MAX_LEVELS = 1000;
   private static final double MAX_METRES = 1e6;
 
   private final Catalogue catalogue;
@@ -45,6 +46,7 @@ final class BridgeOptions {
     Optional<String> size = text("size", "target size, m");
     Optional<String> policy = text("policy", "name and options of the zoom policy");
     Optional<String> zooms = text("zooms", "radii, m");
+    OpticsOptions optics = new OpticsOptions(given);
     Optional<String> objective = text("objective", "what a step is scored by");
     Optional<String> seed = text("seed", "seed of the policy, and of luck");
     Optional<String> out = text("out", "folder for result files");
@@ -64,6 +66,7 @@ final class BridgeOptions {
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),
         zooms.map(BridgeOptions::radii).orElse(List.of()),
+        optics.optics(policy.isPresent(), zooms),
         objective.map(Objective::parse).orElseGet(Objective::kMin),
         seed.map(BridgeOptions::seed).orElse(0),
         out.map(Path::of));
@@ -103,41 +106,11 @@ final class BridgeOptions {
   }
 
   private static List<Double> radii(String text) {
-    List<Double> radii = new ArrayList<>();
-    for (String item : text.strip().split("[;,\\s]+")) {
-      double radius = number("zooms", item, Double.MIN_VALUE, MAX_METRES);
-      if (!radii.isEmpty() && radius <= radii.get(radii.size() - 1)) {
-        throw new InputException(
-            "zooms has '"
-                + item
-                + "' after "
-                + radii.get(radii.size() - 1)
-                + ", expected rising radii, each once, such as 2.5;5;7.5");
-      }
-      radii.add(radius);
-    }
-    if (radii.size() > MAX_LEVELS) {
-      throw new InputException(
-          "zooms has " + radii.size() + " radii, expected at most " + MAX_LEVELS);
-    }
-    return radii;
+    return NumberOption.rising("zooms", text, Double.MIN_VALUE, MAX_METRES, "radii", "2.5;5;7.5");
   }
 
   private static int seed(String text) {
-    return Options.parse("options", "seed=" + text)
-        .integer("seed", 0, Integer.MIN_VALUE, Integer.MAX_VALUE, "seed");
-  }
-
-  private static double number(String key, String text, double least, double most) {
-    return Options.parse("options", key + "=" + text).number(key, least, least, most, key);
-  }
-
-  private static void requireFor(
-      String key, Optional<String> value, boolean present, String needed) {
-    if (value.isPresent() && !present) {
-      throw new InputException(
-          key + " is '" + value.get() + "' without " + needed + ", expected both");
-    }
+    return NumberOption.integer("seed", text, Integer.MIN_VALUE, Integer.MAX_VALUE);
   }
 
   /** The words of {@code strict}. */

@@ -9,9 +9,15 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.bridge.run.BridgeSettings;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
@@ -60,6 +66,29 @@ class BridgeOptionsTest {
   }
 
   @Test
+  void readsOptics() {
+    OpticsSpec optics =
+        parse("policy=random,hfov=8;25;58,law=constant-area,pan=-60;0;60,pixels=640")
+            .optics()
+            .orElseThrow();
+    assertEquals(OpticsLaw.CONSTANT_AREA, optics.law());
+    assertEquals(List.of(8.0, 25.0, 58.0), optics.anglesOfView());
+    assertEquals(List.of(-60.0, 0.0, 60.0), optics.pans());
+    assertEquals(OptionalInt.of(640), optics.pixels());
+    assertEquals(OptionalDouble.empty(), optics.reach());
+    assertFalse(optics.takesTime());
+  }
+
+  @Test
+  void opticsAreALensThatCannotTurnUnlessTheySayOtherwise() {
+    OpticsSpec optics = parse("policy=random,hfov=58").optics().orElseThrow();
+    assertEquals(OpticsLaw.PINHOLE, optics.law());
+    assertEquals(List.of(0.0), optics.pans());
+    assertEquals(OptionalInt.empty(), optics.pixels());
+    assertEquals(Optional.empty(), parse("policy=random").optics());
+  }
+
+  @Test
   void asksForNothingWithoutDetectionPolicyAndOut() {
     assertFalse(parse("strict=true").asksForAnything());
     assertTrue(parse("out=results").asksForAnything());
@@ -98,8 +127,42 @@ class BridgeOptionsTest {
         arguments(
             "policy=sarsa:gamma=0.9,epsilon=0.1",
             "options: unknown option 'epsilon=0.1', expected one of detection, threshold, detect,"
-                + " size, policy, zooms, objective, seed, out, strict, with ';' between a policy's"
-                + " own"),
+                + " size, policy, zooms, hfov, law, pan, pixels, objective, seed, out, strict,"
+                + " with ';' between a policy's own"),
+        arguments("hfov=8;25", "hfov is '8;25' without policy, expected both"),
+        arguments("policy=random,law=pinhole", "law is 'pinhole' without hfov, expected both"),
+        arguments("policy=random,pan=0;60", "pan is '0;60' without hfov, expected both"),
+        arguments("policy=random,pixels=640", "pixels is '640' without hfov, expected both"),
+        arguments(
+            "policy=random,hfov=8;25,zooms=3;5",
+            "hfov is '8;25' beside zooms '3;5', expected one of them"),
+        arguments(
+            "policy=random,hfov=25;8",
+            "hfov has '8' after 25.0, expected rising angles, each once, such as 8;15;25;40;58"),
+        arguments(
+            "policy=random,hfov=0",
+            "options: hfov is '0', expected a number above 0 and at most 179"),
+        arguments(
+            "policy=random,hfov=200",
+            "options: hfov is '200', expected a number above 0 and at most 179"),
+        arguments(
+            "policy=random,hfov=400,law=constant-area",
+            "options: hfov is '400', expected a number above 0 and at most 360"),
+        arguments(
+            "policy=random,hfov=25,law=round",
+            "options: law is 'round', expected one of pinhole, constant-area"),
+        arguments(
+            "policy=random,hfov=25,pan=0;-60",
+            "pan has '-60' after 0.0, expected rising angles, each once, such as -60;0;60"),
+        arguments(
+            "policy=random,hfov=25,pan=0;400",
+            "options: pan is '400', expected a number from -360.0 to 360.0"),
+        arguments(
+            "policy=random,hfov=25,pixels=0",
+            "options: pixels is '0', expected a whole number from 1 to 100000"),
+        arguments(
+            "policy=random,hfov=" + rising(1, 101) + ",pan=" + rising(0, 100),
+            "pan and hfov make 10201 views, expected at most 10000"),
         arguments("seed=4,out=results", "seed is '4' without policy or detect, expected both"),
         arguments(
             "policy=random,seed=1.5", "options: seed is '1.5', expected a whole number from -2147"),
@@ -109,6 +172,12 @@ class BridgeOptionsTest {
         arguments(
             "policy=random,policy=zoom-in",
             "options: option 'policy=zoom-in', expected key=value with each key once"));
+  }
+
+  private static String rising(int first, int last) {
+    return IntStream.rangeClosed(first, last)
+        .mapToObj(String::valueOf)
+        .collect(Collectors.joining(";"));
   }
 
   private static BridgeSettings parse(String options) {

@@ -5,6 +5,8 @@ package org.hificamsim.bridge;
  *
  * @param returned by {@code update_visiblity}
  * @param kept in the camera's visible set; 0 when the object is not in it
+ * @param heading of the camera, radians
+ * @param angle of the camera, radians
  */
 record Look(
     int step,
@@ -14,7 +16,9 @@ record Look(
     double x,
     double y,
     double returned,
-    double kept) {
+    double kept,
+    double heading,
+    double angle) {
   static Look of(String row) {
     String[] cells = row.split(",", -1);
     return new Look(
@@ -25,6 +29,8 @@ record Look(
         Double.parseDouble(cells[4]),
         Double.parseDouble(cells[5]),
         Double.parseDouble(cells[6]),
-        cells[7].isEmpty() ? 0 : Double.parseDouble(cells[7]));
+        cells[7].isEmpty() ? 0 : Double.parseDouble(cells[7]),
+        Double.parseDouble(cells[8]),
+        Double.parseDouble(cells[9]));
   }
 }

@@ -4,11 +4,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
@@ -34,9 +37,16 @@ final class OwnSimulation {
   static RunCoverage record(
       Path folder, Path file, List<Double> zooms, Detection detection, ZoomPolicy policy, int steps)
       throws IOException {
-    World world = new World(scenario(file, zooms), CATALOGUE.movements(), 0);
+    return record(folder, scenario(file, zooms), detection, policy, steps);
+  }
+
+  /** The same of a scenario that was read. */
+  static RunCoverage record(
+      Path folder, Scenario scenario, Detection detection, ZoomPolicy policy, int steps)
+      throws IOException {
+    World world = new World(scenario, CATALOGUE.movements(), 0);
     RunCoverage coverage = new RunCoverage();
-    try (SingleRun run = new SingleRun(folder, 0, detection, Detail.ZOOMS)) {
+    try (SingleRun run = new SingleRun(folder, 0, detection, Detail.full(scenario))) {
       new Simulation(world, detection, policy, 0, List.of(coverage, run)).run(steps);
       RunPlan plan = new RunPlan(world.scenario(), detection, "own", steps, 0, 1);
       run.commit(plan, 0, Optional.empty());
@@ -47,6 +57,35 @@ final class OwnSimulation {
   /** A detection model with its own threshold. */
   static Detection detection(String name) {
     return Detection.of(CATALOGUE.detection(name));
+  }
+
+  /** A scenario whose cameras, those that events add included, have these optics with a reach. */
+  static Scenario scenario(Path file, OpticsSpec optics) {
+    return scenario(file, List.of()).withCameras(camera -> with(camera, optics));
+  }
+
+  /** The reach is the camera's range, of which CamSim makes 20 m and more 16 m. */
+  private static CameraSpec with(CameraSpec camera, OpticsSpec optics) {
+    return new CameraSpec(
+        camera.name(),
+        camera.x(),
+        camera.y(),
+        camera.heading(),
+        camera.viewingAngle(),
+        camera.range(),
+        camera.agent(),
+        Optional.of(
+            new OpticsSpec(
+                optics.name(),
+                optics.law(),
+                optics.pixels(),
+                optics.anglesOfView(),
+                OptionalDouble.of(camera.range() >= 20 ? 16 : camera.range()),
+                optics.pans(),
+                optics.panSpeed(),
+                optics.zoomTime(),
+                optics.moving())),
+        camera.extras());
   }
 
   static Scenario scenario(Path file, List<Double> zooms) {

@@ -1,13 +1,15 @@
 package org.hificamsim.bridge;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 
@@ -19,18 +21,26 @@ final class Variant {
 
   /** The doubles with a text replaced, in names of files too, as a folder of classes. */
   static Path of(Path folder, String text, String replacement) throws IOException {
+    return of(folder, Map.of(text, replacement));
+  }
+
+  /** The same with several texts replaced. */
+  static Path of(Path folder, Map<String, String> replacements) throws IOException {
     List<String> files = new ArrayList<>();
-    boolean replaced = false;
+    Set<String> missing = new TreeSet<>(replacements.keySet());
     try (Stream<Path> sources = Files.walk(SOURCES)) {
       for (Path source : sources.filter(Files::isRegularFile).toList()) {
-        String before = Files.readString(source);
-        String after = before.replace(text, replacement);
-        replaced |= !after.equals(before);
-        String name = SOURCES.relativize(source).toString().replace(text, replacement);
-        files.add(write(folder, name, after));
+        String content = Files.readString(source);
+        String name = SOURCES.relativize(source).toString();
+        missing.removeIf(content::contains);
+        for (Map.Entry<String, String> one : replacements.entrySet()) {
+          content = content.replace(one.getKey(), one.getValue());
+          name = name.replace(one.getKey(), one.getValue());
+        }
+        files.add(write(folder, name, content));
       }
     }
-    assertTrue(replaced, "the doubles have no '" + text + "'");
+    assertEquals(Set.of(), missing, "what the doubles do not have");
     return compile(folder, files);
   }
 

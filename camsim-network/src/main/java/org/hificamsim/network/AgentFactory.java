@@ -7,6 +7,7 @@ import java.util.Random;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.AgentCheck.Fault;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.VisionGraph;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
@@ -56,7 +57,8 @@ final class AgentFactory {
           (attribute, expected) ->
               new InputException(
                   "camera '%s': %s: expected %s".formatted(name, attribute, expected));
-      roles.add(reader.read(world.cameraSpec(camera).agent(), camera >= fromFile, fault));
+      CameraSpec spec = world.cameraSpec(camera);
+      roles.add(reader.read(spec.agent(), spec.optics(), camera >= fromFile, fault));
     }
   }
 

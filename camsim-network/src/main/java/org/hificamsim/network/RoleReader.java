@@ -3,6 +3,8 @@ package org.hificamsim.network;
 import java.util.Optional;
 import org.hificamsim.core.scenario.AgentCheck.Fault;
 import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.agent.ScheduleKind;
@@ -24,15 +26,27 @@ final class RoleReader {
   /**
    * The next camera's role.
    *
+   * @param optics the camera's; empty for one that has its range alone
    * @param added whether an event adds it: its schedule is that of the last camera of the file
    * @throws org.hificamsim.core.InputException made by {@code fault} when a name is not known, or
    *     something that it needs is missing
    */
-  Role read(AgentSpec agent, boolean added, Fault fault) {
+  Role read(AgentSpec agent, Optional<OpticsSpec> optics, boolean added, Fault fault) {
     if (!added) {
       schedule = schedule(agent, fault);
     }
+    if (schedule == ScheduleKind.BANDIT_ZOOM) {
+      requireRange(optics, fault);
+    }
     return new Role(schedule, comm(agent, added, fault), agent.limit(), bandit(agent, fault));
+  }
+
+  /** A lens has the reach of its law, whatever range a bandit sets. */
+  private static void requireRange(Optional<OpticsSpec> optics, Fault fault) {
+    if (optics.filter(used -> used.law() != OpticsLaw.ROUND).isPresent()) {
+      throw fault.in(
+          "optics", "none, or law=\"round\", where the schedule is BanditZoom, which sets ranges");
+    }
   }
 
   private ScheduleKind schedule(AgentSpec agent, Fault fault) {

@@ -30,7 +30,10 @@ class RoleReaderTest {
 
   private static Role read(RoleReader reader, AgentSpec agent, boolean added) {
     return reader.read(
-        agent, added, (attribute, expected) -> new InputException(attribute + ": " + expected));
+        agent,
+        Optional.empty(),
+        added,
+        (attribute, expected) -> new InputException(attribute + ": " + expected));
   }
 
   private static String fault(AgentSpec agent) {

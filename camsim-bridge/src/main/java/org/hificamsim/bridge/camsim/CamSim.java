@@ -18,7 +18,9 @@ public final class CamSim {
   private static final MethodType NUMBER = MethodType.methodType(double.class, Object.class);
   private static final MethodType FLAG = MethodType.methodType(boolean.class, Object.class);
   private static final MethodType ANY = MethodType.methodType(Object.class, Object.class);
-  private static final double AS_IT_IS = -1;
+
+  /** What {@code change} takes for a value that is to stay. */
+  static final double AS_IT_IS = -1;
 
   private final ClassLoader loader;
   private final MethodHandle cameras;
@@ -86,14 +88,9 @@ public final class CamSim {
     return number(cameraY, camera);
   }
 
-  /** Radians, 0 is +y and pi/2 is +x. */
-  public double heading(Object camera) {
-    return number(heading, camera);
-  }
-
-  /** The full opening angle, radians. */
-  public double angle(Object camera) {
-    return number(angle, camera);
+  /** How the camera is aimed. */
+  public Aim aim(Object camera) {
+    return new Aim(number(heading, camera), number(angle, camera), number(range, camera));
   }
 
   /** Metres. */
@@ -159,8 +156,13 @@ public final class CamSim {
    * @param metres 0 or more
    */
   public void changeRange(Object camera, double metres) {
+    change(camera, AS_IT_IS, AS_IT_IS, metres);
+  }
+
+  /** The same of heading and opening angle, in the unit that {@code change} takes. */
+  void change(Object camera, double newHeading, double newAngle, double metres) {
     try {
-      change.invokeExact(camera, AS_IT_IS, AS_IT_IS, AS_IT_IS, AS_IT_IS, metres);
+      change.invokeExact(camera, AS_IT_IS, AS_IT_IS, newHeading, newAngle, metres);
     } catch (Throwable e) {
       throw failed(e);
     }

@@ -8,14 +8,17 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.runs.output.Detail;
 
 /**
  * What the bridge is asked to do; without any of detection, policy and out it has nothing to do.
  *
  * @param detection decides what cameras see; CamSim's own rule where it is missing
  * @param size edge of every target's bounding box, metres, above 0
- * @param policy chooses the cameras' ranges; CamSim does where it is missing
+ * @param policy chooses the cameras' views; CamSim does where it is missing
  * @param zooms radii common to all cameras, metres, rising; empty for those of each camera's range
+ * @param optics of all cameras that the policy steers, each with its own range for a reach
  * @param objective what a step is scored by
  * @param seed of the first run's policy; run i uses seed + i
  * @param out folder of the result files
@@ -25,6 +28,7 @@ public record BridgeSettings(
     double size,
     Optional<Policy> policy,
     List<Double> zooms,
+    Optional<OpticsSpec> optics,
     Objective objective,
     int seed,
     Optional<Path> out) {
@@ -49,8 +53,18 @@ public record BridgeSettings(
     return detection.orElseGet(() -> Detection.of(new CamSimVisibilityDetection()));
   }
 
+  /** The views among which a camera's is chosen. */
+  CameraViews views() {
+    return new CameraViews(policy.isPresent(), zooms, optics);
+  }
+
+  /** What result files tell of each step. */
+  Detail detail() {
+    return optics.isPresent() ? Detail.VIEWS : Detail.ZOOMS;
+  }
+
   /** The same with result files elsewhere, or nowhere. */
   BridgeSettings with(Optional<Path> newOut) {
-    return new BridgeSettings(detection, size, policy, zooms, objective, seed, newOut);
+    return new BridgeSettings(detection, size, policy, zooms, optics, objective, seed, newOut);
   }
 }

@@ -1,53 +1,67 @@
 package org.hificamsim.bridge.run;
 
+import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Map;
+import org.hificamsim.bridge.camsim.Aim;
+import org.hificamsim.bridge.camsim.Aiming;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.visibility.Pose;
+import org.hificamsim.core.world.ViewSet;
 
-/** A camera of CamSim's as it was at the last {@link #refresh}, with its zoom levels. */
+/**
+ * A camera of CamSim's as it was at the last {@link #refresh}, with its views.
+ *
+ * <p>Its mounted heading and its own opening angle are those that CamSim has, unless CamSim has
+ * what {@link #turnTo} made of them: then they are those of before.
+ */
 final class LiveCamera {
   private static final String UNNAMED = "";
+  private static final Aim NEVER = new Aim(Double.NaN, Double.NaN, Double.NaN);
 
   private final Object handle;
-  private final Zooms zooms;
+  private final CameraViews kind;
   private final BitSet seen = new BitSet();
   private String name = UNNAMED;
   private boolean online;
-  private Pose pose = Pose.of(0, 0, 0);
+  private Pose mounted = Pose.of(0, 0, 0);
+  private Pose[] poses; // by pan angle
   private double angle;
-  private double range;
   private double ownRange;
   private double reach = Double.NaN;
-  private ZoomLevel[] levels;
-  private int level;
+  private ViewSet views;
+  private int view;
+  private Aim asked = NEVER;
+  private Aim turned = NEVER; // what CamSim made of it
+  private Aim now = NEVER;
 
-  /** A camera that is yet to come: offline, with the levels of a range of 0. */
-  static LiveCamera toCome(Zooms zooms) {
-    return new LiveCamera(null, zooms);
+  /** A camera that is yet to come: offline, with the views of a range of 0. */
+  static LiveCamera toCome(CameraViews kind) {
+    return new LiveCamera(null, kind);
   }
 
-  /** A camera at its widest level; it is offline until the first {@link #refresh}. */
-  static LiveCamera of(Object handle, CamSim camsim, Zooms zooms) {
-    LiveCamera camera = new LiveCamera(handle, zooms);
+  /** A camera at its widest level, ahead; it is offline until the first {@link #refresh}. */
+  static LiveCamera of(Object handle, CamSim camsim, CameraViews kind) {
+    LiveCamera camera = new LiveCamera(handle, kind);
     camera.ownRange = camsim.range(handle);
     return camera;
   }
 
-  private LiveCamera(Object handle, Zooms zooms) {
+  private LiveCamera(Object handle, CameraViews kind) {
     this.handle = handle;
-    this.zooms = zooms;
-    this.levels = zooms.of(0, 2 * Math.PI);
-    this.level = levels.length - 1;
+    this.kind = kind;
+    this.views = kind.of(0, 2 * Math.PI);
+    this.view = views.home();
+    turn();
   }
 
   /**
    * Looks where the camera is and what it can do now.
    *
-   * @return whether anything has changed but the zoom level
+   * @return whether anything has changed but the view
    */
   boolean refresh(CamSim camsim) {
     if (camsim.offline(handle)) {
@@ -58,17 +72,26 @@ final class LiveCamera {
     if (name.equals(UNNAMED)) {
       name = camsim.cameraName(handle); // while it is offline, CamSim calls it "Offline"
     }
-    changed |= place(camsim.cameraX(handle), camsim.cameraY(handle), camsim.heading(handle));
-    range = camsim.range(handle);
-    changed |= refit(camsim.angle(handle), zooms.steered() ? ownRange : range);
+    now = camsim.aim(handle);
+    changed |= place(camsim.cameraX(handle), camsim.cameraY(handle), ownHeading());
+    changed |= refit(ownAngle(), kind.steered() ? ownRange : now.range());
     return changed;
   }
 
+  private double ownHeading() {
+    return now.heading() == turned.heading() ? mounted.heading() : now.heading();
+  }
+
+  private double ownAngle() {
+    return now.angle() == turned.angle() ? angle : now.angle();
+  }
+
   private boolean place(double newX, double newY, double newHeading) {
-    if (newX == pose.x() && newY == pose.y() && newHeading == pose.heading()) {
+    if (newX == mounted.x() && newY == mounted.y() && newHeading == mounted.heading()) {
       return false;
     }
-    pose = Pose.of(newX, newY, newHeading);
+    mounted = Pose.of(newX, newY, newHeading);
+    turn();
     return true;
   }
 
@@ -78,8 +101,14 @@ final class LiveCamera {
     }
     angle = newAngle;
     reach = newReach;
-    levels = zooms.of(reach, angle);
+    views = kind.of(reach, angle);
+    turn();
     return true;
+  }
+
+  private void turn() {
+    poses = new Pose[views.pans().size()];
+    Arrays.setAll(poses, pan -> mounted.turned(views.pans().get(pan)));
   }
 
   /** The camera takes no part, since it has failed or is gone; returns whether it did. */
@@ -89,39 +118,62 @@ final class LiveCamera {
     return was;
   }
 
-  /** Sets the zoom level, and CamSim's range by it. */
-  void zoomTo(int newLevel, CamSim camsim) {
-    level = newLevel;
-    changeRange(levels[level].radius(), camsim);
-  }
-
-  /** Gives the camera back the range it had before any policy. */
-  void restore(CamSim camsim) {
-    changeRange(ownRange, camsim);
-  }
-
-  private void changeRange(double radius, CamSim camsim) {
-    if (radius != range) {
-      camsim.changeRange(handle, radius);
-      range = radius;
+  /** Turns to a view, and CamSim's camera with it; where it has no optics, its range alone. */
+  void turnTo(int newView, CamSim camsim, Aiming aiming) {
+    view = newView;
+    if (kind.optics().isPresent()) {
+      aim(new Aim(pose(view).heading(), zoom().viewingAngle(), zoom().radius()), aiming);
+    } else {
+      changeRange(zoom().radius(), camsim);
     }
   }
 
-  /** Where the camera stands and which way it looks. */
+  private void aim(Aim wanted, Aiming aiming) {
+    if (!wanted.equals(asked) || !now.equals(turned)) {
+      turned = aiming.aim(handle, wanted);
+      now = turned;
+      asked = wanted;
+    }
+  }
+
+  /** Gives the camera back what it had before any policy, or was given by CamSim since. */
+  void restore(CamSim camsim, Aiming aiming) {
+    if (!asked.equals(NEVER)) {
+      now = camsim.aim(handle);
+      aiming.aim(handle, new Aim(ownHeading(), ownAngle(), ownRange));
+    } else if (kind.optics().isEmpty()) {
+      changeRange(ownRange, camsim);
+    }
+  }
+
+  private void changeRange(double radius, CamSim camsim) {
+    if (radius != now.range()) {
+      camsim.changeRange(handle, radius);
+      now = new Aim(now.heading(), now.angle(), radius);
+    }
+  }
+
+  /** Where the camera stands and which way it is mounted. */
   Pose pose() {
-    return pose;
+    return mounted;
+  }
+
+  /** Where the camera stands and which way it looks in one of its views. */
+  Pose pose(int ofView) {
+    return poses[views.panOf(ofView)];
   }
 
   /** The camera as a scenario describes one. */
   CameraSpec spec() {
     return new CameraSpec(
         name,
-        pose.x(),
-        pose.y(),
-        Math.toDegrees(pose.heading()),
+        mounted.x(),
+        mounted.y(),
+        Math.toDegrees(mounted.heading()),
         Math.toDegrees(angle),
-        range,
+        now.range(),
         AgentSpec.NONE,
+        kind.optics(),
         Map.of());
   }
 
@@ -138,15 +190,15 @@ final class LiveCamera {
     return online;
   }
 
-  int level() {
-    return level;
+  ViewSet views() {
+    return views;
+  }
+
+  int view() {
+    return view;
   }
 
   ZoomLevel zoom() {
-    return levels[level];
-  }
-
-  ZoomLevel zoom(int atLevel) {
-    return levels[atLevel];
+    return views.zoom(view);
   }
 }

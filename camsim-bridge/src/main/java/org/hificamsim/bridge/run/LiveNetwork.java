@@ -1,6 +1,7 @@
 package org.hificamsim.bridge.run;
 
 import java.util.List;
+import org.hificamsim.bridge.camsim.Aiming;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
@@ -19,10 +20,11 @@ final class LiveNetwork implements OracleView {
   private static final int MIN_ROOM = 8;
 
   private final CamSim camsim;
+  private final Aiming aiming;
   private final Object core;
   private final Visibility visibility;
   private final double size;
-  private final Zooms zooms;
+  private final CameraViews kind;
   private final Objective objective;
   private final Roster<LiveCamera> cameras;
   private final Roster<LiveTarget> targets = new Roster<>(LiveTarget.TO_COME);
@@ -39,21 +41,22 @@ final class LiveNetwork implements OracleView {
       Object core,
       Visibility visibility,
       double size,
-      Zooms zooms,
+      CameraViews kind,
       Objective objective) {
     this.objective = objective;
     this.camsim = camsim;
     this.core = core;
     this.visibility = visibility;
     this.size = size;
-    this.zooms = zooms;
-    this.cameras = new Roster<>(LiveCamera.toCome(zooms));
+    this.kind = kind;
+    this.aiming = new Aiming(camsim);
+    this.cameras = new Roster<>(LiveCamera.toCome(kind));
   }
 
   /** Takes note of where everything is in this step; what was seen stays. */
   void refresh(long newStep) {
     step = newStep;
-    cameras.update(camsim.cameras(core), handle -> LiveCamera.of(handle, camsim, zooms));
+    cameras.update(camsim.cameras(core), handle -> LiveCamera.of(handle, camsim, kind));
     for (int camera = 0; camera < cameras.all().size(); camera++) {
       LiveCamera eye = cameras.get(camera);
       boolean changed = cameras.isThere(camera) ? eye.refresh(camsim) : eye.switchOff();
@@ -95,14 +98,14 @@ final class LiveNetwork implements OracleView {
     expect(cameras.all().size(), 2 * targets.all().size() + MIN_ROOM);
   }
 
-  /** Sets a camera's level, and CamSim's range by it. */
-  void zoomTo(int camera, int level) {
-    cameras.get(camera).zoomTo(level, camsim);
+  /** Turns a camera to a view, and CamSim's with it. */
+  void turnTo(int camera, int view) {
+    cameras.get(camera).turnTo(view, camsim, aiming);
   }
 
-  /** Gives all cameras back the ranges they had before any policy. */
-  void restoreRanges() {
-    cameras.all().forEach(camera -> camera.restore(camsim));
+  /** Gives all cameras back what they had before any policy. */
+  void restore() {
+    cameras.all().forEach(camera -> camera.restore(camsim, aiming));
   }
 
   /** The names of the cameras that there have been; empty where one is not known. */
@@ -131,15 +134,16 @@ final class LiveNetwork implements OracleView {
     }
     targets.get(target).refresh(camsim, true);
     LiveCamera looking = cameras.get(eye);
-    double confidence = confidence(eye, looking.zoom(), target);
+    double confidence = confidence(eye, looking.view(), target);
     saw(camera, object, confidence > 0);
     return confidence;
   }
 
-  private double confidence(int camera, ZoomLevel zoom, int target) {
+  private double confidence(int camera, int view, int target) {
+    LiveCamera eye = cameras.get(camera);
     double luck = visibility.luck(step, camera, target);
     return visibility.confidence(
-        cameras.get(camera).pose(), zoom, targetX(target), targetY(target), size, luck);
+        eye.pose(view), eye.views().zoom(view), targetX(target), targetY(target), size, luck);
   }
 
   /** Records what came of a camera's look at an object in this step. */
@@ -194,17 +198,32 @@ final class LiveNetwork implements OracleView {
 
   @Override
   public int views(int camera) {
-    return zooms.levels();
+    return cameras.get(camera).views().count();
+  }
+
+  @Override
+  public int zooms(int camera) {
+    return cameras.get(camera).views().zooms().size();
   }
 
   @Override
   public int view(int camera) {
-    return cameras.get(camera).level();
+    return cameras.get(camera).view();
   }
 
   @Override
-  public ZoomLevel zoom(int camera, int level) {
-    return cameras.get(camera).zoom(level);
+  public boolean reaches(int camera, int view) {
+    return cameras.get(camera).views().isNextTo(view(camera), view);
+  }
+
+  @Override
+  public ZoomLevel zoom(int camera, int view) {
+    return cameras.get(camera).views().zoom(view);
+  }
+
+  @Override
+  public double pan(int camera, int view) {
+    return cameras.get(camera).views().pan(view);
   }
 
   @Override
@@ -253,26 +272,30 @@ final class LiveNetwork implements OracleView {
     if (!present(target)) {
       return 0;
     }
-    return DetectionModel.clamp(
-        visibility.value(eye.pose(), eye.zoom(), targetX(target), targetY(target), size));
+    double x = targetX(target);
+    double y = targetY(target);
+    return DetectionModel.clamp(visibility.value(eye.pose(eye.view()), eye.zoom(), x, y, size));
   }
 
   @Override
-  public boolean detects(int camera, int level, int target) {
-    return present(target) && confidence(camera, zoom(camera, level), target) > 0;
+  public boolean detects(int camera, int view, int target) {
+    return present(target) && confidence(camera, view, target) > 0;
   }
 
   @Override
-  public double chance(int camera, int level, int target) {
+  public double chance(int camera, int view, int target) {
     LiveCamera eye = cameras.get(camera);
+    ZoomLevel zoom = zoom(camera, view);
     return present(target)
-        ? visibility.chance(eye.pose(), eye.zoom(level), targetX(target), targetY(target), size)
+        ? visibility.chance(eye.pose(view), zoom, targetX(target), targetY(target), size)
         : 0;
   }
 
   @Override
-  public boolean dominates(int camera, int level, int other) {
-    LiveCamera eye = cameras.get(camera);
-    return visibility.dominates(eye.zoom(level), eye.zoom(other), size);
+  public boolean dominates(int camera, int view, int other) {
+    boolean whichWay = visibility.detection().model().dependsOnBearing();
+    boolean sameWay =
+        pan(camera, view) == pan(camera, other) || (zoom(camera, view).allRound() && !whichWay);
+    return sameWay && visibility.dominates(zoom(camera, view), zoom(camera, other), size);
   }
 }

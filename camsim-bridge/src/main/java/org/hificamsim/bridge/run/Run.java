@@ -14,14 +14,13 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.SingleRun;
 
 /**
  * One run of CamSim, from the first step of a {@code SimCore} to its end.
  *
- * <p>CamSim's step is: events, move, cameras look, auctions. The policy decides, and ranges are
- * set, when the first camera is about to look; the policy learns, and coverage is measured, when
+ * <p>CamSim's step is: events, move, cameras look, auctions. The policy decides, and cameras are
+ * turned, when the first camera is about to look; the policy learns, and coverage is measured, when
  * the step is over.
  */
 final class Run {
@@ -55,7 +54,7 @@ final class Run {
             core,
             Visibility.asInCamSim(settings.seen(), seed()),
             settings.size(),
-            new Zooms(settings.policy().isPresent(), settings.zooms()),
+            settings.views(),
             settings.objective());
     this.coverage = new StepCoverage(settings.objective());
     this.steering = settings.policy().map(policy -> new Steering(policy, seed()));
@@ -63,7 +62,10 @@ final class Run {
         settings.out().isPresent()
             ? Optional.of(
                 new SingleRun(
-                    folder(settings.out().get(), number), number, settings.seen(), Detail.ZOOMS))
+                    folder(settings.out().get(), number),
+                    number,
+                    settings.seen(),
+                    settings.detail()))
             : Optional.empty();
   }
 
@@ -142,7 +144,7 @@ final class Run {
   /** Leaves CamSim as it would be without a policy. */
   void letGo() {
     if (steering.isPresent()) {
-      network.restoreRanges();
+      network.restore();
     }
   }
 

@@ -7,7 +7,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.runs.Proof;
 
 /**
- * A zoom policy that sets the ranges of CamSim's cameras.
+ * A zoom policy that chooses the views of CamSim's cameras.
  *
  * <p>Policies size their tables when they begin. Where events bring more cameras or targets than
  * were expected then, the policy starts over and has to learn again, which is reported.
@@ -16,7 +16,7 @@ final class Steering {
   private final BridgeSettings.Policy given;
   private final long seed;
   private ZoomPolicy policy;
-  private int[] levels;
+  private int[] views;
   private long earlierMessages;
   private Proof earlierProof = Proof.OF_NOTHING;
 
@@ -26,7 +26,7 @@ final class Steering {
   }
 
   /**
-   * All cameras decide from the same snapshot, then all ranges are set.
+   * All cameras decide from the same snapshot, then all cameras turn to their views.
    *
    * @throws org.hificamsim.core.InputException when the policy does not suit the cameras
    */
@@ -34,13 +34,13 @@ final class Steering {
     if (policy == null || network.outgrown()) {
       begin(network);
     }
-    for (int camera = 0; camera < levels.length; camera++) {
-      levels[camera] = network.view(camera);
+    for (int camera = 0; camera < views.length; camera++) {
+      views[camera] = network.view(camera);
     }
-    policy.decide(network, levels);
-    for (int camera = 0; camera < levels.length; camera++) {
+    policy.decide(network, views);
+    for (int camera = 0; camera < views.length; camera++) {
       if (network.online(camera)) {
-        network.zoomTo(camera, checked(network, camera));
+        network.turnTo(camera, checked(network, camera));
       }
     }
   }
@@ -73,19 +73,19 @@ final class Steering {
     earlierProof = proof().orElse(earlierProof);
     policy = given.maker().get();
     policy.begin(network, new SplittableRandom(seed));
-    levels = new int[network.cameras()];
+    views = new int[network.cameras()];
   }
 
   private int checked(LiveNetwork network, int camera) {
-    if (levels[camera] < 0 || levels[camera] >= network.views(camera)) {
+    if (views[camera] < 0 || views[camera] >= network.views(camera)) {
       throw new IllegalStateException(
-          "policy %s chose level %s for camera %s, expected 0 to %s"
+          "policy %s chose view %s for camera %s, expected 0 to %s"
               .formatted(
                   given.spec(),
-                  levels[camera],
+                  views[camera],
                   network.cameraName(camera),
                   network.views(camera) - 1));
     }
-    return levels[camera];
+    return views[camera];
   }
 }

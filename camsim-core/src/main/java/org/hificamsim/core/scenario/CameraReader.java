@@ -53,7 +53,7 @@ final class CameraReader {
     double angle = viewingAngle(attributes, itsOptics);
     double range = range(attributes, itsOptics);
     AgentSpec agent = agent(attributes);
-    agents.check(agent, added, attributes::invalid);
+    agents.check(agent, itsOptics, added, attributes::invalid);
     return new CameraSpec(
         name,
         x,

@@ -12,7 +12,8 @@ import java.util.OptionalInt;
  * @param pixels width of the picture, 1 or more
  * @param anglesOfView horizontal, degrees, from the narrowest; empty for {@link OpticsLaw#ROUND}
  * @param reach metres: of the narrowest angle with {@link OpticsLaw#CONSTANT_AREA}, of every level
- *     with {@link OpticsLaw#PINHOLE}; none with {@link OpticsLaw#ROUND}
+ *     with {@link OpticsLaw#PINHOLE}; none with {@link OpticsLaw#ROUND}, or where it is left to
+ *     each camera
  * @param pans degrees off the mounted heading, rising, at least one
  * @param panSpeed degrees a second, above 0; none where a camera turns at once
  * @param zoomTime seconds from the first level to the last, 0 or more, evenly spread over the

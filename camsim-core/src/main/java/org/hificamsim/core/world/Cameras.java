@@ -191,18 +191,20 @@ public final class Cameras {
     return motion == null ? view[camera] : motion.seeing(camera, view[camera]);
   }
 
-  /** Whether the camera could be in a view by the end of a step, see {@link #steps}. */
+  /**
+   * Whether the camera could be in a view by the end of a step; where moves take no time, one level
+   * and one pan angle at a time.
+   */
   public boolean reaches(int camera, int otherView) {
-    boolean takesTime = sets[camera].takesTime();
-    return takesTime ? motion.reaches(camera, otherView) : steps(camera, otherView);
+    return sets[camera].takesTime()
+        ? motion.reaches(camera, otherView)
+        : sets[camera].isNextTo(view[camera], otherView); // thesis 7.4.1
   }
 
-  /** Where moves take no time: one level and one pan angle at a time (thesis 7.4.1). */
-  private boolean steps(int camera, int otherView) {
-    ViewSet set = sets[camera];
-    int from = view[camera];
-    return Math.abs(set.zoomOf(from) - set.zoomOf(otherView)) <= 1
-        && Math.abs(set.panOf(from) - set.panOf(otherView)) <= 1;
+  /** How far the camera sees now, metres; 0 while it moves blindly. */
+  public double range(int camera) {
+    int through = seeing(camera);
+    return through == NO_VIEW ? 0 : zooms[camera][through].radius();
   }
 
   /** The zoom level of one of the views. */

@@ -1,8 +1,12 @@
 package org.hificamsim.core.world;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
 
 /**
  * The views of a kind of camera: each of its zoom levels at each of its pan angles. View {@code pan
@@ -13,43 +17,89 @@ import org.hificamsim.core.scenario.Moving;
  * @param panSpeed radians a second; infinite where the camera turns at once
  * @param zoomSpeed levels a second; infinite where the lens changes at once
  */
-record ViewSet(
+public record ViewSet(
     List<Double> pans, List<ZoomLevel> zooms, double panSpeed, double zoomSpeed, Moving moving) {
+  private static final double AT_ONCE = Double.POSITIVE_INFINITY;
+
   /** The views of a camera that cannot turn. */
-  static ViewSet of(List<ZoomLevel> zooms) {
-    double atOnce = Double.POSITIVE_INFINITY;
-    return new ViewSet(List.of(0.0), zooms, atOnce, atOnce, Moving.BLIND);
+  public static ViewSet of(List<ZoomLevel> zooms) {
+    return new ViewSet(List.of(0.0), zooms, AT_ONCE, AT_ONCE, Moving.BLIND);
+  }
+
+  /** The views that optics make of these zoom levels. */
+  static ViewSet of(OpticsSpec optics, List<ZoomLevel> zooms) {
+    return new ViewSet(
+        optics.pans().stream().map(Math::toRadians).toList(),
+        zooms,
+        Math.toRadians(optics.panSpeed().orElse(AT_ONCE)),
+        optics.zoomTime() == 0 ? AT_ONCE : (zooms.size() - 1) / optics.zoomTime(),
+        optics.moving());
+  }
+
+  /**
+   * The views of a camera with a lens, which has a zoom level for each of its angles of view.
+   *
+   * @param optics of any law but {@link OpticsLaw#ROUND}
+   * @param ownReach the camera's reach where its optics say none, metres
+   * @param mountHeight metres; NaN where it is not known
+   */
+  public static ViewSet ofLens(OpticsSpec optics, double ownReach, double mountHeight) {
+    double reach = optics.reach().orElse(ownReach);
+    List<Double> angles = optics.anglesOfView();
+    List<Double> radii =
+        optics.law() == OpticsLaw.CONSTANT_AREA
+            ? angles.stream().map(angle -> reach * Math.sqrt(angles.get(0) / angle)).toList()
+            : Collections.nCopies(angles.size(), reach);
+    double least = Collections.min(radii);
+    double most = Collections.max(radii);
+    int pixels = optics.pixels().orElse(0);
+    List<ZoomLevel> zooms = new ArrayList<>();
+    for (int i = 0; i < radii.size(); i++) {
+      double angle = Math.toRadians(angles.get(i));
+      zooms.add(new ZoomLevel(radii.get(i), least, most, mountHeight, angle, angle, pixels));
+    }
+    return of(optics, zooms);
   }
 
   /** Copies what could change. */
-  ViewSet {
+  public ViewSet {
     pans = List.copyOf(pans);
     zooms = List.copyOf(zooms);
   }
 
-  int count() {
+  /** How many there are. */
+  public int count() {
     return pans.size() * zooms.size();
   }
 
-  int panOf(int view) {
+  /** The pan angle of a view, by its number. */
+  public int panOf(int view) {
     return view / zooms.size();
   }
 
-  int zoomOf(int view) {
+  /** The zoom level of a view, by its number. */
+  public int zoomOf(int view) {
     return view % zooms.size();
   }
 
-  double pan(int view) {
+  /** Radians off the mounted heading. */
+  public double pan(int view) {
     return pans.get(panOf(view));
   }
 
-  ZoomLevel zoom(int view) {
+  /** The zoom level of a view. */
+  public ZoomLevel zoom(int view) {
     return zooms.get(zoomOf(view));
   }
 
   /** Where a camera starts: its widest zoom at the pan angle that is nearest to its heading. */
-  int home() {
+  public int home() {
     return nearestPan(0) * zooms.size() + zooms.size() - 1;
+  }
+
+  /** Whether a view is at most one zoom level and one pan angle away from another. */
+  public boolean isNextTo(int view, int other) {
+    return Math.abs(zoomOf(view) - zoomOf(other)) <= 1 && Math.abs(panOf(view) - panOf(other)) <= 1;
   }
 
   boolean takesTime() {

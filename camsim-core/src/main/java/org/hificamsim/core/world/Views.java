@@ -54,17 +54,14 @@ final class Views {
         .orElseGet(() -> ViewSet.of(round(kind, 0)));
   }
 
+  /** A lens without a reach of its own has the whole field in reach. */
   private ViewSet make(Kind kind, OpticsSpec optics) {
-    List<ZoomLevel> zooms =
-        optics.law() == OpticsLaw.ROUND
-            ? round(kind, optics.pixels().orElse(0))
-            : optics.anglesOfView().stream().map(angle -> lens(optics, angle)).toList();
-    return new ViewSet(
-        optics.pans().stream().map(Math::toRadians).toList(),
-        zooms,
-        Math.toRadians(optics.panSpeed().orElse(Double.POSITIVE_INFINITY)),
-        optics.zoomTime() == 0 ? Double.POSITIVE_INFINITY : (zooms.size() - 1) / optics.zoomTime(),
-        optics.moving());
+    return optics.law() == OpticsLaw.ROUND
+        ? ViewSet.of(optics, round(kind, optics.pixels().orElse(0)))
+        : ViewSet.ofLens(
+            optics,
+            Math.hypot(scenario.field().width(), scenario.field().height()),
+            scenario.mountHeight().orElse(Double.NaN));
   }
 
   private List<ZoomLevel> round(Kind kind, int pixels) {
@@ -78,26 +75,5 @@ final class Views {
                 new ZoomLevel(
                     radius, narrowest, widest, height, kind.viewingAngle, Double.NaN, pixels))
         .toList();
-  }
-
-  private ZoomLevel lens(OpticsSpec optics, double angle) {
-    double narrow = reach(optics, optics.anglesOfView().get(0));
-    double wide = reach(optics, optics.anglesOfView().get(optics.anglesOfView().size() - 1));
-    return new ZoomLevel(
-        reach(optics, angle),
-        Math.min(narrow, wide),
-        Math.max(narrow, wide),
-        scenario.mountHeight().orElse(Double.NaN),
-        Math.toRadians(angle),
-        Math.toRadians(angle),
-        optics.pixels().orElse(0));
-  }
-
-  /** A lens without a reach of its own has the whole field in reach. */
-  private double reach(OpticsSpec optics, double angle) {
-    if (optics.law() == OpticsLaw.CONSTANT_AREA) {
-      return optics.reach().orElseThrow() * Math.sqrt(optics.anglesOfView().get(0) / angle);
-    }
-    return optics.reach().orElse(Math.hypot(scenario.field().width(), scenario.field().height()));
   }
 }

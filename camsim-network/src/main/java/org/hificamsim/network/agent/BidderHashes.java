@@ -49,15 +49,16 @@ public final class BidderHashes {
   }
 
   private String text(int camera, ScheduleKind schedule) {
+    int view = cameras.view(camera);
     return "<camera ai_algorithm=\"%s\" heading=\"%s\" name=\"%s\" range=\"%s\" "
             .formatted(
                 schedule.canonicalName(),
-                Math.toDegrees(cameras.heading(camera)),
+                Math.toDegrees(cameras.pose(camera, view).heading()),
                 cameras.name(camera),
-                cameras.zoom(camera, cameras.view(camera)).radius())
+                cameras.zoom(camera, view).radius())
         + "viewing_angle=\"%s\" x=\"%s\" y=\"%s\" comm=\"0\"/> visibleObjects="
             .formatted(
-                Math.toDegrees(cameras.zoom(camera, 0).viewingAngle()),
+                Math.toDegrees(cameras.zoom(camera, view).viewingAngle()),
                 cameras.x(camera),
                 cameras.y(camera));
   }

@@ -4,7 +4,10 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.statistics.CameraFigures;
 
-/** A bandit whose arms are ranges: changes a camera's range every eleventh step (behaviour 9.6). */
+/**
+ * A bandit whose arms are ranges: changes a camera's range every eleventh step (behaviour 9.6). A
+ * camera with a lens has no range to be changed, and no such bandit.
+ */
 public final class ZoomBandit implements CameraBandit {
   private static final double MAX_RANGE = 20;
   private static final double ARM_WIDTH = MAX_RANGE / Arms.COUNT;
@@ -65,7 +68,7 @@ public final class ZoomBandit implements CameraBandit {
   }
 
   private void zoom() {
-    double range = range();
+    double range = world.cameras().range(agent.camera());
     int arm = solver.current();
     solver.arms().reward(arm == BanditSolver.NONE ? armOf(range) : arm, reward());
     solver.choose();
@@ -86,11 +89,6 @@ public final class ZoomBandit implements CameraBandit {
   private void reach(double range, double change) {
     double changed = range + change;
     world.changeRange(agent.camera(), changed >= MAX_RANGE ? MAX_RANGE - MAX_RANGE * 0.2 : changed);
-  }
-
-  private double range() {
-    int camera = agent.camera();
-    return world.cameras().zoom(camera, world.cameras().view(camera)).radius();
   }
 
   /** The arm whose range is nearest from above, for a range that no arm has set. */

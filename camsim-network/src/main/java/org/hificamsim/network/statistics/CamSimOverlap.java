@@ -19,7 +19,8 @@ final class CamSimOverlap implements OverlapTable.Pair {
 
   @Override
   public double overlap(int first, int second) {
-    return of(x(first), y(first), range(first), x(second), y(second), range(second));
+    return of(
+        x(first), y(first), cameras.range(first), x(second), y(second), cameras.range(second));
   }
 
   /** From the left border, as CamSim counts. */
@@ -30,10 +31,6 @@ final class CamSimOverlap implements OverlapTable.Pair {
   /** From the top, as CamSim counts. */
   private double y(int camera) {
     return (field.minY() + cameras.y(camera)) * -1;
-  }
-
-  private double range(int camera) {
-    return cameras.zoom(camera, cameras.view(camera)).radius();
   }
 
   /** In square metres, of the camera at (x1, y1) with range a and a later one with range b. */

@@ -79,8 +79,7 @@ public final class CameraFigures {
   }
 
   private double worth(int camera) {
-    double range = cameras.zoom(camera, cameras.view(camera)).radius();
-    return 0.95 * (1 - range / MAX_RANGE) - 0.15;
+    return 0.95 * (1 - cameras.range(camera) / MAX_RANGE) - 0.15;
   }
 
   private double certainty(int camera, int target) {

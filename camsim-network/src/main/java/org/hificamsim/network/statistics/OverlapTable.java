@@ -1,6 +1,6 @@
 package org.hificamsim.network.statistics;
 
-import org.hificamsim.core.detection.ZoomLevel;
+import java.util.Arrays;
 import org.hificamsim.core.world.Cameras;
 
 /**
@@ -12,13 +12,11 @@ public final class OverlapTable {
     double overlap(int first, int second);
   }
 
-  /** What overlaps depend on. */
-  private record View(double x, double y, double heading, ZoomLevel zoom) {}
-
   private final Cameras cameras;
   private final Pair pair;
   private final double[][] overlaps;
-  private final View[] views;
+  private final Sector[] sectors;
+  private final int[] seeing;
   private int revision = -1;
 
   OverlapTable(Cameras cameras, Pair pair) {
@@ -26,7 +24,8 @@ public final class OverlapTable {
     this.pair = pair;
     int count = cameras.count();
     overlaps = new double[count][count];
-    views = new View[count];
+    sectors = new Sector[count];
+    seeing = new int[count];
   }
 
   /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
@@ -61,18 +60,19 @@ public final class OverlapTable {
   }
 
   private void refresh() {
-    if (revision == cameras.revision()) {
+    if (!hasChanged()) {
       return;
     }
     revision = cameras.revision();
-    boolean[] changed = new boolean[views.length];
-    for (int camera = 0; camera < views.length; camera++) {
-      View now = view(camera);
-      changed[camera] = !now.equals(views[camera]);
-      views[camera] = now;
+    Arrays.setAll(seeing, cameras::seeing);
+    boolean[] changed = new boolean[sectors.length];
+    for (int camera = 0; camera < sectors.length; camera++) {
+      Sector now = Sector.of(cameras, camera);
+      changed[camera] = !now.equals(sectors[camera]);
+      sectors[camera] = now;
     }
-    for (int first = 0; first < views.length; first++) {
-      for (int second = first + 1; second < views.length; second++) {
+    for (int first = 0; first < sectors.length; first++) {
+      for (int second = first + 1; second < sectors.length; second++) {
         if (changed[first] || changed[second]) {
           overlaps[first][second] = pair.overlap(first, second);
         }
@@ -80,11 +80,11 @@ public final class OverlapTable {
     }
   }
 
-  private View view(int camera) {
-    return new View(
-        cameras.x(camera),
-        cameras.y(camera),
-        cameras.pose(camera, cameras.view(camera)).heading(),
-        cameras.zoom(camera, cameras.view(camera)));
+  private boolean hasChanged() {
+    boolean changed = revision != cameras.revision();
+    for (int camera = 0; camera < seeing.length && !changed; camera++) {
+      changed = seeing[camera] != cameras.seeing(camera);
+    }
+    return changed;
   }
 }

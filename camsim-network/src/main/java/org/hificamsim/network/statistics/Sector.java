@@ -1,6 +1,5 @@
 package org.hificamsim.network.statistics;
 
-import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.world.Cameras;
 
@@ -14,11 +13,13 @@ import org.hificamsim.core.world.Cameras;
  * @param radius metres, 0 or more
  */
 record Sector(double x, double y, double heading, double angle, double radius) {
-  /** What a camera sees now. */
+  /** What a camera sees now: nothing, of radius 0, while it moves blindly. */
   static Sector of(Cameras cameras, int camera) {
-    Pose pose = cameras.pose(camera, cameras.view(camera));
-    ZoomLevel zoom = cameras.zoom(camera, cameras.view(camera));
-    return new Sector(pose.x(), pose.y(), pose.heading(), zoom.viewingAngle(), zoom.radius());
+    int seeing = cameras.seeing(camera);
+    int view = seeing == Cameras.NO_VIEW ? cameras.view(camera) : seeing;
+    Pose pose = cameras.pose(camera, view);
+    double angle = cameras.zoom(camera, view).viewingAngle();
+    return new Sector(pose.x(), pose.y(), pose.heading(), angle, cameras.range(camera));
   }
 
   /** Whether the point lies inside. */

@@ -53,6 +53,7 @@ public final class SettingsFile {
     }
     json.writeEndArray();
     json.writeNumberField("cameras", scenario.cameras().size());
+    OpticsFields.write(json, scenario);
     lens(json, plan);
   }
 

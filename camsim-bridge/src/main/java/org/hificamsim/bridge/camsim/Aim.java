@@ -1,0 +1,20 @@
+package org.hificamsim.bridge.camsim;
+
+/**
+ * Which way a camera looks, how wide and how far.
+ *
+ * @param heading radians, 0 is +y and pi/2 is +x; not normalised
+ * @param angle the full opening angle, radians
+ * @param range metres
+ */
+public record Aim(double heading, double angle, double range) {
+  private static final double TOLERANCE = 1e-9;
+  private static final double FULL_TURN = 2 * Math.PI;
+
+  /** Whether the directions and the opening angles are the same but for rounding and full turns. */
+  boolean isNear(Aim other) {
+    double turn = Math.IEEEremainder(heading - other.heading, FULL_TURN);
+    return Math.abs(turn) <= TOLERANCE * Math.max(1, Math.abs(other.heading))
+        && Math.abs(angle - other.angle) <= TOLERANCE * other.angle;
+  }
+}
