@@ -22,15 +22,15 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The shipped places with lenses and walls, each by the detection that its first comment names. */
-class PlacesTest {
-  private static final String PLACES = "/org/hificamsim/acceptance/places.csv";
+/** The shipped sites with lenses and walls, each by the detection that its first comment names. */
+class SitesTest {
+  private static final String SITES = "/org/hificamsim/acceptance/sites.csv";
   private static final Catalogue CATALOGUE = Catalogue.load();
 
   @TempDir Path folder;
 
   @ParameterizedTest
-  @CsvFileSource(resources = PLACES)
+  @CsvFileSource(resources = SITES)
   void readsWithoutAWarningAndIsValid(String name, String detection) {
     List<String> warnings = new ArrayList<>();
     read(name, warnings);
@@ -41,7 +41,7 @@ class PlacesTest {
   }
 
   @ParameterizedTest
-  @CsvFileSource(resources = PLACES)
+  @CsvFileSource(resources = SITES)
   void saysWhereItIsFromAndWhatSuitsIt(String name, String detection) throws IOException {
     String comment = Files.readString(Cli.scenario(name)).split("-->", 2)[0];
     Scenario scenario = read(name, new ArrayList<>());
@@ -51,7 +51,7 @@ class PlacesTest {
   }
 
   @ParameterizedTest
-  @CsvFileSource(resources = PLACES)
+  @CsvFileSource(resources = SITES)
   void runsUnderEveryPolicy(String name, String detection) throws IOException {
     Path out = folder.resolve("out");
     List<String> policies = policiesFor(read(name, new ArrayList<>()));
@@ -79,10 +79,10 @@ class PlacesTest {
   }
 
   @Test
-  void thePlacesDifferInWhatTheyAskOfASimulator() throws IOException {
+  void theSitesDifferInWhatTheyAskOfASimulator() throws IOException {
     Set<String> objectives = new HashSet<>();
     Set<Integer> cameras = new HashSet<>();
-    for (String line : places()) {
+    for (String line : sites()) {
       Scenario scenario = read(line.split(",")[0].strip(), new ArrayList<>());
       objectives.add(scenario.objective().text());
       cameras.add(scenario.cameras().size());
@@ -92,15 +92,15 @@ class PlacesTest {
     assertTrue(cameras.containsAll(Set.of(4, 40)), cameras + " cameras");
   }
 
-  /** All but the one that is of k_min alone where a place has another objective. */
-  private static List<String> policiesFor(Scenario place) {
+  /** All but the one that is of k_min alone where a site has another objective. */
+  private static List<String> policiesFor(Scenario site) {
     return CATALOGUE.policies().names().stream()
-        .filter(name -> place.objective().isKMin() || !name.equals("optimal-expected"))
+        .filter(name -> site.objective().isKMin() || !name.equals("optimal-expected"))
         .toList();
   }
 
-  private static List<String> places() throws IOException {
-    try (InputStream stream = PlacesTest.class.getResourceAsStream(PLACES)) {
+  private static List<String> sites() throws IOException {
+    try (InputStream stream = SitesTest.class.getResourceAsStream(SITES)) {
       return new String(stream.readAllBytes(), UTF_8).lines().toList();
     }
   }
