@@ -3,6 +3,7 @@ package org.hificamsim.runs;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
@@ -16,6 +17,7 @@ import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.generate.RandomField;
 import org.junit.jupiter.api.Test;
@@ -40,6 +42,24 @@ class AllocationTest {
   @MethodSource("steps")
   void aStepAllocatesNothing(String policy, String detection) {
     assertNothing(policy, detection, RandomField.ofCameras(14, 5).scenario(), 6_000, 1);
+  }
+
+  static Stream<String> policies() {
+    return steps().map(one -> (String) one.get()[0]).distinct().filter(name -> !isOfKMin(name));
+  }
+
+  private static boolean isOfKMin(String policy) {
+    return policy.equals("optimal-expected");
+  }
+
+  /** Lenses, pillars, people who hide each other, and cameras that take their time. */
+  @ParameterizedTest
+  @MethodSource("policies")
+  void aStepInTheHallAllocatesNothing(String policy) {
+    Path hall = Path.of(System.getProperty("hificamsim.root"), "scenarios", "hall.xml");
+    Scenario scenario =
+        ScenarioReader.read(hall, CATALOGUE.movements().names()::contains, warning -> {});
+    assertNothing(policy, "dori-2014:level=recognise", scenario, 1_000, 1);
   }
 
   @Test

@@ -1,7 +1,7 @@
 package org.hificamsim.hifi.density;
 
 /** A task of a standard. */
-interface DemandedDensity {
+public interface DemandedDensity {
   /** What it demands. */
   double pixelsPerMetre();
 }

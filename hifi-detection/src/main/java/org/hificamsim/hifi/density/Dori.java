@@ -1,7 +1,7 @@
 package org.hificamsim.hifi.density;
 
 /** The tasks of EN 62676-4:2014, Annex B, in pixels per metre. */
-enum Dori implements DemandedDensity {
+public enum Dori implements DemandedDensity {
   DETECT(25),
   OBSERVE(62.5),
   RECOGNISE(125),

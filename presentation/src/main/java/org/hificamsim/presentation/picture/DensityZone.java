@@ -5,6 +5,8 @@ import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.geom.Area;
 import java.util.List;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.hifi.density.Dori;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.replay.CameraPose;
@@ -14,10 +16,10 @@ import org.hificamsim.presentation.replay.CameraPose;
  * page's {@code density.js}. Pale is far, as one shade differs from the next for every eye.
  */
 enum DensityZone {
-  DETECT("detect", 25, 0xE7B7D3),
-  OBSERVE("observe", 62.5, 0xCC79A7),
-  RECOGNISE("recognise", 125, 0x96487A),
-  IDENTIFY("identify", 250, 0x56204A);
+  DETECT(Dori.DETECT, 0xE7B7D3),
+  OBSERVE(Dori.OBSERVE, 0xCC79A7),
+  RECOGNISE(Dori.RECOGNISE, 0x96487A),
+  IDENTIFY(Dori.IDENTIFY, 0x56204A);
 
   private static final List<DensityZone> NEAREST_FIRST =
       List.of(IDENTIFY, RECOGNISE, OBSERVE, DETECT);
@@ -27,12 +29,9 @@ enum DensityZone {
   private final double density;
   private final Color color;
 
-  /**
-   * @param density pixels per metre, at least
-   */
-  DensityZone(String label, double density, int rgb) {
-    this.label = label;
-    this.density = density;
+  DensityZone(Dori task, int rgb) {
+    this.label = Spelling.of(task);
+    this.density = task.pixelsPerMetre(); // at least
     this.color = new Color(rgb);
   }
 
