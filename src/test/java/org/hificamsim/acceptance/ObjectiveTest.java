@@ -112,7 +112,8 @@ class ObjectiveTest {
     compare("covered:k=1", "zoom-out");
     double first = figure("zoom-out", "score");
     Cli.run(words("sum:cap=1", "zoom-out", "--resume"));
-    assertTrue(figure("zoom-out", "score") > 5 * first, "targets, not shares");
+    double sum = figure("zoom-out", "score");
+    assertTrue(sum > 1.5 * first, sum + " targets, not " + first + " shares");
   }
 
   private Cli compare(String objective, String policies) {

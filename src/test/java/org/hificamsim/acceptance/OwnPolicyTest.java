@@ -26,37 +26,37 @@ import org.junit.jupiter.api.io.TempDir;
 class OwnPolicyTest {
   @TempDir static Path folder;
 
-  private static Example patrol;
+  private static Example lookout;
 
   @BeforeAll
   static void pack() throws IOException {
-    patrol = Example.pack("own-policy", folder);
+    lookout = Example.pack("own-policy", folder);
   }
 
   @Test
   void runsFromTheCommandLineWithNothingButItsJar(@TempDir Path out) throws Exception {
     Cli run =
-        patrol.run(
+        lookout.run(
             "run",
             Cli.scenario("lattice-random"),
             "--policy",
-            "patrol:patience=3",
+            "lookout:patience=3",
             "--steps",
             50,
             "--out",
             out);
     assertEquals(0, run.exit(), run.out());
-    assertTrue(Files.readString(out.resolve("summary.json")).contains("\"patrol:patience=3\""));
+    assertTrue(Files.readString(out.resolve("summary.json")).contains("\"lookout:patience=3\""));
   }
 
   @Test
   void anUnknownOptionOfItIsAnErrorThatListsItsOwn(@TempDir Path out) throws Exception {
     Cli run =
-        patrol.run(
+        lookout.run(
             "run",
             Cli.scenario("lattice-random"),
             "--policy",
-            "patrol:patients=3",
+            "lookout:patients=3",
             "--out",
             out.resolve("none"));
     assertEquals(2, run.exit(), run.out());
@@ -84,25 +84,27 @@ class OwnPolicyTest {
 
   @TestFactory
   Stream<DynamicTest> keepsTheContractOfPolicies() throws Exception {
-    URLClassLoader loader = new URLClassLoader(new URL[] {patrol.jar().toUri().toURL()});
-    return new ZoomPolicyContract(() -> patrol(loader), false).tests().onClose(() -> close(loader));
+    URLClassLoader loader = new URLClassLoader(new URL[] {lookout.jar().toUri().toURL()});
+    return new ZoomPolicyContract(() -> lookout(loader), false)
+        .tests()
+        .onClose(() -> close(loader));
   }
 
-  private static ZoomPolicy patrol(ClassLoader loader) {
+  private static ZoomPolicy lookout(ClassLoader loader) {
     return ServiceLoader.load(ZoomPolicy.class, loader).stream()
-        .filter(provider -> provider.type().getName().equals("org.example.PatrolZoomPolicy"))
+        .filter(provider -> provider.type().getName().equals("org.example.LookoutZoomPolicy"))
         .map(
             provider ->
                 new Registry<ZoomPolicy>("policy")
                     .register(
-                        "patrol",
+                        "lookout",
                         "own",
                         options -> {
                           ZoomPolicy policy = provider.get();
                           policy.configure(options);
                           return policy;
                         })
-                    .create("patrol"))
+                    .create("lookout"))
         .findFirst()
         .orElseThrow();
   }

@@ -193,6 +193,7 @@ return field.tip.hidden ? '' : field.tip.textContent;
       browser.find(".walls [name=y2]").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 7");
       assertEquals("wall from (25, 12.5) to (28.5, 12.5) added", said());
+      assertEquals("y2", browser.run("return document.activeElement.name"), "keeps the focus");
       type("x1", "99", "y1", "1", "x2", "2", "y2", "2");
       browser.find(".walls .add-wall").click();
       browser.until("return !hificamsim.fault.hidden");

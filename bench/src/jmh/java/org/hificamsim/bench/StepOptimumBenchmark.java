@@ -28,7 +28,8 @@ import org.openjdk.jmh.annotations.Warmup;
 /**
  * Microseconds per instance of the optimum, filled and solved with proof, one instance of a file
  * after the other. The file is that of {@code bench/peers/step_instances.py}; the optima are
- * written beside it, under its name with {@code .values}.
+ * written beside it, under its name with {@code .values}, of another objective than kmin with its
+ * name before that.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)
@@ -104,7 +105,8 @@ public class StepOptimumBenchmark {
       solve();
       values.add(score(instance));
     }
-    Files.write(Path.of(instances + ".values"), values);
+    String name = scored.isKMin() ? instances : instances + "-" + objective;
+    Files.write(Path.of(name + ".values"), values);
   }
 
   /** Shares are given as numbers of targets. */

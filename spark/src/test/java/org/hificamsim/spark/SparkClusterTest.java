@@ -125,7 +125,7 @@ class SparkClusterTest {
     List<String> words = new ArrayList<>();
     words.addAll(List.of("compare", ROOT.resolve("scenarios/cluster-random.xml").toString()));
     words.addAll(List.of("--detections", "camsim-range," + model));
-    words.addAll(List.of("--policies", "sarsa:gamma=0.9,patrol:patience=3"));
+    words.addAll(List.of("--policies", "sarsa:gamma=0.9,lookout:patience=3"));
     words.addAll(List.of("--steps", "30000", "--repeat", "12", "--seed", "3"));
     words.addAll(List.of("--out", folder.resolve(name).toString()));
     words.addAll(engine);
@@ -180,7 +180,7 @@ class SparkClusterTest {
                 classes.toString(),
                 "-cp",
                 application(),
-                EXAMPLE.resolve("org/example/PatrolZoomPolicy.java").toString());
+                EXAMPLE.resolve("org/example/LookoutZoomPolicy.java").toString());
     assertEquals(0, exit);
     Path services = Path.of("META-INF/services/org.hificamsim.core.policy.ZoomPolicy");
     Files.createDirectories(classes.resolve(services).getParent());

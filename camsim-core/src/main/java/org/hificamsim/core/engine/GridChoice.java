@@ -50,12 +50,12 @@ final class GridChoice {
     return sum / cameras.count();
   }
 
-  /** Of its widest view; through a lens, which has the whole field in reach, what is detected. */
+  /** Of its widest view; through a lens between what its narrowest and its widest one detect. */
   private static double reach(Cameras cameras, Sight sight, int camera) {
     int last = cameras.views(camera) - 1;
     ZoomLevel zoom = cameras.zoom(camera, last);
     return zoom.hasLens()
-        ? Math.max(sight.reach(camera, 0), sight.reach(camera, last))
+        ? Math.sqrt(sight.reach(camera, 0) * sight.reach(camera, last))
         : zoom.radius();
   }
 }

@@ -124,7 +124,6 @@ class TurningBaselinesTest {
   @Test
   void trackerStaysWhereItSeesATargetThatNoZoomHasWithAMargin() {
     assertViews("tracker", LENS, "5 5", at(25, 14));
-    assertViews("tracker:search=narrowest", LENS, "4 4", at(9, 14));
   }
 
   @Test

@@ -2,9 +2,13 @@ package org.hificamsim.agents.temporal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.List;
 import org.hificamsim.agents.baseline.FixedZoomPolicy;
 import org.hificamsim.agents.toy.RealWorld;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
@@ -36,6 +40,28 @@ class PictureTest {
     assertPicture(0b000_001, true, at(-20, 4.9));
     assertPicture(0b001_000, true, at(-20, 5.1));
     assertPicture(0b110_010, true, at(1, 3) + at(-1, 9) + at(20, 9));
+  }
+
+  /** The model detects up to half of the lens's 10 m. */
+  @Test
+  void farIsWhatTheModelHardlyReaches() {
+    DetectionModel weak = new OnlyNear(5);
+    ZoomPolicy still = new FixedZoomPolicy(List.of(0));
+    Simulation run = RealWorld.run(CAMERA + at(-20, 2.4) + at(20, 2.6), weak, still, 1);
+    run.step();
+    assertEquals(0b100_001, new Picture(true).look(run.network(), 0));
+  }
+
+  private record OnlyNear(double metres) implements DetectionModel {
+    @Override
+    public String name() {
+      return "only-near";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return distance <= metres ? 1 : 0;
+    }
   }
 
   @Test

@@ -49,14 +49,13 @@ export class Site {
     [layer.width, layer.height] = [canvas.width, canvas.height];
     const shadows = layer.getContext('2d');
     shadows.setTransform(context.getTransform());
-    shadows.fillStyle = colour;
+    shadows.fillStyle = shadows.createPattern(hatch(colour, this.unit), 'repeat');
     cut.forEach(view => fillDetected(shadows, map, view));
     shadows.globalCompositeOperation = 'destination-out';
     shadows.fillStyle = '#000';
     views.forEach(view => inSight(shadows, map, view, () => fillDetected(shadows, map, view)));
     context.save();
     context.resetTransform();
-    context.globalAlpha = 0.28;
     context.drawImage(layer, 0, 0);
     context.restore();
   }
@@ -98,6 +97,24 @@ export class Site {
       ...(setup.slow ? [['key-blind', 'moves, sees nothing']] : []),
     ];
   }
+}
+
+/** A tile of pale ground and a diagonal line, which shows on light and on dark floors. */
+function hatch(colour, unit) {
+  const tile = document.createElement('canvas');
+  const side = (tile.width = tile.height = Math.round(7 * unit));
+  const context = tile.getContext('2d');
+  context.fillStyle = context.strokeStyle = colour;
+  context.globalAlpha = 0.22;
+  context.fillRect(0, 0, side, side);
+  context.globalAlpha = 0.7;
+  context.beginPath();
+  for (const from of [-side, 0, side]) {
+    context.moveTo(from, side);
+    context.lineTo(from + side, 0);
+  }
+  context.stroke();
+  return tile;
 }
 
 function outline(obstacle, map) {

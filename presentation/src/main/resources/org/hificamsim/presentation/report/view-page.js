@@ -108,6 +108,7 @@ class LiveView {
   /** Makes the players anew; the forms too, unless the simulations go on: somebody may be typing. */
   build(fresh) {
     const pair = this.runs.length > 1;
+    const at = this.place.querySelector('.walls :focus');
     this.playhead.listeners = [];
     this.controls.run = this.runs[0];
     this.playhead.subscribe(frame => this.controls.show(frame));
@@ -126,6 +127,7 @@ class LiveView {
       column.append(this.players[i].element);
     });
     if (fresh) this.place.replaceChildren(pair ? this.controls.element : '', el('div', {class: pair ? 'pair' : 'single'}, ...this.columns));
+    if (at) this.place.querySelector(`.walls ${at.name ? `[name=${at.name}]` : `.${at.className}`}`)?.focus();
     say(this.twice, pair ? 'one model only' : 'second model beside it');
     this.refresh();
   }

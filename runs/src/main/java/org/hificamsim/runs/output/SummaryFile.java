@@ -42,8 +42,9 @@ public final class SummaryFile {
 
   private void figures(List<Metric> metrics, List<RunResult> results) throws IOException {
     for (Metric metric : metrics) {
-      if (results.size() == 1 && metric.label().equals("performance")) {
-        json.writeNumberField("performance", results.get(0).performance());
+      if (results.size() == 1 && (metric == Metric.PERFORMANCE || metric == Metric.SCORE)) {
+        json.writeFieldName(metric.label());
+        number(metric.of(results.get(0)));
       } else {
         json.writeNumberField(metric.label(), Estimate.of(results, metric).mean());
       }

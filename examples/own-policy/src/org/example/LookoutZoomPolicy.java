@@ -9,13 +9,13 @@ import org.hificamsim.core.registry.Options;
  * A policy of one's own: each camera sweeps through its zoom views, and stays for a while on a view
  * at which it detected something.
  */
-public final class PatrolZoomPolicy implements ZoomPolicy {
+public final class LookoutZoomPolicy implements ZoomPolicy {
   private int patience;
   private int[] waited;
 
   @Override
   public String name() {
-    return "patrol";
+    return "lookout";
   }
 
   @Override

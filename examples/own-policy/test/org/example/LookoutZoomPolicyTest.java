@@ -8,15 +8,15 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
 /** The policy owes the engine what every policy does. */
-class PatrolZoomPolicyTest {
+class LookoutZoomPolicyTest {
   @TestFactory
   Stream<DynamicTest> keepsTheContract() {
-    return new ZoomPolicyContract(PatrolZoomPolicyTest::patrol, false).tests();
+    return new ZoomPolicyContract(LookoutZoomPolicyTest::lookout, false).tests();
   }
 
-  private static ZoomPolicy patrol() {
-    ZoomPolicy policy = new PatrolZoomPolicy();
-    policy.configure(Options.none("patrol"));
+  private static ZoomPolicy lookout() {
+    ZoomPolicy policy = new LookoutZoomPolicy();
+    policy.configure(Options.none("lookout"));
     return policy;
   }
 }
