@@ -107,7 +107,9 @@ final class BridgeOptions {
     }
     if (made instanceof AimingZoomPolicy) {
       throw new InputException(
-          "policy '" + spec + "' turns cameras to any angle, expected one that chooses among views");
+          "policy '"
+              + spec
+              + "' turns cameras to any angle, expected one that chooses among views");
     }
     return new BridgeSettings.Policy(spec, () -> catalogue.policies().create(spec));
   }

@@ -131,10 +131,7 @@ class OpticsTest {
     Files.writeString(file, before.replace("heading=\"30\"", "heading=\"-1\""));
     CamSimRun with =
         CamSimRun.of(
-            folder.resolve("with"),
-            "policy=fixed,hfov=40,pan=-30;0,out=results",
-            file,
-            20);
+            folder.resolve("with"), "policy=fixed,hfov=40,pan=-30;0,out=results", file, 20);
     assertEquals("", with.err());
     with.rows("looks.csv").stream()
         .map(Look::of)

@@ -44,8 +44,7 @@ class OpticsAndWallsTest {
   @Test
   void aWallHidesATargetAndTheFartherCameraOwnsIt() {
     assertEquals("A", nearAndFar().run(3).owners("1.0"));
-    SmallNetwork walled =
-        nearAndFar().obstacle("<wall x1='2.5' y1='-1' x2='2.5' y2='1'/>").run(3);
+    SmallNetwork walled = nearAndFar().obstacle("<wall x1='2.5' y1='-1' x2='2.5' y2='1'/>").run(3);
     assertFalse(walled.sees(0, 0));
     assertTrue(walled.sees(1, 0));
     assertEquals("B", walled.owners("1.0"));
@@ -70,12 +69,15 @@ class OpticsAndWallsTest {
     assertTrue(hiding.sees(0, 1));
   }
 
-  /** A camera that looks to the north-east, the east or the south, and a target in each of these. */
+  /**
+   * A camera that looks to the north-east, the east or the south, and a target in each of these.
+   */
   private static SmallNetwork turning(ZoomPolicy policy) {
     return new SmallNetwork()
         .policy(policy)
         .cameraElement("<optics name='ptz' hfov='20 40' reach='15' pan='45 90 180'/>")
-        .cameraElement("<camera name='A' x='0' y='0' heading='0' optics='ptz' %s/>".formatted(ACTIVE))
+        .cameraElement(
+            "<camera name='A' x='0' y='0' heading='0' optics='ptz' %s/>".formatted(ACTIVE))
         .still("1.0", 5, 5)
         .still("2.0", 5, 0)
         .still("3.0", 0, -5);
@@ -124,6 +126,17 @@ class OpticsAndWallsTest {
     }
     assertEquals(network.row(0).overlap(), network.row(4).overlap());
     assertTrue(network.row(0).overlap() > network.row(1).overlap(), "12 m reach farther than 6 m");
+  }
+
+  @Test
+  void overlapsFollowACameraThatIsAimedBesideItsViews() {
+    SmallNetwork network = facing("").run(1);
+    OverlapTable kept = OverlapTable.exact(network.world().cameras());
+    double before = kept.sum();
+    network.world().cameras().aim(0, 0, Math.toRadians(5));
+    double turned = OverlapTable.exact(network.world().cameras()).sum();
+    assertTrue(turned > 0 && turned < before, turned + " of " + before);
+    assertEquals(turned, kept.sum());
   }
 
   @Test

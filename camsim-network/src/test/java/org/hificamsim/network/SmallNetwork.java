@@ -189,15 +189,15 @@ final class SmallNetwork {
     network = new Network(world, detection, settings, 0);
     StepListener listener = (view, coverage) -> rows.add(network.figures());
     simulation =
-        new Simulation(
-            world, detection, policy, network, 0, List.of(listener), Workers.CALLER);
+        new Simulation(world, detection, policy, network, 0, List.of(listener), Workers.CALLER);
   }
 
   private Scenario scenario() {
     String text =
-        ("<root><simulation min_x='-50' max_x='50' min_y='-50' max_y='50' %s><obstacles>%s</obstacles>"
-                + "<cameras>%s</cameras><objects>%s</objects><events>%s</events>%s</simulation>"
-                + "</root>")
+        ("<root><simulation min_x='-50' max_x='50' min_y='-50' max_y='50'"
+             + " %s><obstacles>%s</obstacles>"
+             + "<cameras>%s</cameras><objects>%s</objects><events>%s</events>%s</simulation>"
+             + "</root>")
             .formatted(attributes, obstacles, cameras, targets, events, graph);
     try {
       Path file = Files.createTempFile("small", ".xml");

@@ -75,8 +75,7 @@ class ViewSetTest {
   @Test
   void theNextViewsAreOneLevelAndOnePanAngleAway() {
     List<Double> angles = List.of(10.0, 20.0, 40.0);
-    ViewSet views =
-        ViewSet.ofLens(optics(OpticsLaw.PINHOLE, OptionalDouble.empty(), angles), 9, 3);
+    ViewSet views = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, OptionalDouble.empty(), angles), 9, 3);
     assertTrue(views.isNextTo(4, 4) && views.isNextTo(0, 4) && views.isNextTo(7, 5));
     assertFalse(views.isNextTo(0, 2), "two levels");
     assertFalse(views.isNextTo(0, 6), "two pan angles");
