@@ -34,15 +34,24 @@ class ScenarioSchemaTest {
   private static final String SOUND =
       """
 <root>
-  <simulation min_x="-10" max_x="10" min_y="-5" max_y="5" order="coverage" threshold="0.5">
+  <simulation min_x="-10" max_x="10" min_y="-5" max_y="5" order="coverage" threshold="0.5"
+      step="0.5" occlusion="targets" objective="covered:k=2">
+    <obstacles>
+      <wall x1="-1" y1="4" x2="1" y2="4"/>
+      <polygon points="5,1 6,1 6,2" transmittance="0.5"/>
+      <pillar x="8" y="0" radius="0.3"/>
+    </obstacles>
     <cameras>
+      <optics name="ptz" law="pinhole" pixels="1920" hfov="60 30" pan="-60:60:30" moving="sees"/>
       <zoom>2.5 5.0</zoom>
       <camera name="A" x="0" y="0" heading="90" viewing_angle="360" range="5" comm="0"/>
       <camera name="B" x="1" y="0" heading="90" viewing_angle="70" range="0"/>
+      <camera name="C" x="1" y="2" heading="90" optics="ptz"/>
     </cameras>
     <objects>
       <object features="1.0" x="0" y="1" heading="0" speed="1" size="0.66"/>
       <object features="2.0" x="0" y="1" heading="0" speed="1"/>
+      <object features="3.0" x="0" y="1" heading="0" speed="1" width="0.5" height="1.75"/>
     </objects>
     <events>
       <event timestep="0" participant="object" event="error" name="1.0"/>
@@ -110,6 +119,19 @@ class ScenarioSchemaTest {
         "participant=\"object\"     | participant=\"person\"",
         "event=\"error\" name=\"1.0\"| event=\"leave\" name=\"1.0\"",
         "duration=\"-1\"            | duration=\"-2\"",
+        "step=\"0.5\"               | step=\"0\"",
+        "occlusion=\"targets\"      | occlusion=\"walls\"",
+        "y2=\"4\"                   | ",
+        "5,1 6,1 6,2                | 5,1 6,1",
+        "5,1 6,1 6,2                | 5 1 6 1 6 2",
+        "transmittance=\"0.5\"      | transmittance=\"2\"",
+        "radius=\"0.3\"             | radius=\"0\"",
+        "law=\"pinhole\"            | law=\"pin-hole\"",
+        "pixels=\"1920\"            | pixels=\"0\"",
+        "hfov=\"60 30\"             | hfov=\"60,30\"",
+        "-60:60:30                  | -60:60",
+        "moving=\"sees\"            | moving=\"yes\"",
+        "height=\"1.75\"            | height=\"0\"",
         "static=\"false\"           | static=\"perhaps\"",
         "<events>                   | <events><waypoint x=\"0\" y=\"0\"/>",
         "name=\"1.0\"/>             | name=\"1.0\"><waypoint x=\"0\" y=\"0\"/></event>",

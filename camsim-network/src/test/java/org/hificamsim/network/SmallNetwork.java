@@ -195,9 +195,9 @@ final class SmallNetwork {
   private Scenario scenario() {
     String text =
         ("<root><simulation min_x='-50' max_x='50' min_y='-50' max_y='50'"
-             + " %s><obstacles>%s</obstacles>"
-             + "<cameras>%s</cameras><objects>%s</objects><events>%s</events>%s</simulation>"
-             + "</root>")
+                + " %s><obstacles>%s</obstacles>"
+                + "<cameras>%s</cameras><objects>%s</objects><events>%s</events>%s</simulation>"
+                + "</root>")
             .formatted(attributes, obstacles, cameras, targets, events, graph);
     try {
       Path file = Files.createTempFile("small", ".xml");

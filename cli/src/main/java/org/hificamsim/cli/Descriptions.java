@@ -18,10 +18,24 @@ final class Descriptions {
         count(scenario.events().size(), "event"),
         plain(scenario.field().width()),
         plain(scenario.field().height()),
-        scenario.inCoverageDialect()
-            ? count(scenario.zooms().size(), "zoom level")
-            : "one zoom level (no <zoom> list)",
+        views(scenario),
         Spelling.of(scenario.order()));
+  }
+
+  /** Old files say it as ever. */
+  private static String views(Scenario scenario) {
+    long optics =
+        scenario.cameras().stream().flatMap(one -> one.optics().stream()).distinct().count();
+    if (optics > 0) {
+      int obstacles = scenario.surroundings().obstacles().size();
+      return optics
+          + (optics == 1 ? " kind" : " kinds")
+          + " of optics, "
+          + count(obstacles, "obstacle");
+    }
+    return scenario.inCoverageDialect()
+        ? count(scenario.zooms().size(), "zoom level")
+        : "one zoom level (no <zoom> list)";
   }
 
   private static String count(int number, String noun) {

@@ -8,6 +8,7 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.Lens;
@@ -36,14 +37,25 @@ final class DetectionHints {
         + " m)";
   }
 
-  /** A warning where a target is detected in the near part of the field of view alone. */
+  /**
+   * A warning where a target is detected in the near part of the field of view alone; none where a
+   * lens has no reach but that of the model.
+   */
   static Optional<String> smallReach(Scenario scenario, Detection detection) {
     List<Reach> all = Reach.of(scenario, detection);
-    return !detection.certain() || all.isEmpty() || all.stream().anyMatch(DetectionHints::isLarge)
+    return !detection.certain()
+            || all.isEmpty()
+            || all.stream().anyMatch(DetectionHints::isLarge)
+            || scenario.cameras().stream().anyMatch(DetectionHints::hasNoReach)
         ? Optional.empty()
         : Optional.of(
             "'%s' detects up to %s: under half of the reach at every zoom level; expected smaller radii, larger targets, a lower threshold or another model"
                 .formatted(detection.name(), reach(scenario, detection)));
+  }
+
+  private static boolean hasNoReach(CameraSpec camera) {
+    return camera.optics().stream()
+        .anyMatch(optics -> optics.law() == OpticsLaw.PINHOLE && optics.reach().isEmpty());
   }
 
   private static boolean isLarge(Reach one) {

@@ -5,16 +5,20 @@ import java.util.Arrays;
 import java.util.BitSet;
 import java.util.Comparator;
 import java.util.List;
+import java.util.SplittableRandom;
 
 /**
  * The search for the constant configuration with the best score over a run that has been seen:
- * branch and bound over the cameras, from what coordinate ascent finds.
+ * branch and bound over the cameras, from what coordinate ascent finds from the last views and from
+ * {@value #STARTS} random configurations, the same in every run.
  *
  * <p>A view whose detections another view of the camera includes is left out; where each camera has
  * one view left, there is nothing to search. The bound of a partial configuration lets every
  * undecided camera detect at all its views at once.
  */
 final class ConstantSearch {
+  private static final int STARTS = 16;
+
   private record Option(int view, double bound) {}
 
   private final RunDetections run;
@@ -23,7 +27,8 @@ final class ConstantSearch {
   private final int[] k;
   private final int[] trial;
   private int[] best;
-  private double bestScore;
+  private double bestScore = -1;
+  private double climbed;
   private long nodesLeft;
   private boolean complete = true;
 
@@ -44,7 +49,7 @@ final class ConstantSearch {
       }
       trial[camera] = candidates.get(camera)[candidates.get(camera).length - 1];
     }
-    ascend();
+    climb();
     Arrays.fill(k, 0);
     for (int camera = 0; camera < run.cameras(); camera++) {
       count(anyView[camera], 1);
@@ -94,19 +99,35 @@ final class ConstantSearch {
     return rest;
   }
 
+  /** One summit may be far below the next where it takes two cameras to gain anything. */
+  private void climb() {
+    ascend();
+    SplittableRandom random = new SplittableRandom(0);
+    boolean choice = candidates.stream().anyMatch(views -> views.length > 1);
+    for (int start = 0; choice && start < STARTS; start++) {
+      Arrays.setAll(
+          trial, camera -> candidates.get(camera)[random.nextInt(candidates.get(camera).length)]);
+      ascend();
+    }
+  }
+
   /** Changes one camera after the other to its best view, until none gets better. */
   private void ascend() {
+    Arrays.fill(k, 0);
     for (int camera = 0; camera < trial.length; camera++) {
       count(run.detected(camera, trial[camera]), 1);
     }
-    best = trial.clone();
-    bestScore = run.score(k);
+    climbed = run.score(k);
     boolean better = true;
     while (better) {
       better = false;
       for (int camera = 0; camera < trial.length; camera++) {
         better |= improve(camera);
       }
+    }
+    if (climbed > bestScore) {
+      bestScore = climbed;
+      best = trial.clone();
     }
   }
 
@@ -116,9 +137,8 @@ final class ConstantSearch {
       int before = trial[camera];
       exchange(camera, view);
       double score = run.score(k);
-      if (score > bestScore) {
-        bestScore = score;
-        best = trial.clone();
+      if (score > climbed) {
+        climbed = score;
         better = true;
       } else {
         exchange(camera, before);

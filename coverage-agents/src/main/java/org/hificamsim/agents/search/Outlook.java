@@ -7,12 +7,13 @@ package org.hificamsim.agents.search;
  * <p>One bound lets every open camera cover all that it can at once. The other adds for each open
  * camera the set that gains most, where a target's gain is the slope of the worth's concave
  * majorant: greedy's bound of submodular functions (Nemhauser, Wolsey and Fisher 1978), and the
- * same for a worth that is not concave.
+ * same for a worth that is not concave. The third is that of {@link Prices}.
  */
 final class Outlook {
   private final CoverageProblem problem;
   private final Decisions decisions;
   private final Worth worth;
+  private final Prices prices;
   private final long[] slope;
   private final long[] last;
   private final long[] most;
@@ -24,6 +25,7 @@ final class Outlook {
     this.problem = problem;
     this.decisions = decisions;
     this.worth = worth;
+    prices = new Prices(problem, decisions, worth);
     slope = new long[problem.maxTargets()];
     last = new long[problem.maxTargets()];
     most = new long[problem.maxCameras()];
@@ -40,7 +42,19 @@ final class Outlook {
     for (int i = 0; i < decisions.open(); i++) {
       bound += mostGain(decisions.openCamera(i));
     }
+    bound = Math.min(bound, prices.bound());
     return bound();
+  }
+
+  /** Tunes its prices, every camera being open; returns {@link #bound}. */
+  long tune() {
+    prices.tune();
+    return look();
+  }
+
+  /** Forgets its prices. */
+  void reset() {
+    prices.clear();
   }
 
   /** Looks at what the loss of a set depends on alone. */

@@ -63,7 +63,11 @@ public final class ValueSolver implements Solver {
   private boolean improve(int stage) {
     climb.improve(stage, choice);
     goals[stage] = choice.value(outlooks[stage].worth());
+    outlooks[stage].reset();
     most = outlooks[stage].look();
+    if (most >= goals[stage] + outlooks[stage].worth().step()) {
+      most = Math.min(most, outlooks[stage].tune());
+    }
     return most < goals[stage] + outlooks[stage].worth().step()
         || search.improve(stage, maxNodes - search.nodes(), choice);
   }

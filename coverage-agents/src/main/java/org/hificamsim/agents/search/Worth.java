@@ -7,7 +7,7 @@ import java.util.Arrays;
  * that never falls, and is flat from {@link #top} on.
  */
 final class Worth {
-  /** Of a covered target where enough cameras are more than one: all numbers to 16 divide it. */
+  /** Of what counts as 1: all numbers to 16 divide it. */
   static final long UNIT = 720_720;
 
   private final long[] values;
@@ -27,11 +27,11 @@ final class Worth {
     concave = enough == 1;
   }
 
-  /** Each camera up to {@code cap} is worth 1. */
+  /** Each camera up to {@code cap} is worth {@link #UNIT}. */
   void ofEachUpTo(int cap) {
-    begin(Math.min(cap, values.length - 1), 1);
+    begin(Math.min(cap, values.length - 1), UNIT);
     for (int k = 0; k <= top; k++) {
-      values[k] = k;
+      values[k] = k * UNIT;
     }
   }
 
@@ -64,6 +64,24 @@ final class Worth {
   /** The worth of a target that k cameras cover. */
   long of(int k) {
     return values[Math.min(k, top)];
+  }
+
+  /** The most that a target's worth exceeds what it pays for up to {@code supply} cameras more. */
+  long surplus(int k, int supply, long price) {
+    long most = of(k);
+    for (int y = 1; y <= supply && k + y <= top; y++) {
+      most = Math.max(most, values[k + y] - price * y);
+    }
+    return most;
+  }
+
+  /** For how many cameras that is, from none on. */
+  int bought(int supply, long price) {
+    int bought = 0;
+    for (int y = 1; y <= supply && y <= top; y++) {
+      bought = values[y] - price * y > values[bought] - price * bought ? y : bought;
+    }
+    return bought;
   }
 
   /** From so many cameras on a further one is worth nothing. */

@@ -45,6 +45,20 @@ class BestFixedZoomPolicyTest {
   }
 
   @Test
+  void findsWithoutNodesWhatNoCameraGainsAlone() {
+    ToyNetwork network = new ToyNetwork(5, LEVELS, LEVELS);
+    network.see(0, 0, 0);
+    network.see(0, 1, 1);
+    network.see(0, 2, 2);
+    network.see(1, 0, 0);
+    network.see(1, 1, 3);
+    network.see(1, 2, 4);
+    RunDetections run = new RunDetections();
+    run.add(network.scoredBy(Objective.parse("covered:k=2")));
+    assertArrayEquals(new int[] {0, 0}, new ConstantSearch(run, 0).views());
+  }
+
+  @Test
   void takesTheNarrowestOfEquallyGoodLevels() {
     ToyNetwork network = new ToyNetwork(1, LEVELS, LEVELS);
     network.see(0, 1, 0);

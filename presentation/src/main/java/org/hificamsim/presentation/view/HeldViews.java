@@ -8,12 +8,12 @@ import org.hificamsim.core.policy.ZoomPolicy;
 /** A policy some of whose cameras are held in views that somebody has chosen. */
 final class HeldViews implements ZoomPolicy {
   private final ZoomPolicy policy;
-  private final Map<Integer, Integer> held;
+  private final Map<String, Integer> held;
 
   /**
-   * @param held views by camera, which may change between steps
+   * @param held views by the camera's name, which may change between steps
    */
-  HeldViews(ZoomPolicy policy, Map<Integer, Integer> held) {
+  HeldViews(ZoomPolicy policy, Map<String, Integer> held) {
     this.policy = policy;
     this.held = held;
   }
@@ -31,7 +31,9 @@ final class HeldViews implements ZoomPolicy {
   @Override
   public void decide(NetworkView network, int[] views) {
     policy.decide(network, views);
-    held.forEach((camera, view) -> views[camera] = view);
+    for (int camera = 0; camera < views.length && !held.isEmpty(); camera++) {
+      views[camera] = held.getOrDefault(network.cameraName(camera), views[camera]);
+    }
   }
 
   @Override

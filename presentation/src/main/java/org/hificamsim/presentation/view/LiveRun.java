@@ -5,9 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeMap;
-import java.util.TreeSet;
+import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
@@ -30,7 +28,7 @@ public final class LiveRun {
   private final DetectionSpec first;
   private final List<Choice> choices = new ArrayList<>();
   private final List<FloorPicture> floor;
-  private final Map<Integer, Integer> held = new TreeMap<>();
+  private final Map<String, Integer> held = new HashMap<>();
   private List<LiveSide> sides = new ArrayList<>();
   private long seed;
   private long next;
@@ -154,22 +152,26 @@ public final class LiveRun {
    * @throws InputException when there is no such camera online, or it has no such view
    */
   public void hold(int camera, int view) {
-    online(camera);
+    String name = online(camera);
     int views = sides.get(0).world().cameras().views(camera);
     if (view < -1 || view >= views) {
       throw new InputException(
           "view is %s, expected one from 0 to %s, or -1".formatted(view, views - 1));
     }
     if (view < 0) {
-      held.remove(camera);
+      held.remove(name);
     } else {
-      held.put(camera, view);
+      held.put(name, view);
     }
   }
 
   /** The cameras that are held in a view. */
-  Set<Integer> held() {
-    return new TreeSet<>(held.keySet());
+  List<Integer> held() {
+    Cameras cameras = sides.get(0).world().cameras();
+    return IntStream.range(0, cameras.count())
+        .filter(camera -> held.containsKey(cameras.name(camera)))
+        .boxed()
+        .toList();
   }
 
   private void rebuild() {

@@ -32,7 +32,7 @@ final class LiveSide {
    * @param seed of the world, and of the policy
    * @param policySpec name and options
    * @param next the step that comes next
-   * @param held views of cameras that their policy does not choose, now or later
+   * @param held views by name of cameras that their policy does not choose, now or later
    * @throws InputException when the policy is unknown or does not suit the scenario
    */
   LiveSide(
@@ -43,7 +43,7 @@ final class LiveSide {
       long seed,
       long next,
       List<FloorPicture> floor,
-      Map<Integer, Integer> held) {
+      Map<String, Integer> held) {
     this.world = world;
     ZoomPolicy policy = catalogue.policies().create(policySpec);
     if (policy instanceof HindsightZoomPolicy) {

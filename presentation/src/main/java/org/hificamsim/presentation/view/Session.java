@@ -3,7 +3,6 @@ package org.hificamsim.presentation.view;
 import com.fasterxml.jackson.annotation.JsonInclude;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -63,7 +62,7 @@ public final class Session implements AutoCloseable {
       long next,
       long seed,
       String fault,
-      @JsonInclude(JsonInclude.Include.NON_EMPTY) Set<Integer> held) {}
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Integer> held) {}
 
   private final LiveRun run;
   private final LinkedBlockingQueue<Runnable> queue = new LinkedBlockingQueue<>();

@@ -272,7 +272,9 @@ class LiveRunTest {
       assertEquals(7, frame(both, 0).level()[1]);
       assertEquals(7, frame(both, 1).level()[1]);
     }
-    assertEquals(java.util.Set.of(1), live.held());
+    assertEquals(List.of(1), live.held());
+    live.add(0, 20, 10);
+    assertEquals(7, frame(live.step(), 0).level()[1], "another camera changes nothing");
     live.hold(1, -1);
     assertTrue(
         java.util.stream.IntStream.range(0, 30)

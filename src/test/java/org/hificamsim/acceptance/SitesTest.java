@@ -1,0 +1,141 @@
+package org.hificamsim.acceptance;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvFileSource;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The shipped sites with lenses and walls, each by the detection that its first comment names. */
+class SitesTest {
+  private static final String SITES = "/org/hificamsim/acceptance/sites.csv";
+  private static final Catalogue CATALOGUE = Catalogue.load();
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @CsvFileSource(resources = SITES)
+  void readsWithoutAWarningAndIsValid(String name, String detection) {
+    List<String> warnings = new ArrayList<>();
+    read(name, warnings);
+    assertEquals(List.of(), warnings);
+    Cli validate = Cli.run("validate", Cli.scenario(name), "--detection", detection, "--strict");
+    assertEquals("", validate.err());
+    assertEquals(0, validate.exit());
+  }
+
+  @ParameterizedTest
+  @CsvFileSource(resources = SITES)
+  void saysWhereItIsFromAndWhatSuitsIt(String name, String detection) throws IOException {
+    String comment = Files.readString(Cli.scenario(name)).split("-->", 2)[0];
+    Scenario scenario = read(name, new ArrayList<>());
+    assertTrue(comment.contains("Objective " + scenario.objective().text()), comment);
+    assertTrue(comment.replaceAll("\\s+", " ").contains("Detection " + detection), comment);
+    assertTrue(comment.contains("Value of adapting:"), comment);
+  }
+
+  @ParameterizedTest
+  @CsvFileSource(resources = SITES)
+  void runsUnderEveryPolicy(String name, String detection) throws IOException {
+    Path out = folder.resolve("out");
+    List<String> policies = policiesFor(read(name, new ArrayList<>()));
+    Cli compare = compare(name, detection, String.join(",", policies), 50, 1, out);
+    assertEquals(0, compare.exit(), compare.err());
+    assertEquals(policies.size() + 1, Files.readAllLines(out.resolve("results.csv")).size());
+  }
+
+  /** On a short run; the long ones are in docs/world.md. */
+  @ParameterizedTest
+  @CsvSource({
+    "corridor, dori-2014:level=recognise",
+    "border, ttpf:task=recognise",
+    "warehouse, dori-2014:level=observe",
+    "hall, dori-2014:level=recognise"
+  })
+  void adaptingIsWorthAThirdOrMore(String name, String detection) throws IOException {
+    Path out = folder.resolve("out");
+    Cli compare = compare(name, detection, "optimal", 100, 2, out);
+    assertEquals(0, compare.exit(), compare.err());
+    List<Double> values = values(out, "value_of_adapting");
+    assertEquals(2, values.size());
+    values.forEach(value -> assertTrue(value >= 1.3, name + " " + values));
+    assertEquals(List.of(0.0, 0.0), values(out, "unproven_steps"), "proven to be the optimum");
+  }
+
+  @Test
+  void theSitesDifferInWhatTheyAskOfASimulator() throws IOException {
+    Set<String> objectives = new HashSet<>();
+    Set<Integer> cameras = new HashSet<>();
+    for (String line : sites()) {
+      Scenario scenario = read(line.split(",")[0].strip(), new ArrayList<>());
+      objectives.add(scenario.objective().text());
+      cameras.add(scenario.cameras().size());
+      assertTrue(scenario.cameras().stream().map(CameraSpec::optics).allMatch(o -> o.isPresent()));
+    }
+    assertTrue(objectives.containsAll(Set.of("kmin", "covered:k=1", "covered:k=2")));
+    assertTrue(cameras.containsAll(Set.of(4, 40)), cameras + " cameras");
+  }
+
+  /** All but the one that is of k_min alone where a site has another objective. */
+  private static List<String> policiesFor(Scenario site) {
+    return CATALOGUE.policies().names().stream()
+        .filter(name -> site.objective().isKMin() || !name.equals("optimal-expected"))
+        .toList();
+  }
+
+  private static List<String> sites() throws IOException {
+    try (InputStream stream = SitesTest.class.getResourceAsStream(SITES)) {
+      return new String(stream.readAllBytes(), UTF_8).lines().toList();
+    }
+  }
+
+  private static Scenario read(String name, List<String> warnings) {
+    return ScenarioReader.read(Cli.scenario(name), CATALOGUE.movements()::knows, warnings::add);
+  }
+
+  private static Cli compare(
+      String name, String detection, String policies, int steps, int repeats, Path out) {
+    return Cli.run(
+        "compare",
+        Cli.scenario(name),
+        "--detections",
+        detection,
+        "--policies",
+        policies,
+        "--steps",
+        steps,
+        "--repeat",
+        repeats,
+        "--out",
+        out);
+  }
+
+  private static List<Double> values(Path out, String metric) throws IOException {
+    List<List<String>> rows =
+        Files.readAllLines(out.resolve("metrics.csv")).stream()
+            .map(line -> List.of(line.split(",", -1)))
+            .toList();
+    int ofMetric = rows.get(0).indexOf("metric");
+    int value = rows.get(0).indexOf("value");
+    return rows.stream()
+        .filter(row -> row.get(ofMetric).equals(metric))
+        .map(row -> Double.parseDouble(row.get(value)))
+        .toList();
+  }
+}
