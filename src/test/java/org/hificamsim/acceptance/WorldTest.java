@@ -102,7 +102,7 @@ class WorldTest {
     assertEquals(
         "error: "
             + scenario
-            + ":6:48: <camera> optics is 'ptz', expected none, or law=\"round\", where the schedule"
+            + ":6:45: <camera> optics is 'ptz', expected none, or law=\"round\", where the schedule"
             + " is BanditZoom, which sets ranges\n",
         run.err());
   }
