@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -60,23 +61,61 @@ class WorldTest {
     assertTrue(ofTurning.stream().anyMatch(row -> row[8].equals("0")));
   }
 
-  private Path run(String policy, String threads) throws IOException {
+  @Test
+  void camSimsNetworkSeesThroughTheSameOpticsAndPastTheSameWalls() throws IOException {
+    Path own = run("random", "1", "--order", "camsim");
+    Path coverage = folder.resolve("coverage");
+    Cli run =
+        Cli.run(
+            "camsim",
+            folder.resolve("world.xml").toString(),
+            "-t",
+            "40",
+            "--policy",
+            "random",
+            "--detection",
+            "dori-2014:level=observe",
+            "-o",
+            folder.resolve("output.csv").toString(),
+            "--coverage-out",
+            coverage.toString());
+    assertEquals(0, run.exit(), run.err());
+    assertEquals(
+        Files.readString(own.resolve("steps.csv")),
+        Files.readString(coverage.resolve("steps.csv")));
+  }
+
+  @Test
+  void aBanditThatSetsRangesIsRefusedWhereACameraHasALens() throws IOException {
+    Path scenario = Files.writeString(folder.resolve("world.xml"), WORLD);
+    Cli run =
+        Cli.run(
+            "camsim",
+            scenario.toString(),
+            "-a",
+            "BanditZoom",
+            "-b",
+            "UCB1",
+            "-o",
+            folder.resolve("output.csv").toString());
+    assertEquals(2, run.exit());
+    assertEquals(
+        "error: "
+            + scenario
+            + ":6:45: <camera> optics is 'ptz', expected none, or law=\"round\", where the schedule"
+            + " is BanditZoom, which sets ranges\n",
+        run.err());
+  }
+
+  private Path run(String policy, String threads, String... options) throws IOException {
     Path scenario = Files.writeString(folder.resolve("world.xml"), WORLD);
     Path out = folder.resolve(policy + threads);
-    Cli.run(
-        "run",
-        scenario.toString(),
-        "--policy",
-        policy,
-        "--detection",
-        "dori-2014:level=observe",
-        "--steps",
-        "40",
-        "--threads",
-        threads,
-        "--record",
-        "--out",
-        out.toString());
+    List<Object> words = new ArrayList<>(List.of("run", scenario, "--policy", policy));
+    words.addAll(List.of("--detection", "dori-2014:level=observe", "--steps", 40));
+    words.addAll(List.of("--threads", threads, "--record", "--out", out));
+    words.addAll(List.of(options));
+    Cli run = Cli.run(words.toArray());
+    assertEquals(0, run.exit(), run.err());
     return out;
   }
 }

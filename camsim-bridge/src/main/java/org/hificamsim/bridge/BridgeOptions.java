@@ -12,7 +12,9 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.runs.DetectionSpec;
@@ -95,12 +97,19 @@ final class BridgeOptions {
   /** Commas separate the agent's own options: a policy's are separated by semicolons. */
   private BridgeSettings.Policy policy(String given) {
     String spec = given.replace(';', ',');
-    if (catalogue.policies().create(spec) instanceof HindsightZoomPolicy) {
+    ZoomPolicy made = catalogue.policies().create(spec);
+    if (made instanceof HindsightZoomPolicy) {
       throw new InputException(
           "policy '"
               + spec
               + "' has to see the run before it begins, expected one that learns"
               + " or decides as the run goes");
+    }
+    if (made instanceof AimingZoomPolicy) {
+      throw new InputException(
+          "policy '"
+              + spec
+              + "' turns cameras to any angle, expected one that chooses among views");
     }
     return new BridgeSettings.Policy(spec, () -> catalogue.policies().create(spec));
   }

@@ -15,6 +15,7 @@ import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.WidestPolicy;
 import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
@@ -29,6 +30,9 @@ final class SmallNetwork {
   private final StringBuilder cameras = new StringBuilder();
   private final StringBuilder targets = new StringBuilder();
   private final StringBuilder events = new StringBuilder();
+  private final StringBuilder obstacles = new StringBuilder();
+  private String attributes = "";
+  private ZoomPolicy policy = new WidestPolicy();
   private String graph = "";
   private Set<Quirk> quirks = EnumSet.allOf(Quirk.class);
   private GraphUse use = GraphUse.AS_IN_FILE;
@@ -45,6 +49,29 @@ final class SmallNetwork {
     cameras.append(
         "<camera name='%s' x='%s' y='%s' heading='0' viewing_angle='360' range='%s' %s/>"
             .formatted(name, x, y, range, attributes));
+    return this;
+  }
+
+  /** Adds optics, or a camera that may look through some. */
+  SmallNetwork cameraElement(String element) {
+    cameras.append(element);
+    return this;
+  }
+
+  /** Adds a wall, polygon or pillar. */
+  SmallNetwork obstacle(String element) {
+    obstacles.append(element);
+    return this;
+  }
+
+  /** What the simulation has besides its field. */
+  SmallNetwork simulation(String given) {
+    attributes = given;
+    return this;
+  }
+
+  SmallNetwork policy(ZoomPolicy chosen) {
+    policy = chosen;
     return this;
   }
 
@@ -122,6 +149,16 @@ final class SmallNetwork {
     return world;
   }
 
+  /** Whether a camera sees a target, by their numbers. */
+  boolean sees(int camera, int target) {
+    return network.sightings().sees(camera, target);
+  }
+
+  /** How sure a camera is of a target. */
+  double confidence(int camera, int target) {
+    return network.sightings().confidence(camera, target);
+  }
+
   /** The names of the cameras that own a target, joined. */
   String owners(String features) {
     StringBuilder owners = new StringBuilder();
@@ -152,15 +189,16 @@ final class SmallNetwork {
     network = new Network(world, detection, settings, 0);
     StepListener listener = (view, coverage) -> rows.add(network.figures());
     simulation =
-        new Simulation(
-            world, detection, new WidestPolicy(), network, 0, List.of(listener), Workers.CALLER);
+        new Simulation(world, detection, policy, network, 0, List.of(listener), Workers.CALLER);
   }
 
   private Scenario scenario() {
     String text =
-        ("<root><simulation min_x='-50' max_x='50' min_y='-50' max_y='50'><cameras>%s</cameras>"
-                + "<objects>%s</objects><events>%s</events>%s</simulation></root>")
-            .formatted(cameras, targets, events, graph);
+        ("<root><simulation min_x='-50' max_x='50' min_y='-50' max_y='50'"
+                + " %s><obstacles>%s</obstacles>"
+                + "<cameras>%s</cameras><objects>%s</objects><events>%s</events>%s</simulation>"
+                + "</root>")
+            .formatted(attributes, obstacles, cameras, targets, events, graph);
     try {
       Path file = Files.createTempFile("small", ".xml");
       Files.writeString(file, text);

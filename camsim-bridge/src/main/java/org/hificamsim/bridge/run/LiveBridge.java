@@ -113,7 +113,7 @@ public final class LiveBridge implements Bridge {
         : fault.toString();
   }
 
-  /** Gives back the cameras' ranges, and puts into place what has been written until now. */
+  /** Gives cameras back what they had, and puts into place what has been written until now. */
   private void letGo() {
     for (Run run : runs()) {
       try {
@@ -161,7 +161,7 @@ public final class LiveBridge implements Bridge {
     }
   }
 
-  /** The cameras' own ranges are known to the run alone: another one has to find them as before. */
+  /** What cameras had before is known to the run alone: another one has to find them as before. */
   private void endAndLetGo(Run run) {
     current.remove();
     end(run);

@@ -217,6 +217,11 @@ final class LiveNetwork implements OracleView {
   }
 
   @Override
+  public double reach(int camera, int view) {
+    return visibility.reach(zoom(camera, view), size);
+  }
+
+  @Override
   public ZoomLevel zoom(int camera, int view) {
     return cameras.get(camera).views().zoom(view);
   }

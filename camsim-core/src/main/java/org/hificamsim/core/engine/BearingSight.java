@@ -90,7 +90,7 @@ final class BearingSight implements Sight {
 
   @Override
   public double reach(int camera, int view) {
-    return Sight.roundedUp(cameras.zoom(camera, view).radius());
+    return Visibility.roundedUp(cameras.zoom(camera, view).radius());
   }
 
   /** Distance, luck and what gets through are found once for all views. */

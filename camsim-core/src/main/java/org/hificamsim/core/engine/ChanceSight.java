@@ -125,6 +125,6 @@ final class ChanceSight implements Sight {
 
   @Override
   public double reach(int camera, int view) {
-    return Sight.roundedUp(cameras.zoom(camera, view).radius());
+    return Visibility.roundedUp(cameras.zoom(camera, view).radius());
   }
 }

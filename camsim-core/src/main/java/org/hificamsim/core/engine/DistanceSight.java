@@ -130,7 +130,7 @@ final class DistanceSight implements Sight {
     for (int size = 1; size < rows.sizes(); size++) {
       squared = Math.max(squared, to[row + size]);
     }
-    return squared < 0 ? 0 : Sight.roundedUp(Math.sqrt(squared));
+    return squared < 0 ? 0 : Visibility.roundedUp(Math.sqrt(squared));
   }
 
   @Override

@@ -20,16 +20,6 @@ interface Sight {
   }
 
   /**
-   * A little more than a distance that a computed one, the root of a sum of squares, is at most: no
-   * coordinate of the two points differs by more, whatever was rounded.
-   *
-   * @param distance metres
-   */
-  static double roundedUp(double distance) {
-    return distance * (1 + 1e-9) + 1e-150; // squares of less may be 0
-  }
-
-  /**
    * Takes note of cameras that changed since the last call.
    *
    * @param step that begins

@@ -1,5 +1,6 @@
 package org.hificamsim.core.visibility;
 
+import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
@@ -200,5 +201,28 @@ public final class Visibility {
     }
     return zoom.viewingAngle() >= other.viewingAngle()
         && detection.distances(size, zoom).includes(detection.distances(size, other));
+  }
+
+  /**
+   * The distance beyond which a camera at this level detects no target of this size, as far as it
+   * can be told, metres; {@linkplain #roundedUp rounded up}.
+   */
+  public double reach(ZoomLevel zoom, double size) {
+    if (model.dependsOnBearing() || !certain) {
+      return roundedUp(zoom.radius());
+    }
+    DetectedDistances distances = detection.distances(size, zoom);
+    int intervals = distances.intervals();
+    return intervals == 0 ? 0 : roundedUp(Math.sqrt(distances.to(intervals - 1)));
+  }
+
+  /**
+   * A little more than a distance that a computed one, the root of a sum of squares, is at most: no
+   * coordinate of the two points differs by more, whatever was rounded.
+   *
+   * @param distance metres
+   */
+  public static double roundedUp(double distance) {
+    return distance * (1 + 1e-9) + 1e-150; // squares of less may be 0
   }
 }

@@ -1,6 +1,5 @@
 package org.hificamsim.network.statistics;
 
-import java.util.Arrays;
 import org.hificamsim.core.world.Cameras;
 
 /**
@@ -16,7 +15,6 @@ public final class OverlapTable {
   private final Pair pair;
   private final double[][] overlaps;
   private final Sector[] sectors;
-  private final int[] seeing;
   private int revision = -1;
 
   OverlapTable(Cameras cameras, Pair pair) {
@@ -25,7 +23,6 @@ public final class OverlapTable {
     int count = cameras.count();
     overlaps = new double[count][count];
     sectors = new Sector[count];
-    seeing = new int[count];
   }
 
   /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
@@ -64,7 +61,6 @@ public final class OverlapTable {
       return;
     }
     revision = cameras.revision();
-    Arrays.setAll(seeing, cameras::seeing);
     boolean[] changed = new boolean[sectors.length];
     for (int camera = 0; camera < sectors.length; camera++) {
       Sector now = Sector.of(cameras, camera);
@@ -82,8 +78,8 @@ public final class OverlapTable {
 
   private boolean hasChanged() {
     boolean changed = revision != cameras.revision();
-    for (int camera = 0; camera < seeing.length && !changed; camera++) {
-      changed = seeing[camera] != cameras.seeing(camera);
+    for (int camera = 0; camera < sectors.length && !changed; camera++) {
+      changed = !sectors[camera].isOf(cameras, camera);
     }
     return changed;
   }

@@ -15,11 +15,22 @@ import org.hificamsim.core.world.Cameras;
 record Sector(double x, double y, double heading, double angle, double radius) {
   /** What a camera sees now: nothing, of radius 0, while it moves blindly. */
   static Sector of(Cameras cameras, int camera) {
-    int seeing = cameras.seeing(camera);
-    int view = seeing == Cameras.NO_VIEW ? cameras.view(camera) : seeing;
-    Pose pose = cameras.pose(camera, view);
-    double angle = cameras.zoom(camera, view).viewingAngle();
+    Pose pose = cameras.pose(camera, view(cameras, camera));
+    double angle = cameras.zoom(camera, view(cameras, camera)).viewingAngle();
     return new Sector(pose.x(), pose.y(), pose.heading(), angle, cameras.range(camera));
+  }
+
+  private static int view(Cameras cameras, int camera) {
+    int seeing = cameras.seeing(camera);
+    return seeing == Cameras.NO_VIEW ? cameras.view(camera) : seeing;
+  }
+
+  /** Whether a camera that stands where it stood still has this sector. */
+  boolean isOf(Cameras cameras, int camera) {
+    int view = view(cameras, camera);
+    return heading == cameras.pose(camera, view).heading()
+        && angle == cameras.zoom(camera, view).viewingAngle()
+        && radius == cameras.range(camera);
   }
 
   /** Whether the point lies inside. */
