@@ -52,14 +52,19 @@ class AllocationTest {
     return policy.equals("optimal-expected");
   }
 
-  /** Lenses, pillars, people who hide each other, and cameras that take their time. */
+  /**
+   * Lenses, pillars, people who hide each other, and cameras that take their time. A line of sight
+   * that grazes something to within rounding is decided by long numbers, which take memory; that is
+   * rare: less than 10 bytes a step on average.
+   */
   @ParameterizedTest
   @MethodSource("policies")
-  void aStepInTheHallAllocatesNothing(String policy) {
+  void aStepInTheHallAllocatesNothingButForTies(String policy) {
     Path hall = Path.of(System.getProperty("hificamsim.root"), "scenarios", "hall.xml");
     Scenario scenario =
         ScenarioReader.read(hall, CATALOGUE.movements().names()::contains, warning -> {});
-    assertNothing(policy, "dori-2014:level=recognise", scenario, 1_000, 1);
+    long bytes = bytes(policy, "dori-2014:level=recognise", scenario, 1_000, 1);
+    assertTrue(bytes < 10 * 1_000, "bytes in 1,000 steps: " + bytes);
   }
 
   @Test
@@ -71,6 +76,11 @@ class AllocationTest {
   }
 
   private static void assertNothing(
+      String policy, String detection, Scenario scenario, int steps, int threads) {
+    assertEquals(0, bytes(policy, detection, scenario, steps, threads), "in " + steps + " steps");
+  }
+
+  private static long bytes(
       String policyName, String detection, Scenario scenario, int steps, int threads) {
     DetectionModel model = CATALOGUE.detection(detection);
     ZoomPolicy policy = CATALOGUE.policies().create(policyName);
@@ -82,8 +92,8 @@ class AllocationTest {
               world, Detection.of(model), policy, Cooperation.NONE, 0, List.of(coverage), workers);
       simulation.run(steps);
       long bytes = AllocatedBytes.fewest(() -> AllocatedBytes.by(() -> simulation.run(steps)));
-      assertEquals(0, bytes, "bytes in " + steps + " steps");
       assertTrue(coverage.detections() > 0);
+      return bytes;
     }
   }
 }
