@@ -107,15 +107,6 @@ class ObjectiveTest {
     assertTrue(ladder.err().contains("expected kmin, by which rungs are judged"), ladder.err());
   }
 
-  @Test
-  void aComparisonIsNotResumedWithRunsOfAnotherObjective() throws IOException {
-    compare("covered:k=1", "zoom-out");
-    double first = figure("zoom-out", "score");
-    Cli.run(words("sum:cap=1", "zoom-out", "--resume"));
-    double sum = figure("zoom-out", "score");
-    assertTrue(sum > 1.5 * first, sum + " targets, not " + first + " shares");
-  }
-
   private Cli compare(String objective, String policies) {
     return Cli.run(words(objective, policies));
   }

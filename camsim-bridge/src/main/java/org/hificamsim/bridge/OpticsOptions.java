@@ -16,6 +16,7 @@ import org.hificamsim.core.scenario.OpticsSpec;
 final class OpticsOptions {
   private static final String NAME = "bridge";
   private static final double WIDEST_PINHOLE = 179; // at 180 a picture has no end
+  private static final double HALF_TURN = 180;
   private static final double FULL_TURN = 360;
   private static final int MAX_PIXELS = 100_000;
   private static final int MAX_VIEWS = 10_000;
@@ -60,7 +61,7 @@ final class OpticsOptions {
 
   private OpticsSpec optics(String angles) {
     OpticsLaw used = OpticsLaw.valueOf(law.map(OpticsOptions::lens).orElse(Lens.PINHOLE).name());
-    double widest = used == OpticsLaw.PINHOLE ? WIDEST_PINHOLE : FULL_TURN;
+    double widest = used == OpticsLaw.PINHOLE ? WIDEST_PINHOLE : HALF_TURN;
     return new OpticsSpec(
         NAME,
         used,

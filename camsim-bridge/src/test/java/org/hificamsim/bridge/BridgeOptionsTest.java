@@ -151,7 +151,7 @@ class BridgeOptionsTest {
             "options: hfov is '200', expected a number above 0 and at most 179"),
         arguments(
             "policy=random,hfov=400,law=constant-area",
-            "options: hfov is '400', expected a number above 0 and at most 360"),
+            "options: hfov is '400', expected a number above 0 and at most 180"),
         arguments(
             "policy=random,hfov=25,law=round",
             "options: law is 'round', expected one of pinhole, constant-area"),

@@ -12,9 +12,11 @@ import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.FloorPicture;
@@ -81,6 +83,7 @@ final class RunCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     RunPlan plan = plan(catalogue);
     new RunExecutor(catalogue).check(plan);
+    checkRecord(catalogue, plan);
     listeners.forEach(catalogue.listeners()::create);
     List<FloorPicture> floor = record ? FloorPictures.of(file, plan.scenario()) : List.of();
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
@@ -114,6 +117,17 @@ final class RunCommand implements Callable<Integer> {
       }
     }
     return 0;
+  }
+
+  /** A recording knows the angles that scenarios list. */
+  private void checkRecord(Catalogue catalogue, RunPlan plan) {
+    if (record && catalogue.policies().create(plan.policy()) instanceof AimingZoomPolicy) {
+      throw new InputException(
+          "policy '"
+              + plan.policy()
+              + "' turns cameras to any angle, which no recording holds: expected another policy,"
+              + " or no --record");
+    }
   }
 
   private Detail detail(RunPlan plan) {

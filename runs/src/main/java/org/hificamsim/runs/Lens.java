@@ -28,7 +28,11 @@ public record Lens(Optics optics, Scenario scenario) {
    */
   public List<Double> focalLengths() {
     return scenario.inCoverageDialect()
-        ? World.zoomLevels(scenario).stream().map(optics::focalLength).distinct().toList()
+        ? World.zoomLevels(scenario).stream()
+            .filter(zoom -> !zoom.hasLens())
+            .map(optics::focalLength)
+            .distinct()
+            .toList()
         : List.of();
   }
 

@@ -102,7 +102,8 @@ final class ObservedNetwork implements OracleView {
   /** What cameras report of targets that are not there covers none that is. */
   private void addPhantoms() {
     for (int camera = 0; camera < detected.length; camera++) {
-      detected[camera] += cameras.online(camera) ? visibility.phantoms(step, camera) : 0;
+      boolean looks = cameras.online(camera) && cameras.seeing(camera) != Cameras.NO_VIEW;
+      detected[camera] += looks ? visibility.phantoms(step, camera) : 0;
     }
   }
 
@@ -229,6 +230,11 @@ final class ObservedNetwork implements OracleView {
   @Override
   public int seeing(int camera) {
     return cameras.seeing(camera);
+  }
+
+  @Override
+  public boolean moving(int camera) {
+    return cameras.moving(camera);
   }
 
   @Override

@@ -27,7 +27,7 @@ public interface NetworkView extends CoveredTargets {
     return Objective.kMin();
   }
 
-  /** A number that changes whenever a camera is added, moved or switched off. */
+  /** A number that changes whenever a camera is added, moved, refitted or switched off. */
   int revision();
 
   /** How many cameras there will ever be. */
@@ -67,6 +67,11 @@ public interface NetworkView extends CoveredTargets {
     return view(camera);
   }
 
+  /** Whether the camera is on its way to the view that it chose last. */
+  default boolean moving(int camera) {
+    return seeing(camera) != view(camera);
+  }
+
   /**
    * Whether the camera could be in a view by the end of this step; where moves take no time,
    * whether the view is at most one level and one pan angle away.
@@ -94,20 +99,12 @@ public interface NetworkView extends CoveredTargets {
   /** How many targets the camera detected at the last observation; 0 while offline. */
   int detected(int camera);
 
-  /**
-   * Whether the camera detects the target where both are now, at its current view: what it knows of
-   * itself.
-   */
-  default boolean detects(int camera, int target) {
-    return online(camera) && oracle().detects(camera, view(camera), target);
-  }
-
   /** The name in result files: the features value, as CamSim prints it. */
   String targetName(int target);
 
   /**
-   * The detection model's confidence for the target where both are now, at the camera's current
-   * view, in [0, 1]; 0 outside the field of view, or when the target is not present.
+   * The detection model's confidence for the target where both are now, through the view that the
+   * camera sees through, in [0, 1]; 0 outside the field of view, or when the target is not present.
    */
   double confidence(int camera, int target);
 

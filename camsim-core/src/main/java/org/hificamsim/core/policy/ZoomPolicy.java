@@ -4,7 +4,7 @@ import java.util.SplittableRandom;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Chooses each camera's zoom view, step by step: an extension point, found by {@link #name}.
+ * Chooses each camera's view, step by step: an extension point, found by {@link #name}.
  *
  * <p>An implementer writes {@link #name} and {@link #decide}; a learning policy also {@link #begin}
  * (to size its tables) and {@link #learn}. Given a public constructor without arguments and a

@@ -83,11 +83,17 @@ final class CameraReader {
 
   /** An event that changes a camera, some of whose attributes have been read already. */
   ScenarioEvent.ChangeCamera change(Attributes attributes, int step) {
+    String name = attributes.text("name", "the name of a camera");
+    double x = attributes.number("x", across.orUnchanged());
+    double y = attributes.number("y", along.orUnchanged());
+    if (x != -1 && y != -1) {
+      clearing.requireFree(attributes, x, y);
+    }
     return new ScenarioEvent.ChangeCamera(
         step,
-        attributes.text("name", "the name of a camera"),
-        attributes.number("x", across.orUnchanged()),
-        attributes.number("y", along.orUnchanged()),
+        name,
+        x,
+        y,
         attributes.number("heading"),
         attributes.number("viewing_angle", Range.OPENING_ANGLE.orUnchanged()),
         attributes.number("range", Range.LENGTH.orUnchanged()));

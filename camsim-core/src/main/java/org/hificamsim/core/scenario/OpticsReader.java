@@ -12,8 +12,10 @@ import java.util.function.Consumer;
 final class OpticsReader {
   private static final int MAX_PIXELS = 100_000;
   private static final int MAX_VIEWS = 10_000;
-  private static final Range HALF_TURN =
+  private static final Range BELOW_180 =
       new Range("degrees above 0 and below 180", value -> value > 0 && value < 180);
+  private static final Range UP_TO_180 =
+      new Range("degrees above 0 and at most 180", value -> value > 0 && value <= 180);
   private static final Range TURN = new Range("degrees from -360 to 360", v -> Math.abs(v) <= 360);
   private static final Range ABOVE_0 =
       new Range("a number above 0 and at most 1e9", value -> value > 0 && value <= 1e9);
@@ -94,7 +96,7 @@ final class OpticsReader {
       attributes.refuse("focal_length", "none with law=\"round\"");
       return List.of();
     }
-    Range range = law == OpticsLaw.PINHOLE ? HALF_TURN : Range.OPENING_ANGLE;
+    Range range = law == OpticsLaw.PINHOLE ? BELOW_180 : UP_TO_180;
     if (!attributes.has("focal_length")) {
       return new NumberList(attributes, "hfov", range).sorted();
     }

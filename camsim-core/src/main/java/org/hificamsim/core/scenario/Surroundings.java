@@ -16,6 +16,11 @@ public record Surroundings(
   public static final Surroundings NONE =
       new Surroundings(List.of(), Occlusion.NONE, Optional.empty());
 
+  /** The same without a picture under it. */
+  public Surroundings withoutFloorplan() {
+    return new Surroundings(obstacles, occlusion, Optional.empty());
+  }
+
   /** Copies what could change. */
   public Surroundings {
     obstacles = List.copyOf(obstacles);

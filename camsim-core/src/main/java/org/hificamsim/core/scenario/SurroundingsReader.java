@@ -13,6 +13,9 @@ import org.hificamsim.core.obstacle.Point;
 final class SurroundingsReader {
   private static final Set<String> OBSTACLES = Set.of("wall", "polygon", "pillar");
 
+  private static final List<String> BORDERS =
+      List.of("floorplan_min_x", "floorplan_max_x", "floorplan_min_y", "floorplan_max_y");
+
   private final XmlElement root;
   private final Field field;
   private final Consumer<String> warnings;
@@ -112,6 +115,10 @@ final class SurroundingsReader {
   /** Without an area of its own it shows the field. */
   private Optional<Floorplan> floorplan(Attributes simulation) {
     Optional<String> file = simulation.optionalText("floorplan");
+    if (file.isEmpty()) {
+      BORDERS.forEach(border -> simulation.refuse(border, "none without floorplan"));
+      return Optional.empty();
+    }
     Field area =
         new Field(
             simulation.optionalNumber("floorplan_min_x", Range.COORDINATE).orElse(field.minX()),
@@ -124,6 +131,6 @@ final class SurroundingsReader {
     if (!(area.height() > 0)) {
       throw simulation.invalid("floorplan_max_y", "more than floorplan_min_y, " + area.minY());
     }
-    return file.map(name -> new Floorplan(name, area));
+    return Optional.of(new Floorplan(file.get(), area));
   }
 }

@@ -207,6 +207,11 @@ public final class Cameras {
     return through == NO_VIEW ? 0 : zooms[camera][through].radius();
   }
 
+  /** Whether the camera is on its way to the view that was chosen last. */
+  public boolean moving(int camera) {
+    return motion != null && motion.moving(camera);
+  }
+
   /** The zoom level of one of the views. */
   public ZoomLevel zoom(int camera, int ofView) {
     return zooms[camera][ofView];

@@ -70,6 +70,11 @@ final class Motion {
     return Math.abs(way) <= speed * stepTime * (1 + 1e-6);
   }
 
+  /** Whether a camera has not arrived. */
+  boolean moving(int camera) {
+    return moving[camera];
+  }
+
   /** The view through which a camera sees on its way to a goal; -1 while it sees nothing. */
   int seeing(int camera, int goal) {
     if (!moving[camera]) {

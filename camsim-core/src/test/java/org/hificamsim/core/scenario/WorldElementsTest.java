@@ -160,6 +160,7 @@ class WorldElementsTest {
         "law='round' hfov='5'|expected none with law=\"round\"",
         "law='round' reach='5'|expected none with law=\"round\"",
         "law='constant-area' hfov='5'|<optics> has no reach, expected",
+        "law='constant-area' hfov='200' reach='5'|degrees above 0 and at most 180",
         "hfov='5' pixels='0'|<optics> pixels is '0', expected a whole number from 1 to 100000",
         "hfov='5' pan='60:-60:15'|<optics> pan is '60:-60:15', expected",
         "hfov='5' pan='0:1:0'|<optics> pan is '0:1:0', expected",
@@ -208,6 +209,28 @@ class WorldElementsTest {
         "<camera> optics is 'lens', expected one of ptz");
     assertRefused(
         "<cameras>" + CAMERA + "</cameras>" + OBJECT, "expected none: the file has no <optics>");
+  }
+
+  @Test
+  void aCameraThatAnEventPutsIntoAPillarIsRefused() {
+    assertRefused(
+        "<obstacles><pillar x='5' y='5' radius='1'/></obstacles><cameras>"
+            + PTZ
+            + CAMERA
+            + "</cameras>"
+            + OBJECT
+            + "<events><event timestep='3' participant='camera' event='change' name='a' x='5' y='5'"
+            + " heading='-1' viewing_angle='-1' range='-1'/></events>",
+        "<event> x is '5', expected a place off all obstacles");
+  }
+
+  @Test
+  void bordersWithoutAFloorplanAreRefused() {
+    InputException error =
+        assertThrows(
+            InputException.class,
+            () -> read("floorplan_min_x='1'", "<cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT));
+    assertTrue(error.getMessage().contains("expected none without floorplan"), error::getMessage);
   }
 
   @Test

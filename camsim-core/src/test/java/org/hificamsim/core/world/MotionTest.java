@@ -67,6 +67,9 @@ class MotionTest {
     assertEquals(AHEAD, cameras.seeing(0), "at 25 degrees");
     turn(cameras, RIGHT);
     assertEquals(RIGHT, cameras.seeing(0), "at 50 degrees");
+    assertTrue(cameras.moving(0), "though it has not arrived");
+    turn(cameras, RIGHT);
+    assertFalse(cameras.moving(0));
   }
 
   @Test

@@ -93,7 +93,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
         return view;
       }
     }
-    return network.view(camera);
+    return network.seeing(camera);
   }
 
   private boolean fits(NetworkView network, int camera, int view, double off) {

@@ -27,11 +27,6 @@ public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
   /** Called instead of {@link #choose} for a camera that is offline. */
   protected void skip(int camera) {}
 
-  /** Whether an online camera has not yet arrived at the view that it chose. */
-  protected static boolean isOnItsWay(NetworkView network, int camera) {
-    return network.seeing(camera) != network.view(camera);
-  }
-
   @Override
   public void decide(NetworkView network, int[] views) {
     network.divide(views, choosing);
@@ -44,7 +39,7 @@ public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
     for (int camera = from; camera < to; camera++) {
       if (!network.online(camera)) {
         skip(camera);
-      } else if (isOnItsWay(network, camera)) {
+      } else if (network.moving(camera)) {
         views[camera] = travel(network, camera);
       } else {
         views[camera] = choose(network, camera);

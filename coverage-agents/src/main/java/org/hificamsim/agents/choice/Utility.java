@@ -55,7 +55,7 @@ public final class Utility {
   private double difference(NetworkView network, int camera) {
     double sum = 0;
     for (int target = 0; target < network.targets(); target++) {
-      if (network.coverage(target) > 0 && network.detects(camera, target)) {
+      if (network.coverage(target) > 0 && network.sees(camera, target)) {
         sum += share(network.coverage(target));
       }
     }

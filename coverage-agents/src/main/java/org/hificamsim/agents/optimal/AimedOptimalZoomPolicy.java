@@ -1,6 +1,7 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
@@ -33,6 +34,13 @@ final class AimedOptimalZoomPolicy implements AimingZoomPolicy, ProvingZoomPolic
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
+    if (network.objective().ofCoverableAlone()) {
+      throw new InputException(
+          "objective is "
+              + network.objective().text()
+              + ", which counts what listed pan angles can cover: expected another with policy"
+              + " optimal:pan=continuous");
+    }
     sets = new AimedSets(network);
     search = new ConfigurationSearch(network, sets, nodes);
   }

@@ -6,9 +6,9 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
- * The configuration with the best score, k_min (Eq 7.1) by default, among those in which no camera
- * moves by more than one view: thesis 7.4.1's "reachable from the current zoom level", found
- * exactly at each step.
+ * The configuration with the best score, k_min (Eq 7.1) by default, among those that the cameras
+ * reach within the step ({@link NetworkView#reaches}): thesis 7.4.1's "reachable from the current
+ * zoom level", found exactly at each step.
  *
  * <p>Which of several best configurations is taken decides what can be reached next. It is the one
  * in which camera 0 is at the view that the option {@code ties} prefers, then camera 1, and so on;
@@ -30,7 +30,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   }
 
   /**
-   * @param preference what decides between configurations with the same k_min
+   * @param preference what decides between configurations with the same score
    * @param nodes search nodes after which a step's proof is given up, 0 or more
    */
   public OneHopZoomPolicy(Preference preference, int nodes) {

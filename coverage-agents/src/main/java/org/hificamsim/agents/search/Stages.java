@@ -22,6 +22,7 @@ final class Stages {
   private final int[] k;
   private final int[] supply;
   private int levels;
+  private int most; // the highest k of a target
 
   Stages(Objective objective, CoverageProblem problem, Decisions decisions) {
     this.objective = objective;
@@ -55,6 +56,7 @@ final class Stages {
       supply[target] = decisions.supply(target);
       highest = Math.max(highest, supply[target]);
     }
+    most = highest;
     return objective instanceof Objective.Lexicographic ? weigh(highest) : 1;
   }
 
@@ -80,6 +82,13 @@ final class Stages {
       fit++;
     }
     return fit;
+  }
+
+  /** Whether so many stages decide about a choice with this score: none is cut off below it. */
+  boolean decide(int count, double score) {
+    return !(objective instanceof Objective.Lexicographic)
+        || (long) count * levels >= most
+        || score < (double) count * levels;
   }
 
   /** The score of a choice. */

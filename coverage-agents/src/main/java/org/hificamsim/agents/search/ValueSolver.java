@@ -56,6 +56,7 @@ public final class ValueSolver implements Solver {
       proven = improve(++stage);
     }
     prefer(stage);
+    proven &= stages.decide(count, stages.score(choice));
     measure(stage); // where it is not proven, a preferred choice may even be better
   }
 

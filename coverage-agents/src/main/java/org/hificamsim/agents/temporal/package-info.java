@@ -1,5 +1,4 @@
 /**
- * Temporal-difference learning, one learner per camera with its zoom views as actions (thesis
- * 7.4.4).
+ * Temporal-difference learning, one learner per camera with its views as actions (thesis 7.4.4).
  */
 package org.hificamsim.agents.temporal;

@@ -82,7 +82,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
 
   private void elect(NetworkView network, int[] elected, int from, int to) {
     for (int camera = from; camera < to; camera++) {
-      if (!isOnItsWay(network, camera)) {
+      if (!network.moving(camera)) {
         elected[camera] = elect(network, camera);
       }
     }

@@ -15,7 +15,7 @@ class MovingLearnersTest {
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
   /** Two views, two more steps from one to the other; the narrow one detects two targets. */
-  private final ToyNetwork network = new ToyNetwork(3, 2).see(0, 0, 0, 1).see(0, 1, 2).moving(2);
+  private final ToyNetwork network = new ToyNetwork(3, 2).see(0, 0, 0, 1).see(0, 1, 2).slow(2);
 
   @Test
   void anActionEarnsWhatItsWayCostsAndIsDiscountedByItsSteps() {
@@ -68,7 +68,7 @@ class MovingLearnersTest {
 
   @Test
   void aCameraOnItsWayAsksNobody() {
-    ToyNetwork pair = new ToyNetwork(1, 2, 2).moving(2);
+    ToyNetwork pair = new ToyNetwork(1, 2, 2).slow(2);
     ZoomPolicy policy = pair.begin(registry.create("qb-sarsa:epsilon=0,ties=narrowest"), 1);
     pair.step(policy);
     assertEquals(4, policy.messages());

@@ -63,7 +63,7 @@ public final class GeometricNetwork extends ToyNetwork {
 
   /** Lets cameras turn, and moves take time: as {@link #turning} and {@link #moving}. */
   public GeometricNetwork turned(int pans, int steps) {
-    turning(pans).moving(steps);
+    turning(pans).slow(steps);
     scatter();
     return this;
   }

@@ -105,7 +105,7 @@ public class ToyNetwork implements OracleView {
   }
 
   /** Lets a move take so many steps more than one, in which the camera sees nothing. */
-  public final ToyNetwork moving(int steps) {
+  public final ToyNetwork slow(int steps) {
     moveTime = steps;
     return this;
   }
@@ -196,11 +196,6 @@ public class ToyNetwork implements OracleView {
   @Override
   public final Objective objective() {
     return objective;
-  }
-
-  @Override
-  public final boolean detects(int camera, int target) {
-    return online[camera] && detects[camera][view[camera]][target];
   }
 
   @Override

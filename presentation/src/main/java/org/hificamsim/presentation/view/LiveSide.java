@@ -8,6 +8,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -49,6 +50,10 @@ final class LiveSide {
     if (policy instanceof HindsightZoomPolicy) {
       throw new InputException(
           "policy '" + policy.name() + "' looks at the whole run first: it cannot be viewed live");
+    }
+    if (policy instanceof AimingZoomPolicy) {
+      throw new InputException(
+          "policy '" + policySpec + "' turns cameras to any angle: it cannot be viewed live");
     }
     this.setup = Setup.of(world, detection, policySpec, seed).on(floor);
     this.snapshots = new Snapshots(setup, detection, policy);

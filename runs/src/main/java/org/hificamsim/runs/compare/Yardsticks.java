@@ -5,7 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
 
 /** The policies that a comparison runs beside those asked for, to score all others by. */
@@ -59,10 +61,15 @@ public enum Yardsticks {
     return List.copyOf(missing.values());
   }
 
-  /** It keeps a bit for each step, target, camera and level. */
+  /** It keeps a bit for each step, target, camera and view. */
   private static boolean fits(RunPlan plan) {
     Scenario scenario = plan.scenario();
-    double levels = (double) scenario.cameras().size() * scenario.zooms().size();
-    return levels * scenario.targets().size() * plan.steps() <= MAX_BITS;
+    double views = scenario.everyCamera().mapToDouble(one -> views(scenario, one)).sum();
+    return views * scenario.targets().size() * plan.steps() <= MAX_BITS;
+  }
+
+  private static double views(Scenario scenario, CameraSpec camera) {
+    int pans = camera.optics().map(optics -> optics.pans().size()).orElse(1);
+    return (double) pans * World.zoomLevels(scenario, camera).size();
   }
 }

@@ -86,7 +86,7 @@ public final class RunFolder implements Closeable {
     if (detail == Detail.VIEWS) {
       row.add(Math.toDegrees(network.pan(camera, view)));
       row.add(Math.toDegrees(network.zoom(camera, view).viewingAngle()));
-      row.add(network.seeing(camera) == view ? 0 : 1);
+      row.add(network.moving(camera) ? 1 : 0);
     }
     return row;
   }

@@ -6,14 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;
@@ -57,6 +62,11 @@ class RunKeyTest {
     RunKey key = key(scenario, model, 0.1, "zoom-out", 10);
     assertEquals(key, key(scenario(), Catalogue.load().detection("hifi:orb-lin"), 0.1));
     assertNotEquals(key, key(scenario.withOrder(StepOrder.CAMSIM), model, 0.1));
+    assertNotEquals(key, key(scenario.withObjective(Objective.parse("covered")), model, 0.1));
+    Surroundings wall =
+        new Surroundings(
+            List.of(new Obstacle.Wall(0, 0, 1, 1, 0)), Occlusion.NONE, Optional.empty());
+    assertNotEquals(key, key(scenario.withSurroundings(wall), model, 0.1));
     assertNotEquals(key, key(scenario, Catalogue.load().detection("hifi:orb-sr"), 0.1));
     assertNotEquals(key, key(scenario, model, 0.2));
     assertNotEquals(key, key(scenario, model, 0.1, "zoom-in", 10));
