@@ -97,14 +97,11 @@ class ObjectiveTest {
   }
 
   @Test
-  void policiesAndCommandsOfKMinAloneRefuseAnother() throws IOException {
+  void aPolicyOfKMinAloneRefusesAnother() throws IOException {
     Path scenario = scored("covered:k=1");
     Cli run = Cli.run("run", scenario, "--policy", "optimal-expected", "--out", folder);
     assertEquals(2, run.exit());
     assertTrue(run.err().contains("objective is covered:k=1, expected kmin with"), run.err());
-    Cli ladder = Cli.run("ladder", scenario, "--steps", 2, "--repeat", 1, "--out", folder);
-    assertEquals(2, ladder.exit());
-    assertTrue(ladder.err().contains("expected kmin, by which rungs are judged"), ladder.err());
   }
 
   private Cli compare(String objective, String policies) {

@@ -14,6 +14,7 @@ import org.hificamsim.reproduction.ladder.LadderFiles;
 import org.hificamsim.reproduction.ladder.LadderResult;
 import org.hificamsim.reproduction.ladder.Rung;
 import org.hificamsim.reproduction.ladder.Rungs;
+import org.hificamsim.reproduction.ladder.WorldRungs;
 import org.hificamsim.runs.compare.ComparisonRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -25,19 +26,40 @@ import picocli.CommandLine.Parameters;
     name = "ladder",
     description = {
       "Chooses a policy by each rung of realism, and judges the choices by the top rung:",
-      "predicted k_min, order of the policies, what the choice costs, what a step costs."
+      "predicted score, order of the policies, what the choice costs, what a step costs."
     })
 final class LadderCommand implements Callable<Integer> {
+  /** What rises from rung to rung. */
+  private enum Of {
+    DETECTION,
+    WORLD
+  }
+
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
+
+  @Option(
+      names = "--of",
+      paramLabel = "detection|world",
+      description =
+          "What rises from rung to rung: the detection model, or lenses, pan, time, walls and"
+              + " occlusion.")
+  private String of;
 
   @Option(
       names = "--rungs",
       paramLabel = "A,B[@T]",
       description =
           "Detection models or model files, perhaps with thresholds or rules, the top rung last;"
-              + " default: those of docs/ladder.md.")
+              + " with --of world names of its rungs. Default: those of docs/ladder.md.")
   private Optional<String> rungs;
+
+  @Option(
+      names = "--detection",
+      paramLabel = "NAME|FILE.json[@T|@RULE]",
+      description =
+          "With --of world: what all rungs detect by; default: " + WorldRungs.DETECTION + ".")
+  private Optional<String> detection;
 
   @Option(
       names = "--policies",
@@ -72,7 +94,6 @@ final class LadderCommand implements Callable<Integer> {
     Distinct.require("--policies", specs);
     List<Scenario> scenarios =
         files.stream().map(file -> scenarioOptions.read(file, catalogue, screen.err())).toList();
-    scenarios.forEach(LadderCommand::requireKMin);
     Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     return new Ladder(
         scenarios,
@@ -81,25 +102,32 @@ final class LadderCommand implements Callable<Integer> {
         (rung, scenario) -> scenarioOptions.detection(rung.spec(catalogue::detection), scenario));
   }
 
-  private static void requireKMin(Scenario scenario) {
-    if (!scenario.objective().isKMin()) {
-      throw new InputException(
-          "the objective of '"
-              + scenario.name()
-              + "' is "
-              + scenario.objective().text()
-              + ", expected kmin, by which rungs are judged. Maybe give --objective kmin");
-    }
-  }
-
   private static void refuse(String rule) {
     throw new InputException(
         "--detect is '" + rule + "', expected none: a rung names its own, --rungs NAME@" + rule);
   }
 
   private List<Rung> asked() {
-    return rungs.isEmpty()
-        ? Rungs.all()
-        : Arrays.stream(rungs.get().split(",", -1)).map(name -> Rungs.named(name.strip())).toList();
+    Optional<List<String>> names =
+        rungs.map(text -> Arrays.stream(text.split(",", -1)).map(String::strip).toList());
+    return ScenarioOptions.choice(Of.class, "--of", of) == Of.WORLD
+        ? ofWorld(names)
+        : ofDetection(names);
+  }
+
+  private List<Rung> ofWorld(Optional<List<String>> names) {
+    WorldRungs all = new WorldRungs(detection.orElse(WorldRungs.DETECTION));
+    return names.map(asked -> asked.stream().map(all::named).toList()).orElseGet(all::all);
+  }
+
+  private List<Rung> ofDetection(Optional<List<String>> names) {
+    detection.ifPresent(
+        text -> {
+          throw new InputException(
+              "--detection is '"
+                  + text
+                  + "', expected none without --of world: --rungs names them");
+        });
+    return names.map(asked -> asked.stream().map(Rungs::named).toList()).orElseGet(Rungs::all);
   }
 }

@@ -24,7 +24,7 @@ final class LadderTable {
 
   static void print(PrintWriter out, LadderResult result) {
     LadderTable table = new LadderTable(out, result);
-    table.line("scenario", "rung", "optimum", "tau [95%]", "k_min lost, % [95%]", "chosen");
+    table.line("scenario", "rung", "optimum", "tau [95%]", table.lost(), "chosen");
     for (RungResult one : result.rungs()) {
       if (!one.scenario().equals(RungResult.ALL)) {
         table.line(one, String.join(LadderFiles.OR, one.chosen()));
@@ -34,8 +34,12 @@ final class LadderTable {
     table.all();
   }
 
+  private String lost() {
+    return result.measure() + " lost, % [95%]";
+  }
+
   private void all() {
-    line("scenario", "rung", "optimum", "tau [95%]", "k_min lost, % [95%]", " ns/step  adds");
+    line("scenario", "rung", "optimum", "tau [95%]", lost(), " ns/step  adds");
     List<RungResult> all = result.of(RungResult.ALL);
     for (int i = 0; i < all.size(); i++) {
       RungResult one = all.get(i);

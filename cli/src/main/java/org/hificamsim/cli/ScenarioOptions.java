@@ -95,7 +95,8 @@ final class ScenarioOptions {
     }
   }
 
-  private static <E extends Enum<E>> E choice(Class<E> type, String option, String text) {
+  /** The constant that an option names. */
+  static <E extends Enum<E>> E choice(Class<E> type, String option, String text) {
     return Spelling.find(type, text)
         .orElseThrow(
             () ->

@@ -48,6 +48,11 @@ public record CameraSpec(
     return new CameraSpec(name, newX, newY, newHeading, viewingAngle, range, agent, optics, extras);
   }
 
+  /** The same camera with other optics and another opening angle, degrees. */
+  public CameraSpec through(OpticsSpec newOptics, double angle) {
+    return new CameraSpec(name, x, y, heading, angle, range, agent, Optional.of(newOptics), extras);
+  }
+
   /** The same camera under another name. */
   public CameraSpec named(String newName) {
     return new CameraSpec(newName, x, y, heading, viewingAngle, range, agent, optics, extras);

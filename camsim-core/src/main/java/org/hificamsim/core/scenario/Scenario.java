@@ -154,7 +154,12 @@ public record Scenario(
 
   /** The same scenario without its zoom list: each camera has its range alone, as in CamSim. */
   public Scenario withoutZooms() {
-    return changed(draft -> draft.zooms = List.of());
+    return withZooms(List.of());
+  }
+
+  /** The same scenario with other radii common to all cameras, metres, rising. */
+  public Scenario withZooms(List<Double> radii) {
+    return changed(draft -> draft.zooms = radii);
   }
 
   /** The same scenario with every target, now or later, under one movement. */

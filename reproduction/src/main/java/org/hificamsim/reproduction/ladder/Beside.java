@@ -13,7 +13,7 @@ record Beside(Scores own, Scores top) {
   }
 
   /**
-   * The k_min that is lost under the top rung by choosing the policy that is best under this one, 0
+   * The score that is lost under the top rung by choosing the policy that is best under this one, 0
    * or more; where several are, what is lost on average by choosing any of them. Other seeds may
    * lead to another choice.
    */

@@ -70,6 +70,11 @@ public final class Ladder {
     return policies;
   }
 
+  /** What the rungs are judged by: k_min, or where a scenario has another objective the score. */
+  String measure() {
+    return all().stream().allMatch(one -> one.changed().objective().isKMin()) ? "k_min" : "score";
+  }
+
   /** Everything that has to be run. */
   public List<RunPlan> plans(int steps, long seed, int repeats) {
     List<RunPlan> plans = new ArrayList<>();

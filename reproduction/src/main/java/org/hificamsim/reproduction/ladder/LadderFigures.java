@@ -24,14 +24,6 @@ final class LadderFigures {
   private static final double EDGE = 0.05;
   private static final double ROOM = 1.08;
   private static final String INTERVALS = "Bars: 95% bootstrap intervals over seeds.";
-  private static final List<LegendEntry> LEGEND =
-      List.of(
-          new LegendEntry("order of the policies: Kendall's tau", TAU, LegendEntry.Mark.DOT),
-          new LegendEntry(
-              "k_min lost by the rung's choice, share of the top rung's best",
-              REGRET,
-              LegendEntry.Mark.DOT));
-
   private final LadderResult result;
   private final List<String> names;
 
@@ -45,7 +37,7 @@ final class LadderFigures {
     return figure(
         "How far each rung can be trusted, judged by " + top(),
         INTERVALS,
-        LEGEND,
+        legend(),
         result.scenarios().stream().map(this::panel).toList());
   }
 
@@ -57,8 +49,18 @@ final class LadderFigures {
         List.of(),
         List.of(
             single("order of the policies (Kendall's tau)", -1, RungResult::tau, TAU),
-            single("k_min lost by the rung's choice (share)", 0, RungResult::share, REGRET),
+            single(lost() + " (share)", 0, RungResult::share, REGRET),
             costs()));
+  }
+
+  private List<LegendEntry> legend() {
+    return List.of(
+        new LegendEntry("order of the policies: Kendall's tau", TAU, LegendEntry.Mark.DOT),
+        new LegendEntry(lost() + ", share of the top rung's best", REGRET, LegendEntry.Mark.DOT));
+  }
+
+  private String lost() {
+    return result.measure() + " lost by the rung's choice";
   }
 
   private String top() {

@@ -76,14 +76,14 @@ public final class LadderFiles {
   private void policies(CsvTable table, RungScenario place, Scores scores) {
     int[] ranks = scores.ranks();
     for (int policy = 0; policy < ranks.length; policy++) {
-      Estimate kMin = Bootstrap.mean(scores.kMin()[policy]);
+      Estimate score = Bootstrap.mean(scores.score()[policy]);
       table.row(
           place.scenario(),
           place.rung().name(),
           ladder.policies().get(policy),
-          kMin.mean(),
-          kMin.low(),
-          kMin.high(),
+          score.mean(),
+          score.low(),
+          score.high(),
           ranks[policy]);
     }
   }

@@ -11,8 +11,9 @@ import org.hificamsim.runs.compare.Cases;
  *
  * @param rungs by scenario, then the means over all scenarios
  * @param nanoseconds what a step costs, by rung
+ * @param measure what the rungs are judged by, in a word
  */
-public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds) {
+public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, String measure) {
   static LadderResult of(Ladder ladder, Cases cases, List<Double> nanoseconds) {
     List<RungResult> results = new ArrayList<>();
     Map<Rung, List<Beside>> byRung = new LinkedHashMap<>();
@@ -27,7 +28,7 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds) {
       }
     }
     byRung.forEach((rung, besides) -> results.add(RungResult.ofAll(rung, besides)));
-    return new LadderResult(List.copyOf(results), nanoseconds);
+    return new LadderResult(List.copyOf(results), nanoseconds, ladder.measure());
   }
 
   /** The scenarios' names, then {@link RungResult#ALL}. */

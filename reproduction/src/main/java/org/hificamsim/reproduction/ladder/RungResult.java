@@ -10,11 +10,11 @@ import org.hificamsim.runs.compare.Ratio;
  * How good a rung is for a choice of policy: in one scenario, or the mean over all of them.
  *
  * @param scenario {@link #ALL} for the mean
- * @param optimum the mean k_min that it predicts for the exact optimum
+ * @param optimum the mean score that it predicts for the exact optimum
  * @param tau Kendall's tau-b against the top rung; NaN where all policies tie
  * @param chosen the policies that are best under it, more than one where they tie; none for the
  *     mean
- * @param regret the k_min lost under the top rung by choosing so
+ * @param regret the score lost under the top rung by choosing so
  * @param share the same as a share of the top rung's best; NaN where that is 0
  */
 public record RungResult(

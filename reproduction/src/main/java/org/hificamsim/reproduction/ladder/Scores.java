@@ -8,23 +8,28 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ScoredRun;
 
 /**
- * What one rung says of the policies in one scenario: their mean k_min, and by chance its
- * expectation, which has no luck in it. A policy that knows the luck gains nothing by it here.
+ * What one rung says of the policies in one scenario: their mean score by the scenario's objective.
+ * Of k_min by chance it is the expectation, which has no luck in it: a policy that knows the luck
+ * gains nothing by it here.
  *
- * @param kMin by policy, then by seed
- * @param optimum the mean k_min of the exact optimum, by seed; by chance it knows the luck
+ * @param score by policy, then by seed
+ * @param optimum the mean score of the exact optimum, by seed; by chance it knows the luck
  */
-record Scores(double[][] kMin, double[] optimum) {
+record Scores(double[][] score, double[] optimum) {
   static Scores of(List<CaseResult> cases) {
     return new Scores(
-        cases.stream().map(Scores::kMin).toArray(double[][]::new),
+        cases.stream().map(Scores::score).toArray(double[][]::new),
         cases.get(0).runs().stream()
             .mapToDouble(run -> run.optimum() / cases.get(0).plan().steps())
             .toArray());
   }
 
-  private static double[] kMin(CaseResult one) {
-    return one.runs().stream().mapToDouble(run -> kMin(one.plan(), run)).toArray();
+  private static double[] score(CaseResult one) {
+    return one.runs().stream().mapToDouble(run -> score(one.plan(), run)).toArray();
+  }
+
+  private static double score(RunPlan plan, ScoredRun run) {
+    return plan.objective().isKMin() ? kMin(plan, run) : run.result().score() / plan.steps();
   }
 
   private static double kMin(RunPlan plan, ScoredRun run) {
@@ -39,7 +44,7 @@ record Scores(double[][] kMin, double[] optimum) {
 
   /** The mean of each policy over some seeds, each given by its number, perhaps repeatedly. */
   double[] means(int[] seeds) {
-    return Arrays.stream(kMin).mapToDouble(one -> mean(one, seeds)).toArray();
+    return Arrays.stream(score).mapToDouble(one -> mean(one, seeds)).toArray();
   }
 
   /** The mean of each policy over all seeds. */
@@ -74,7 +79,7 @@ record Scores(double[][] kMin, double[] optimum) {
   /** The mean over some policies and seeds: what to expect of picking any of them. */
   double mean(int[] policies, int[] seeds) {
     return Arrays.stream(policies)
-        .mapToDouble(policy -> mean(kMin[policy], seeds))
+        .mapToDouble(policy -> mean(score[policy], seeds))
         .average()
         .orElseThrow();
   }
