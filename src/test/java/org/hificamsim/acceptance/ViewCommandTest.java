@@ -106,8 +106,9 @@ class ViewCommandTest {
       value = {
         "--port 70000 | --port is 70000, expected a whole number from 0 to 65535",
         "--threshold 2 | threshold is 2.0, expected a number from 0 to 1",
-        "--policy greedy | unknown policy 'greedy'",
+        "--policy grasping | unknown policy 'grasping'",
         "--policy best-fixed | cannot be viewed live",
+        "--policy optimal:pan=continuous | cannot be viewed live",
         "--policy fixed:9 | level of camera",
         "--detection nothing.json | nothing.json",
         "--seed x | 'x'",
