@@ -156,7 +156,7 @@ class RunCommandTest {
             + " hifi:orb-",
         "--detection nothing.json | nothing.json",
         "--detection geometric@2 | threshold is 2.0, expected a number from 0 to 1",
-        "--policy greedy | unknown policy 'greedy', expected one of epsilon-greedy, ",
+        "--policy epsilon | unknown policy 'epsilon', expected one of ",
         "--policy epsilon-greedy:epsilon=2 | epsilon is '2', expected a number from 0.0 to 1.0",
         "--policy epsilon-greedy:gamma=2 | unknown option 'gamma=2', expected one of epsilon",
         "--policy fixed:9 | 9",
