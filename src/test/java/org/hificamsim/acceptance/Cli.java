@@ -1,9 +1,12 @@
 package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
@@ -45,5 +48,13 @@ record Cli(int exit, String out, String err) {
     assertEquals(0, validate.exit(), validate.err());
     Cli run = run("run", scenario, "--detection", "camsim-visibility", "--steps", 20, "--out", out);
     assertEquals(0, run.exit(), run.err());
+  }
+
+  /** Fails unless a command was refused in one line that says so, and wrote no folder. */
+  void assertRefused(String expected, Path folder) {
+    assertEquals(2, exit, err);
+    assertEquals(1, err.lines().count(), err);
+    assertTrue(err.contains(expected), err);
+    assertFalse(Files.exists(folder));
   }
 }

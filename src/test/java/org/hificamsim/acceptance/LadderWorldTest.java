@@ -157,10 +157,7 @@ class LadderWorldTest {
                     Stream.of("ladder", Cli.scenario("hall"), "--out", nowhere),
                     Arrays.stream(options.strip().split(" ")))
                 .toArray());
-    assertEquals(2, cli.exit(), cli.err());
-    assertEquals(1, cli.err().lines().count(), cli.err());
-    assertTrue(cli.err().contains(expected), cli.err());
-    assertFalse(Files.exists(nowhere));
+    cli.assertRefused(expected, nowhere);
   }
 
   private static double[] means(String rung) {

@@ -8,7 +8,6 @@ import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenTask;
 import org.hificamsim.core.space.PointGrid;
-import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.SightLines;
@@ -26,6 +25,7 @@ final class ObservedNetwork implements OracleView {
   private final int[] coverage;
   private final boolean phantoms;
   private final PointGrid grid;
+  private final NearTargets near;
   private final Objective objective;
   private final Workers workers;
   private final int[][] counts; // of each worker, in the order of the grid
@@ -61,6 +61,7 @@ final class ObservedNetwork implements OracleView {
     this.coverage = new int[targets.count()];
     this.phantoms = visibility.detection().rule().phantoms() > 0;
     this.grid = grid;
+    this.near = new NearTargets(cameras, sight, grid);
     this.objective = world.scenario().objective();
     this.workers = workers;
     this.counts = new int[workers.count()][];
@@ -119,26 +120,8 @@ final class ObservedNetwork implements OracleView {
     int end = workers.first(worker + 1, detected.length);
     for (int camera = workers.first(worker, detected.length); camera < end; camera++) {
       detected[camera] =
-          cameras.online(camera) ? look(camera, cameras.seeing(camera), counts[worker]) : 0;
+          cameras.online(camera) ? near.look(camera, cameras.seeing(camera), counts[worker]) : 0;
     }
-  }
-
-  private int look(int camera, int view, int[] count) {
-    if (view == Cameras.NO_VIEW) {
-      return 0;
-    }
-    if (grid.cells() == 1) {
-      return sight.look(camera, view, grid, 0, grid.count(), count);
-    }
-    double reach = sight.reach(camera, view);
-    int left = grid.column(cameras.x(camera) - reach);
-    int right = grid.column(cameras.x(camera) + reach);
-    int top = grid.row(cameras.y(camera) + reach);
-    int seen = 0;
-    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
-      seen += sight.look(camera, view, grid, grid.start(row, left), grid.end(row, right), count);
-    }
-    return seen;
   }
 
   /** Adds up what all workers counted, each worker for some of the targets. */
@@ -310,47 +293,14 @@ final class ObservedNetwork implements OracleView {
 
   @Override
   public int chances(int camera, int view, int[] who, double[] chances) {
-    double reach = sight.reach(camera, view);
-    int left = grid.column(cameras.x(camera) - reach);
-    int right = grid.column(cameras.x(camera) + reach);
-    int top = grid.row(cameras.y(camera) + reach);
-    int count = 0;
-    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
-      int end = grid.end(row, right);
-      for (int i = grid.start(row, left); i < end; i++) {
-        chances[count] = sight.chance(camera, view, grid.point(i));
-        who[count] = grid.point(i);
-        count += chances[count] > 0 ? 1 : 0;
-      }
-    }
-    return count;
+    return near.chances(camera, view, who, chances);
   }
 
   @Override
   public <T> void eachSeen(int camera, T work, SeenTask<T> task) {
-    int view = cameras.seeing(camera);
-    if (!cameras.online(camera) || view == Cameras.NO_VIEW) {
-      return;
+    if (cameras.online(camera)) {
+      near.eachSeen(camera, cameras.seeing(camera), work, task);
     }
-    double reach = sight.reach(camera, view);
-    int left = grid.column(cameras.x(camera) - reach);
-    int right = grid.column(cameras.x(camera) + reach);
-    int top = grid.row(cameras.y(camera) + reach);
-    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
-      int end = grid.end(row, right);
-      for (int i = grid.start(row, left); i < end; i++) {
-        if (sight.detects(camera, view, grid.point(i))) {
-          see(cameras.pose(camera, view), i, work, task);
-        }
-      }
-    }
-  }
-
-  private <T> void see(Pose pose, int i, T work, SeenTask<T> task) {
-    double dx = grid.x(i) - pose.x();
-    double dy = grid.y(i) - pose.y();
-    double bearing = Math.IEEEremainder(Math.atan2(dx, dy) - pose.heading(), 2 * Math.PI);
-    task.see(work, grid.point(i), Math.hypot(dx, dy), bearing);
   }
 
   @Override
@@ -360,22 +310,7 @@ final class ObservedNetwork implements OracleView {
 
   @Override
   public void detections(int camera, long[] masks, int words) {
-    int views = cameras.views(camera);
-    Arrays.fill(masks, 0, views * words, 0);
-    if (grid.cells() == 1) {
-      sight.mark(camera, views, grid, 0, grid.count(), masks, words);
-      return;
-    }
-    double reach = 0;
-    for (int view = 0; view < views; view++) {
-      reach = Math.max(reach, sight.reach(camera, view));
-    }
-    int left = grid.column(cameras.x(camera) - reach);
-    int right = grid.column(cameras.x(camera) + reach);
-    int top = grid.row(cameras.y(camera) + reach);
-    for (int row = grid.row(cameras.y(camera) - reach); row <= top; row++) {
-      sight.mark(camera, views, grid, grid.start(row, left), grid.end(row, right), masks, words);
-    }
+    near.mark(camera, masks, words);
   }
 
   @Override

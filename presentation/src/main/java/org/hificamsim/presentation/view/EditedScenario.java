@@ -73,7 +73,8 @@ final class EditedScenario {
    */
   void add(String like, double x, double y) {
     checkPlace(x, y);
-    CameraSpec spec = cameras().filter(camera -> camera.name().equals(like)).findFirst().get();
+    CameraSpec spec =
+        now.everyCamera().filter(camera -> camera.name().equals(like)).findFirst().get();
     now = now.withCamera(spec.named(freeName()).standing(x, y, spec.heading()));
   }
 
@@ -132,7 +133,7 @@ final class EditedScenario {
             .filter(ScenarioEvent.AddTarget.class::isInstance)
             .map(event -> ((ScenarioEvent.AddTarget) event).target());
     return Stream.concat(
-        cameras().map(camera -> new Point(camera.x(), camera.y())),
+        now.everyCamera().map(camera -> new Point(camera.x(), camera.y())),
         Stream.concat(now.targets().stream(), later).flatMap(EditedScenario::places));
   }
 
@@ -151,16 +152,7 @@ final class EditedScenario {
   }
 
   private boolean isTaken(String name) {
-    return cameras().anyMatch(camera -> camera.name().equals(name));
-  }
-
-  /** Those of the start, then those that events add. */
-  private Stream<CameraSpec> cameras() {
-    Stream<CameraSpec> later =
-        now.events().stream()
-            .filter(ScenarioEvent.AddCamera.class::isInstance)
-            .map(event -> ((ScenarioEvent.AddCamera) event).camera());
-    return Stream.concat(now.cameras().stream(), later);
+    return now.everyCamera().anyMatch(camera -> camera.name().equals(name));
   }
 
   private void checkPlace(double x, double y) {
