@@ -16,10 +16,8 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Unfinished;
 import org.hificamsim.runs.RunFault;
 import org.hificamsim.runs.output.ManifestFile;
-import picocli.AutoComplete.GenerateCompletion;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.IVersionProvider;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.PropertiesDefaultProvider;
@@ -35,24 +33,6 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(
     name = "hificamsim",
     description = "Simulates smart-camera networks with detection models fitted to real images.",
-    subcommands = {
-      RunCommand.class,
-      CompareCommand.class,
-      ReproduceCommand.class,
-      SensitivityCommand.class,
-      LadderCommand.class,
-      PlotCommand.class,
-      GenerateCommand.class,
-      ReportCommand.class,
-      ViewCommand.class,
-      ValidateCommand.class,
-      OddCommand.class,
-      ListCommand.class,
-      CamSimCommand.class,
-      ProfileCommand.class,
-      HelpCommand.class,
-      GenerateCompletion.class
-    },
     scope = ScopeType.INHERIT,
     mixinStandardHelpOptions = true,
     showDefaultValues = true,
@@ -73,7 +53,7 @@ public final class Main {
   /** Runs one command. */
   public static int execute(PrintWriter out, PrintWriter err, String... args) {
     CommandLine line =
-        new CommandLine(new Main())
+        Commands.line(args)
             .setOut(out)
             .setErr(err)
             .setDefaultValueProvider(new PropertiesDefaultProvider(defaults()))

@@ -25,7 +25,7 @@ class DefaultsTest {
     try (InputStream in = Main.class.getResourceAsStream("defaults.properties")) {
       defaults.load(in);
     }
-    collect(new CommandLine(new Main()));
+    collect(Commands.all());
     assertTrue(options.size() > 100, options.size() + " options");
   }
 

@@ -1,0 +1,63 @@
+package org.hificamsim.cli;
+
+import java.util.List;
+import picocli.AutoComplete.GenerateCompletion;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.HelpCommand;
+
+/**
+ * The commands of {@code hificamsim}. A call that begins with the name of one is given that one
+ * alone: reading the options of all others would take a quarter of the time of a short command.
+ */
+final class Commands {
+  private static final List<Class<?>> ALL =
+      List.of(
+          RunCommand.class,
+          CompareCommand.class,
+          ReproduceCommand.class,
+          SensitivityCommand.class,
+          LadderCommand.class,
+          PlotCommand.class,
+          GenerateCommand.class,
+          ReportCommand.class,
+          ViewCommand.class,
+          ValidateCommand.class,
+          OddCommand.class,
+          ListCommand.class,
+          CamSimCommand.class,
+          ProfileCommand.class,
+          HelpCommand.class,
+          GenerateCompletion.class);
+
+  /** What speaks of the other commands, and so needs all. */
+  private static final List<Class<?>> ABOUT_ALL =
+      List.of(HelpCommand.class, GenerateCompletion.class);
+
+  private Commands() {}
+
+  /** The command line for a call. */
+  static CommandLine line(String... args) {
+    return args.length == 0 ? all() : with(named(args[0]));
+  }
+
+  /** The command line with all commands. */
+  static CommandLine all() {
+    return with(ALL);
+  }
+
+  private static List<Class<?>> named(String name) {
+    return ALL.stream()
+        .filter(command -> command.getAnnotation(Command.class).name().equals(name))
+        .filter(command -> !ABOUT_ALL.contains(command))
+        .findAny()
+        .<List<Class<?>>>map(List::of)
+        .orElse(ALL);
+  }
+
+  private static CommandLine with(List<Class<?>> commands) {
+    CommandLine line = new CommandLine(new Main());
+    commands.forEach(line::addSubcommand);
+    return line;
+  }
+}
