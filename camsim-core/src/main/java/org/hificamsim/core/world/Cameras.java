@@ -26,6 +26,7 @@ public final class Cameras {
   private final boolean[] online;
   private Motion motion;
   private int revision;
+  private int looks;
 
   Cameras(int count) {
     names = new String[count];
@@ -91,16 +92,17 @@ public final class Cameras {
 
   /** Sends a camera towards a view. */
   public void turnTo(int camera, int newView) {
+    looks += newView != view[camera] || aimed[camera] ? 1 : 0;
     release(camera);
     view[camera] = newView;
   }
 
   /** Puts a camera into a view at once, however long it would have taken. */
   public void jumpTo(int camera, int newView) {
-    release(camera);
-    view[camera] = newView;
+    turnTo(camera, newView);
     if (motion != null) {
       motion.arrive(camera, newView);
+      looks++;
     }
   }
 
@@ -114,6 +116,7 @@ public final class Cameras {
     poses[camera][newView] = mounted[camera].turned(pan);
     aimed[camera] = true;
     aimedPan[camera] = pan;
+    looks++;
   }
 
   /** A view that was aimed has its own angle again. */
@@ -128,6 +131,7 @@ public final class Cameras {
   public void advance() {
     if (motion != null) {
       motion.advance(view, online);
+      looks++;
     }
   }
 
@@ -225,5 +229,10 @@ public final class Cameras {
   /** Changes whenever a camera is added, moved, refitted or switched off. */
   public int revision() {
     return revision;
+  }
+
+  /** Changes whenever a camera may look another way, or through another zoom level. */
+  public int looks() {
+    return looks + revision;
   }
 }

@@ -1,6 +1,8 @@
 package org.hificamsim.network.agent;
 
 import java.util.Arrays;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.SightLines;
@@ -18,6 +20,7 @@ public final class Sightings {
   private final Visibility visibility;
   private final double[] confidence;
   private final InsertionOrder[] visible;
+  private final Outside[] outsides;
 
   /** What cameras will see, nothing so far. */
   public Sightings(World world, Visibility visibility) {
@@ -27,6 +30,8 @@ public final class Sightings {
     this.visibility = visibility;
     confidence = new double[cameras.count() * targets.count()];
     visible = new InsertionOrder[cameras.count()];
+    outsides = new Outside[cameras.count()];
+    Arrays.setAll(outsides, camera -> new Outside());
     for (int camera = 0; camera < visible.length; camera++) {
       visible[camera] = new InsertionOrder(targets.count());
     }
@@ -48,10 +53,30 @@ public final class Sightings {
 
   private int look(long step, int camera, int[] coverage) {
     int view = cameras.seeing(camera);
+    return view == Cameras.NO_VIEW
+        ? lookAway(camera)
+        : look(step, camera, cameras.pose(camera, view), cameras.zoom(camera, view), coverage);
+  }
+
+  private int lookAway(int camera) {
+    for (int target = 0; target < targets.count(); target++) {
+      if (targets.present(target)) {
+        forget(camera, target);
+      }
+    }
+    return 0;
+  }
+
+  private int look(long step, int camera, Pose pose, ZoomLevel zoom, int[] coverage) {
+    Outside outside = outsides[camera];
+    outside.of(pose, zoom);
     int seen = 0;
     for (int target = 0; target < coverage.length; target++) {
       if (targets.present(target)) {
-        double sure = view == Cameras.NO_VIEW ? 0 : confidence(step, camera, view, target);
+        double sure =
+            outside.has(targets.x(target), targets.y(target))
+                ? 0
+                : confidence(step, camera, pose, zoom, target);
         note(camera, target, sure);
         seen += sure > 0 ? 1 : 0;
         coverage[target] += sure > 0 ? 1 : 0;
@@ -60,10 +85,10 @@ public final class Sightings {
     return seen;
   }
 
-  private double confidence(long step, int camera, int view, int target) {
+  private double confidence(long step, int camera, Pose pose, ZoomLevel zoom, int target) {
     return visibility.confidence(
-        cameras.pose(camera, view),
-        cameras.zoom(camera, view),
+        pose,
+        zoom,
         targets.x(target),
         targets.y(target),
         targets.size(target),

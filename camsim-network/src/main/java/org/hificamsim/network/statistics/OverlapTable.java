@@ -1,9 +1,11 @@
 package org.hificamsim.network.statistics;
 
+import java.util.Arrays;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * An overlap of every pair of cameras, square metres, computed again only where one has changed.
+ * An overlap of every pair of cameras, square metres, computed and added up again only where a
+ * camera has changed.
  */
 public final class OverlapTable {
   /** The overlap of two cameras as they are now, the first being earlier in the list. */
@@ -15,7 +17,10 @@ public final class OverlapTable {
   private final Pair pair;
   private final double[][] overlaps;
   private final Sector[] sectors;
-  private int revision = -1;
+  private final double[] before;
+  private final double[] after;
+  private final boolean[] added;
+  private int looks = -1;
 
   OverlapTable(Cameras cameras, Pair pair) {
     this.cameras = cameras;
@@ -23,6 +28,9 @@ public final class OverlapTable {
     int count = cameras.count();
     overlaps = new double[count][count];
     sectors = new Sector[count];
+    before = new double[count];
+    after = new double[count];
+    added = new boolean[count];
   }
 
   /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
@@ -46,6 +54,15 @@ public final class OverlapTable {
   /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */
   double addPairs(int camera, double sum) {
     refresh();
+    if (!added[camera] || before[camera] != sum) {
+      before[camera] = sum;
+      after[camera] = added(camera, sum);
+      added[camera] = true;
+    }
+    return after[camera];
+  }
+
+  private double added(int camera, double sum) {
     double total = sum;
     double[] row = overlaps[camera];
     for (int later = camera + 1; later < row.length; later++) {
@@ -57,10 +74,11 @@ public final class OverlapTable {
   }
 
   private void refresh() {
-    if (!hasChanged()) {
+    if (looks == cameras.looks()) {
       return;
     }
-    revision = cameras.revision();
+    looks = cameras.looks();
+    Arrays.fill(added, false);
     boolean[] changed = new boolean[sectors.length];
     for (int camera = 0; camera < sectors.length; camera++) {
       Sector now = Sector.of(cameras, camera);
@@ -74,13 +92,5 @@ public final class OverlapTable {
         }
       }
     }
-  }
-
-  private boolean hasChanged() {
-    boolean changed = revision != cameras.revision();
-    for (int camera = 0; camera < sectors.length && !changed; camera++) {
-      changed = !sectors[camera].isOf(cameras, camera);
-    }
-    return changed;
   }
 }

@@ -25,14 +25,6 @@ record Sector(double x, double y, double heading, double angle, double radius) {
     return seeing == Cameras.NO_VIEW ? cameras.view(camera) : seeing;
   }
 
-  /** Whether a camera that stands where it stood still has this sector. */
-  boolean isOf(Cameras cameras, int camera) {
-    int view = view(cameras, camera);
-    return heading == cameras.pose(camera, view).heading()
-        && angle == cameras.zoom(camera, view).viewingAngle()
-        && radius == cameras.range(camera);
-  }
-
   /** Whether the point lies inside. */
   boolean contains(double px, double py) {
     double dx = px - x;

@@ -1,11 +1,12 @@
 package org.hificamsim.presentation.report;
 
 import java.io.IOException;
+import java.io.StringWriter;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
-import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Recording;
 import org.hificamsim.runs.output.StepRow;
@@ -17,13 +18,15 @@ final class StepsCheck {
   private long performance;
 
   /** Adds the frames of a run. */
-  void expect(Recording recording) {
-    for (Frame frame : recording.frames()) {
-      expected.put(
-          recording.run() + "," + frame.step(),
-          StepRow.measures(frame.measure()).stream()
-              .map(String::valueOf)
-              .collect(Collectors.joining(",")));
+  void expect(Recording recording) throws IOException {
+    StringWriter text = new StringWriter();
+    try (NumberRows row = new NumberRows(text, "", ',', "")) {
+      for (Frame frame : recording.frames()) {
+        StepRow.addMeasures(row, frame.measure());
+        row.end();
+        expected.put(recording.run() + "," + frame.step(), text.toString());
+        text.getBuffer().setLength(0);
+      }
     }
   }
 

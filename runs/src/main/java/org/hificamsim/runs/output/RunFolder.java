@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
@@ -29,7 +30,7 @@ public final class RunFolder implements Closeable {
 
   private final OutputFolder folder;
   private final Detail detail;
-  private final CsvTable steps;
+  private final NumberRows steps;
   private final CsvTable zooms;
   private final CsvTable targets;
 
@@ -42,7 +43,7 @@ public final class RunFolder implements Closeable {
   public RunFolder(Path path, Detection detection, Detail detail) throws IOException {
     boolean certain = detection.certain();
     folder = new OutputFolder(path);
-    steps = (certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE).create(folder);
+    steps = (certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE).createRows(folder);
     this.detail = detail;
     boolean record = detail != Detail.STEPS;
     Table ofCameras = detail == Detail.VIEWS ? Table.RUN_VIEWS : Table.RUN_ZOOMS;
@@ -63,9 +64,10 @@ public final class RunFolder implements Closeable {
   }
 
   private void step(int run, long step, StepCoverage coverage) {
-    List<Object> row = new ArrayList<>(List.of(run, step));
-    row.addAll(StepRow.measures(coverage));
-    steps.row(row.toArray());
+    steps.add(run);
+    steps.add(step);
+    StepRow.addMeasures(steps, coverage);
+    steps.end();
   }
 
   private void zooms(int run, NetworkView network) {

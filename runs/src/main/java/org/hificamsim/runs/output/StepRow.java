@@ -4,10 +4,9 @@ import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.metrics.ExpectedCoverage;
 import org.hificamsim.core.metrics.StepCoverage;
 
@@ -15,35 +14,30 @@ import org.hificamsim.core.metrics.StepCoverage;
  * A row of {@code steps.csv} as it was read.
  *
  * @param line in the file, from 1
- * @param measures the columns of {@link #measures(StepCoverage)}
+ * @param measures the columns of {@link #addMeasures}
  */
 public record StepRow(Path file, int line, String run, String step, String measures) {
-  /** What is measured in each step, in the order of columns; what is expected follows by chance. */
-  public static List<Number> measures(StepCoverage coverage) {
-    List<Number> measures =
-        new ArrayList<>(
-            List.of(
-                coverage.kMin(),
-                coverage.targets(),
-                coverage.covered0(),
-                coverage.covered1(),
-                coverage.coveredK(),
-                coverage.meanK()));
+  /** Adds what is measured in a step, column by column; what is expected follows by chance. */
+  public static void addMeasures(NumberRows row, StepCoverage coverage) {
+    row.add(coverage.kMin());
+    row.add(coverage.targets());
+    row.add(coverage.covered0());
+    row.add(coverage.covered1());
+    row.add(coverage.coveredK());
+    row.add(coverage.meanK());
     if (coverage.byChance()) {
-      measures.addAll(expected(coverage.expected()));
+      addExpected(row, coverage.expected());
     }
-    return measures;
   }
 
-  private static List<Number> expected(ExpectedCoverage expected) {
-    return List.of(
-        expected.kMin(),
-        expected.covered0(),
-        expected.covered1(),
-        expected.coveredK(),
-        expected.meanK(),
-        expected.leastK(),
-        expected.leastChance());
+  private static void addExpected(NumberRows row, ExpectedCoverage expected) {
+    row.add(expected.kMin());
+    row.add(expected.covered0());
+    row.add(expected.covered1());
+    row.add(expected.coveredK());
+    row.add(expected.meanK());
+    row.add(expected.leastK());
+    row.add(expected.leastChance());
   }
 
   /**

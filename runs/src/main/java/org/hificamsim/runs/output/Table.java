@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
 
 /** Every table of results: its file, and its columns, which {@code docs/data.md} explains. */
@@ -82,6 +83,11 @@ public enum Table {
   /** Starts the table in a folder. */
   public CsvTable create(OutputFolder folder) throws IOException {
     return new CsvTable(folder.open(file), columns.split(","));
+  }
+
+  /** Starts the table in a folder, for numbers alone. */
+  public NumberRows createRows(OutputFolder folder) throws IOException {
+    return new NumberRows(folder.open(file), columns, ',', "\n");
   }
 
   /** Whether a folder has it. */

@@ -1,0 +1,60 @@
+package org.hificamsim.core.file;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.io.Writer;
+
+/**
+ * A table of numbers under way, row by row, for tables with a row for each step: no object is made
+ * for a cell, and a number that was written lately is not turned into text again.
+ *
+ * <p>Numbers are written as {@link Long#toString} and {@link Double#toString} write them; NaN is an
+ * empty cell, which pandas and R read as missing.
+ */
+public final class NumberRows implements Closeable {
+  private final Writer out;
+  private final char separator;
+  private final String lineEnd;
+  private final DoubleTexts doubles = new DoubleTexts();
+  private final StringBuilder row = new StringBuilder();
+
+  /**
+   * Writes the header.
+   *
+   * @param columns their names, separated as the cells will be
+   */
+  public NumberRows(Writer out, String columns, char separator, String lineEnd) throws IOException {
+    this.out = out;
+    this.separator = separator;
+    this.lineEnd = lineEnd;
+    out.append(columns).append(lineEnd);
+  }
+
+  /** Adds a cell to the row. */
+  public void add(long number) {
+    row.append(number).append(separator);
+  }
+
+  /** Adds a cell to the row. */
+  public void add(double number) {
+    row.append(doubles.text(number)).append(separator);
+  }
+
+  /** Ends the row, which has at least one cell. */
+  public void end() {
+    row.setLength(row.length() - 1);
+    row.append(lineEnd);
+    try {
+      out.append(row);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    row.setLength(0);
+  }
+
+  @Override
+  public void close() throws IOException {
+    out.close();
+  }
+}

@@ -1,0 +1,62 @@
+package org.hificamsim.core.file;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.io.StringWriter;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+
+class NumberRowsTest {
+  @Test
+  void writesNumbersAsJavaDoesAndNaNAsAnEmptyCell() throws IOException {
+    assertEquals(
+        "a;b;c;d\r\n1;-0.0;;1.0E-5\r\n-9223372036854775808;Infinity;0.1;100.0\r\n",
+        written(
+            rows -> {
+              rows.add(1);
+              rows.add(-0.0);
+              rows.add(Double.NaN);
+              rows.add(1e-5);
+              rows.end();
+              rows.add(Long.MIN_VALUE);
+              rows.add(Double.POSITIVE_INFINITY);
+              rows.add(0.1);
+              rows.add(100.0);
+              rows.end();
+            }));
+  }
+
+  @Test
+  void aNumberThatComesAgainAfterManyOthersHasTheSameText() {
+    DoubleTexts texts = new DoubleTexts();
+    Random random = new Random(1);
+    for (int i = 0; i < 200_000; i++) {
+      double number =
+          random.nextInt(3) == 0
+              ? random.nextInt(2_000) / 7.0
+              : Double.longBitsToDouble(random.nextLong());
+      assertEquals(Double.isNaN(number) ? "" : Double.toString(number), texts.text(number));
+    }
+  }
+
+  @Test
+  void zeroAndMinusZeroAreTold() {
+    DoubleTexts texts = new DoubleTexts();
+    assertEquals("0.0", texts.text(0.0));
+    assertEquals("-0.0", texts.text(-0.0));
+    assertEquals("0.0", texts.text(0.0));
+  }
+
+  private interface Filling {
+    void fill(NumberRows rows) throws IOException;
+  }
+
+  private static String written(Filling filling) throws IOException {
+    StringWriter text = new StringWriter();
+    try (NumberRows rows = new NumberRows(text, "a;b;c;d", ';', "\r\n")) {
+      filling.fill(rows);
+    }
+    return text.toString();
+  }
+}

@@ -1,0 +1,56 @@
+package org.hificamsim.network.agent;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Random;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.visibility.Pose;
+import org.hificamsim.core.visibility.Visibility;
+import org.junit.jupiter.api.Test;
+
+class OutsideTest {
+  private final Random random = new Random(5);
+  private final Outside outside = new Outside();
+
+  @Test
+  void whatIsSurelyOutsideIsNotSeen() {
+    Visibility visibility =
+        Visibility.asInCamSim(new Detection(new CamSimVisibilityDetection(), 0));
+    int surely = 0;
+    for (int i = 0; i < 100_000; i++) {
+      Pose pose = Pose.of(random.nextInt(5), random.nextInt(5), random.nextDouble() * 7);
+      ZoomLevel zoom = level(1 + random.nextInt(8), random.nextInt(1, 9) * Math.PI / 4);
+      outside.of(pose, zoom);
+      double x = place();
+      double y = place();
+      if (outside.has(x, y)) {
+        surely++;
+        assertEquals(0, visibility.confidence(pose, zoom, x, y, 1, 0));
+      }
+    }
+    assertTrue(surely > 50_000, surely + " were told apart");
+  }
+
+  @Test
+  void thePlaceOfTheCameraAndTheBorderAreLeftToTheExactTest() {
+    outside.of(Pose.of(1, 1, 0), level(2, Math.PI / 2));
+    assertFalse(outside.has(1, 1));
+    assertFalse(outside.has(1, 3));
+    assertFalse(outside.has(2, 2));
+    assertTrue(outside.has(1, 3.000001));
+    assertTrue(outside.has(2.00001, 2));
+  }
+
+  private static ZoomLevel level(double radius, double angle) {
+    return new ZoomLevel(radius, radius, radius, Double.NaN, angle);
+  }
+
+  /** Often a whole number, so that borders are met. */
+  private double place() {
+    return random.nextBoolean() ? random.nextInt(-4, 9) : random.nextDouble() * 13 - 4;
+  }
+}
