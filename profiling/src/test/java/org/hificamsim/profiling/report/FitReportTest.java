@@ -83,7 +83,8 @@ class FitReportTest {
         double pip = result.feature(f).fit().f().pip(0.3, 4, 0.0425);
         assertEquals("mine:" + detector + "-" + f, model.name());
         assertEquals(
-            result.line(detector, f).line().confidence(pip), model.confidence(0.3, 4, 0, zoom));
+            result.model(detector, f).chosen().g().confidence(pip),
+            model.confidence(0.3, 4, 0, zoom));
       }
     }
   }
