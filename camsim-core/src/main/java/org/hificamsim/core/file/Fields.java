@@ -118,15 +118,15 @@ public final class Fields {
    * @throws InputException when it is missing, no number, or not what is expected
    */
   public double number(int field, String name, String expected, DoublePredicate valid) {
-    double value = field < count ? parsed(text(field)) : Double.NaN;
+    double value = field < count ? value(text(field)) : Double.NaN;
     if (!Double.isFinite(value) || !valid.test(value)) {
       throw invalid(field, name, expected);
     }
     return value;
   }
 
-  /** The number, NaN where it is none; Java's own suffixes and hexadecimal digits are none. */
-  private static double parsed(String number) {
+  /** The number that a text is; NaN where it is none, as with a suffix of Java's own. */
+  public static double value(String number) {
     try {
       boolean plain = number.isEmpty() || number.charAt(number.length() - 1) <= '9';
       return plain ? Double.parseDouble(number) : Double.NaN;

@@ -8,6 +8,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
@@ -25,14 +26,31 @@ public final class ScenarioWriter {
   private final StringBuilder out = new StringBuilder();
   private final Deque<String> open = new ArrayDeque<>();
 
+  private Optional<String> tracksFile = Optional.empty();
+
   private ScenarioWriter() {}
 
   /** The scenario as an XML document. */
   public static String write(Scenario scenario) {
+    return new ScenarioWriter().document(scenario);
+  }
+
+  /**
+   * The scenario as an XML document that names a file of tracks beside it.
+   *
+   * @param scenario without tracks of its own
+   * @param tracks the file's path from the scenario's folder
+   */
+  public static String write(Scenario scenario, String tracks) {
     ScenarioWriter writer = new ScenarioWriter();
-    writer.out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
-    writer.scenario(scenario);
-    return writer.out.append("\n").toString();
+    writer.tracksFile = Optional.of(tracks);
+    return writer.document(scenario);
+  }
+
+  private String document(Scenario scenario) {
+    out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+    scenario(scenario);
+    return out.append("\n").toString();
   }
 
   private void scenario(Scenario scenario) {
@@ -78,6 +96,7 @@ public final class ScenarioWriter {
       target(target);
     }
     List<ScenarioEvent.AddTarget> tracked = tracked(scenario.events());
+    tracksFile.ifPresent(file -> empty("tracks", Map.of("file", file)));
     if (!tracked.isEmpty()) {
       tracks(tracked);
     }
