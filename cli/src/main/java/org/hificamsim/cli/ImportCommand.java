@@ -58,8 +58,7 @@ final class ImportCommand implements Callable<Integer> {
         new TracksImport(
             recording.recording(file), recording.settings(), recording.homography(), projection);
     try (OutputFolder folder = new OutputFolder(out)) {
-      ImportSummary found =
-          tracks.run(reader, new Obstacles(walls), folder, name + ".tracks");
+      ImportSummary found = tracks.run(reader, new Obstacles(walls), folder, name + ".tracks");
       TrackedSite made = new TrackedSite(site.settings(name, file, walls), found);
       write(folder, name, made);
       folder.commit(List.of());
@@ -99,6 +98,8 @@ final class ImportCommand implements Callable<Integer> {
     terminal.println("  " + site.line(made, walls));
     terminal.println("Move the cameras, a first draft, and save them:");
     terminal.println(
-        "  ./hificamsim view " + out.resolve(name + ".xml") + " --detection dori-2014:level=observe");
+        "  ./hificamsim view "
+            + out.resolve(name + ".xml")
+            + " --detection dori-2014:level=observe");
   }
 }

@@ -28,8 +28,8 @@ final class SiteOptions {
       description = "Of the scenario; default: that of the recording.")
   private String name;
 
-  @Option(names = "--cameras", paramLabel = "N", description = "Put up as a first draft; default: 4.")
-  private Integer cameras;
+  @Option(names = "--cameras", paramLabel = "N", description = "Put up as a first draft.")
+  private int cameras;
 
   @Option(
       names = "--margin",
@@ -123,7 +123,7 @@ final class SiteOptions {
     return new SiteSettings(
         scenario,
         recording,
-        cameras == null ? 4 : Numbers.inRange("--cameras", cameras, 1, MAX_CAMERAS),
+        Numbers.inRange("--cameras", cameras, 1, MAX_CAMERAS),
         margin == null
             ? OptionalDouble.empty()
             : OptionalDouble.of(Numbers.within("--margin", margin, 0, LARGE)),

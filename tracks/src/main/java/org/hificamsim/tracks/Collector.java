@@ -13,8 +13,8 @@ import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.Ground;
 
 /**
- * Takes a file's samples to the ground, checks each against the last one of its target, and hands them
- * to the sorter. Of each target it keeps one record, whatever the number of samples.
+ * Takes a file's samples to the ground, checks each against the last one of its target, and hands
+ * them to the sorter. Of each target it keeps one record, whatever the number of samples.
  */
 final class Collector implements SampleSink {
   private static final int MAX_SPACINGS = 1000; // different ones that are counted

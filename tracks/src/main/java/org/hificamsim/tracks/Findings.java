@@ -5,6 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.PriorityQueue;
 import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Field;
 
 /** What a recording has in it: extent in time and place, speeds, gaps, and what is odd. */
@@ -33,12 +34,12 @@ final class Findings {
   private TargetRecord last;
   private long ofLast;
   private int single;
-  private long blocked;
+  private long blocked; // ways between two samples
   private String firstBlocked = "";
 
   /**
    * @param interval between most samples of a target, seconds
-   * @param obstacles in which nobody should be
+   * @param obstacles through which nobody should go
    */
   Findings(double interval, Obstacles obstacles) {
     this.interval = interval;
@@ -58,9 +59,6 @@ final class Findings {
     maxX = Math.max(maxX, x);
     minY = Math.min(minY, y);
     maxY = Math.max(maxY, y);
-    if (!obstacles.isEmpty() && obstacles.containing(x, y).isPresent() && blocked++ == 0) {
-      firstBlocked = "target " + target.name() + " at " + time + " s";
-    }
   }
 
   private void endTarget() {
@@ -68,8 +66,14 @@ final class Findings {
     ofLast = 0;
   }
 
-  void leg(TargetRecord target, double time, double duration, double dx, double dy) {
-    double way = Math.hypot(dx, dy);
+  /** A way between two samples of a target, which ends at this time. */
+  void leg(TargetRecord target, double time, double duration, Point from, Point to) {
+    double way = Math.hypot(to.x() - from.x(), to.y() - from.y());
+    if (!obstacles.isEmpty()
+        && !obstacles.clear(from.x(), from.y(), to.x(), to.y())
+        && blocked++ == 0) {
+      firstBlocked = "target " + target.name() + " at " + time + " s";
+    }
     double speed = way / duration;
     speeds.add(speed);
     if (fastest.size() < NAMED || speed > fastest.peek().speed()) {
@@ -132,7 +136,7 @@ final class Findings {
       odd.add(single + " targets with one sample alone");
     }
     if (blocked > 0) {
-      odd.add(blocked + " samples in or on a wall, the first of " + firstBlocked);
+      odd.add("through a wall: " + blocked + " times, first " + firstBlocked);
     }
     return odd;
   }

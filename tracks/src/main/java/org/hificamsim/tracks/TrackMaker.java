@@ -3,6 +3,7 @@ package org.hificamsim.tracks;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
+import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Extent;
 import org.hificamsim.core.scenario.TrackWriter;
 
@@ -70,7 +71,7 @@ final class TrackMaker {
     if (!known || when - time > gap * (1 + 1e-9)) {
       begin(sample.target(), known, when);
     } else {
-      findings.leg(targets.get(target), when, when - time, toX - x, toY - y);
+      findings.leg(targets.get(target), when, when - time, new Point(x, y), new Point(toX, toY));
     }
     findings.sample(targets.get(sample.target()), when, toX, toY);
     writer.sample(when, toX, toY);

@@ -46,7 +46,7 @@ public final class TracksImport {
   /**
    * Imports the recording.
    *
-   * @param obstacles in which nobody should be
+   * @param obstacles through which nobody should go
    * @param folder receives the tracks under this name
    * @throws org.hificamsim.core.InputException when the file, or what is said of it, is wrong
    */
@@ -63,8 +63,7 @@ public final class TracksImport {
       double gap;
       try (Writer out = folder.open(name)) {
         TrackWriter writer = new TrackWriter(out, interval, SLACK);
-        TrackMaker maker =
-            new TrackMaker(settings, writer, collector.targets(), names, findings);
+        TrackMaker maker = new TrackMaker(settings, writer, collector.targets(), names, findings);
         maker.write(sorter.sorted(), collector.firstTick(), secondsPerTick);
         gap = maker.gap();
       }

@@ -128,11 +128,21 @@ public final class Fields {
   /** The number that a text is; NaN where it is none, as with a suffix of Java's own. */
   public static double value(String number) {
     try {
-      boolean plain = number.isEmpty() || number.charAt(number.length() - 1) <= '9';
-      return plain ? Double.parseDouble(number) : Double.NaN;
+      return isDecimal(number) ? Double.parseDouble(number) : Double.NaN;
     } catch (NumberFormatException e) {
       return Double.NaN;
     }
+  }
+
+  /** Whether no letter is in it but that of an exponent. */
+  private static boolean isDecimal(String number) {
+    for (int i = 0; i < number.length(); i++) {
+      char c = number.charAt(i);
+      if (c > '9' && c != 'e' && c != 'E') {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** The fault of a field. */

@@ -84,7 +84,7 @@ final class CsvColumns {
 
   private int find(List<String> header, String key) {
     String name = names.getOrDefault(key, key);
-    int found = header.indexOf(name);
+    int found = byNumber() ? -1 : header.indexOf(name);
     if (found < 0 && isNumber(name) && Integer.parseInt(name) <= header.size()) {
       return Integer.parseInt(name) - 1;
     }

@@ -143,8 +143,6 @@ final class CsvFormat implements TrackFormat {
     if (column >= row.size()) {
       return places.get(places.size() - 1).error("the line has no " + name + " column");
     }
-    return places
-        .get(column)
-        .error(name + " is '" + row.get(column) + "', expected " + expected);
+    return places.get(column).error(name + " is '" + row.get(column) + "', expected " + expected);
   }
 }

@@ -10,8 +10,8 @@ import org.hificamsim.core.Place;
 
 /**
  * GeoJSON features: a {@code LineString} with {@code coordTimes} or {@code times} is a target's
- * track, a {@code Point} with {@code time} and {@code id} one of its samples. Longitude and latitude
- * (WGS84), or another unit where one is given.
+ * track, a {@code Point} with {@code time} and {@code id} one of its samples. Longitude and
+ * latitude (WGS84), or another unit where one is given.
  */
 final class GeoJsonFormat implements TrackFormat {
   private static final Set<String> TIMES = Set.of("coordTimes", "times", "coordinateProperties");

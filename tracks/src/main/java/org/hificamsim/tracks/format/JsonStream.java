@@ -48,8 +48,7 @@ public final class JsonStream implements Closeable {
 
   private InputException fault(JsonProcessingException e) {
     JsonLocation at = e.getLocation() == null ? parser.currentLocation() : e.getLocation();
-    return new InputException(
-        place(at).line("not JSON, or cut off: " + e.getOriginalMessage()), e);
+    return new InputException(place(at).line("not JSON, or cut off: " + e.getOriginalMessage()), e);
   }
 
   /** Whether the next token begins the next property of an object, whose name is then the text. */
@@ -128,8 +127,7 @@ public final class JsonStream implements Closeable {
   }
 
   private Place place(JsonLocation location) {
-    return new Place(
-        file, Math.max(1, location.getLineNr()), Math.max(1, location.getColumnNr()));
+    return new Place(file, Math.max(1, location.getLineNr()), Math.max(1, location.getColumnNr()));
   }
 
   @Override

@@ -5,8 +5,8 @@ import org.hificamsim.core.Place;
 
 /**
  * TrajNet++: objects, one a line, each a {@code track} with frame f, pedestrian p, x and y in
- * metres, or a {@code scene}, whose {@code fps} counts a pedestrian's samples, whatever the distance
- * of two frames. A rate that is given beside the file counts frames and comes before it.
+ * metres, or a {@code scene}, whose {@code fps} counts a pedestrian's samples, whatever the
+ * distance of two frames. A rate that is given beside the file counts frames and comes before it.
  */
 final class TrajNetFormat implements TrackFormat {
   private double fps = Double.NaN;
@@ -23,7 +23,9 @@ final class TrajNetFormat implements TrackFormat {
   }
 
   private Clock clock(Recording recording) {
-    return recording.rate().isPresent() || Double.isNaN(fps) ? recording.frames() : new Clock(fps, true);
+    return recording.rate().isPresent() || Double.isNaN(fps)
+        ? recording.frames()
+        : new Clock(fps, true);
   }
 
   private void object(JsonStream json, SampleSink samples) {

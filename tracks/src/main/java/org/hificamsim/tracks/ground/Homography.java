@@ -56,8 +56,11 @@ public final class Homography implements Ground {
     double x = x(sample.x(), sample.y());
     double y = y(sample.x(), sample.y());
     if (!(Math.abs(x) <= 1e9 && Math.abs(y) <= 1e9)) {
-      throw sample.place().error("the homography takes (%s, %s) to (%s, %s), expected a place nearer"
-              .formatted(sample.x(), sample.y(), x, y));
+      throw sample
+          .place()
+          .error(
+              "the homography takes (%s, %s) to (%s, %s), expected a place nearer"
+                  .formatted(sample.x(), sample.y(), x, y));
     }
     double half = sample.width() / 2;
     double width =

@@ -73,7 +73,6 @@ public final class LocalProjection implements Ground {
     if (Double.isNaN(longitude)) {
       begin(itsLongitude, itsLatitude);
     }
-    return new Point(
-        (itsLongitude - longitude) * metresX, (itsLatitude - latitude) * metresY);
+    return new Point((itsLongitude - longitude) * metresX, (itsLatitude - latitude) * metresY);
   }
 }

@@ -74,14 +74,6 @@ public final class DraftCameras {
     double dy = (field.minY() + field.maxY()) / 2 - at.y();
     double heading = Math.rint(Math.toDegrees(Math.atan2(dx, dy)));
     return new CameraSpec(
-        name,
-        at.x(),
-        at.y(),
-        heading,
-        60,
-        0,
-        AgentSpec.NONE,
-        Optional.of(DOME),
-        Map.of());
+        name, at.x(), at.y(), heading, 60, 0, AgentSpec.NONE, Optional.of(DOME), Map.of());
   }
 }

@@ -14,7 +14,8 @@ final class SvgNumbers {
   private static final Pattern NUMBERS = Pattern.compile(NUMBER);
   private static final Pattern LIST =
       Pattern.compile("\\s*(?:" + NUMBER + "(?:\\s*,\\s*|\\s*))*", Pattern.DOTALL);
-  private static final Pattern TRANSFORM = Pattern.compile("\\s*,?\\s*([a-zA-Z]+)\\s*\\(([^)]*)\\)\\s*");
+  private static final Pattern TRANSFORM =
+      Pattern.compile("\\s*,?\\s*([a-zA-Z]+)\\s*\\(([^)]*)\\)\\s*");
 
   private SvgNumbers() {}
 

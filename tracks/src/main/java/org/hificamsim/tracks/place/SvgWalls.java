@@ -147,12 +147,17 @@ final class SvgWalls extends XmlFormat {
   }
 
   private void path(String d) {
-    SvgPath path = new SvgPath(d, letter -> place().error(
-        "<path> has the command " + letter + ", expected straight ones: M, L, H, V, Z. A drawing"
-            + " program makes lines of curves"));
+    SvgPath path =
+        new SvgPath(
+            d,
+            letter ->
+                place()
+                    .error(
+                        "<path> has the command "
+                            + letter
+                            + ", expected straight ones: M, L, H, V, Z. A drawing"
+                            + " program makes lines of curves"));
     path.parts()
-        .forEach(
-            part ->
-                walls.line(part.stream().map(at -> point(at.x(), at.y())).toList()));
+        .forEach(part -> walls.line(part.stream().map(at -> point(at.x(), at.y())).toList()));
   }
 }

@@ -22,8 +22,7 @@ final class XmlWalls extends XmlFormat {
     if (name.equals("Line")) {
       walls.line(
           List.of(
-              walls.point(
-                  place(), number(attributes, name, "x1"), number(attributes, name, "y1")),
+              walls.point(place(), number(attributes, name, "x1"), number(attributes, name, "y1")),
               walls.point(
                   place(), number(attributes, name, "x2"), number(attributes, name, "y2"))));
     }
