@@ -20,6 +20,7 @@ final class Commands {
           LadderCommand.class,
           PlotCommand.class,
           GenerateCommand.class,
+          ImportCommand.class,
           ReportCommand.class,
           ViewCommand.class,
           ValidateCommand.class,
