@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.stream.IntStream;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Palette;
 
@@ -34,8 +35,8 @@ final class HeatLegend {
     double bar = top + 18;
     text(layer.figure().label(), left, top + 11, Palette.BLACK);
     for (int i = 0; i < BAR_WIDTH; i++) {
-      graphics.setColor(pale(Palette.scale((i + 0.5) / BAR_WIDTH)));
-      graphics.fill(new Rectangle2D.Double(left + i, bar, 1, BAR_HEIGHT));
+      graphics.setColor(onWhite(Palette.scale((i + 0.5) / BAR_WIDTH)));
+      graphics.fill(new Rectangle2D.Double(left + i, bar, Math.min(2, BAR_WIDTH - i), BAR_HEIGHT));
     }
     ticks(left, bar + BAR_HEIGHT);
     if (!layer.map().places().stream().allMatch(place -> layer.figure().of(place) != 0)) {
@@ -68,6 +69,15 @@ final class HeatLegend {
     }
     graphics.setClip(before);
     text("no camera, at no step", box.getMaxX() + 6, top + BAR_HEIGHT - 2, Palette.BLACK);
+  }
+
+  /** Opaque, so that there are no seams. */
+  private static Color onWhite(Color color) {
+    int[] parts =
+        IntStream.of(color.getRed(), color.getGreen(), color.getBlue())
+            .map(part -> (int) Math.round(255 - HeatLayer.STRENGTH * (255 - part)))
+            .toArray();
+    return new Color(parts[0], parts[1], parts[2]);
   }
 
   private static Color pale(Color color) {

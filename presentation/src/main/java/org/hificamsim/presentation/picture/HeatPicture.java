@@ -40,7 +40,8 @@ public final class HeatPicture implements Picture {
 
   @Override
   public int height() {
-    return (int) area().getMaxY() + GAP + HeatLegend.HEIGHT + StepPicture.MARGIN;
+    int height = (int) area().getMaxY() + GAP + HeatLegend.HEIGHT + StepPicture.MARGIN;
+    return height + height % 2; // half a pixel less at 1200 pixels would be a dark line
   }
 
   private Rectangle2D area() {

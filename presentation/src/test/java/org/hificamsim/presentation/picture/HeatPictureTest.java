@@ -71,7 +71,8 @@ class HeatPictureTest {
 
   @Test
   void ticksAreRoundAndFew() {
-    assertEquals(List.of(0.0, 1.0, 2.0), HeatFigure.MEAN_K.ticks(2));
+    assertEquals(List.of(0.0, 0.25, 0.5, 0.75, 1.0), HeatFigure.MEAN_K.ticks(1));
+    assertEquals("0.25 1", HeatFigure.MEAN_K.tick(0.25) + " " + HeatFigure.MEAN_K.tick(1));
     assertEquals(List.of(0.0, 3.0, 6.0, 9.0, 12.0), HeatFigure.MEAN_K.ticks(14));
     assertEquals(List.of(1.0, 10.0, 100.0), HeatFigure.VISITS.ticks(400));
     assertEquals("25 %", HeatFigure.COVERED.tick(0.25));

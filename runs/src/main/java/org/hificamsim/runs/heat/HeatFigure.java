@@ -70,14 +70,14 @@ public enum HeatFigure {
   public List<Double> ticks(double end) {
     return switch (unit) {
       case SHARE -> List.of(0.0, 0.25, 0.5, 0.75, 1.0);
-      case CAMERAS -> whole(end);
+      case CAMERAS -> cameras(end);
       case COUNT -> powers(end);
     };
   }
 
-  private static List<Double> whole(double end) {
-    int gap = (int) Math.ceil(end / (MOST_TICKS - 1));
-    return IntStream.rangeClosed(0, (int) (end / gap)).mapToObj(i -> (double) i * gap).toList();
+  private static List<Double> cameras(double end) {
+    double gap = end <= 2 ? end / 4 : Math.ceil(end / (MOST_TICKS - 1));
+    return IntStream.rangeClosed(0, (int) (end / gap)).mapToObj(i -> i * gap).toList();
   }
 
   private static List<Double> powers(double end) {
@@ -90,6 +90,10 @@ public enum HeatFigure {
 
   /** A tick in words. */
   public String tick(double figure) {
-    return unit == Unit.SHARE ? Math.round(100 * figure) + " %" : Long.toString((long) figure);
+    return switch (unit) {
+      case SHARE -> Math.round(100 * figure) + " %";
+      case CAMERAS -> Double.toString(figure).replaceFirst("\\.0$", "");
+      case COUNT -> Long.toString((long) figure);
+    };
   }
 }
