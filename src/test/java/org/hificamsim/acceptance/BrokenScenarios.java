@@ -331,7 +331,7 @@ final class BrokenScenarios {
                 .replaceAll("(?s)<objects>.*</objects>", "")
                 .replaceAll("(?s)<events>.*</events>", "")
                 .replace(SIMULATION, "@" + SIMULATION),
-            "no <object> and no event that adds one, expected at least one target"));
+            "no <object>, no <tracks> and no event that adds one, expected at least one target"));
   }
 
   private static List<BrokenScenario> notXml() {

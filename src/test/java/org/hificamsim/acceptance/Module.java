@@ -12,10 +12,11 @@ enum Module {
   CATALOGUE("catalogue", HIFI, AGENTS),
   RUNS("runs", CATALOGUE),
   NETWORK("camsim-network", RUNS),
+  TRACKS("tracks", CORE),
   PROFILING("profiling", HIFI),
   PRESENTATION("presentation", RUNS),
   REPRODUCTION("reproduction", PRESENTATION, NETWORK),
-  CLI("cli", REPRODUCTION, PROFILING),
+  CLI("cli", REPRODUCTION, PROFILING, TRACKS),
   BRIDGE("camsim-bridge", RUNS),
   SPARK("spark", RUNS),
   BENCH("bench", PRESENTATION, NETWORK);

@@ -43,6 +43,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       LadderCommand.class,
       PlotCommand.class,
       GenerateCommand.class,
+      ImportCommand.class,
       ReportCommand.class,
       ViewCommand.class,
       ValidateCommand.class,

@@ -18,6 +18,23 @@ final class Numbers {
   }
 
   /**
+   * Two numbers with a comma between.
+   *
+   * @throws InputException naming the option when the text is anything else
+   */
+  static double[] pair(String option, String text, String expected) {
+    String[] parts = text.split(",", -1);
+    try {
+      if (parts.length == 2) {
+        return new double[] {Double.parseDouble(parts[0]), Double.parseDouble(parts[1])};
+      }
+    } catch (NumberFormatException e) {
+      // reported below
+    }
+    throw new InputException("%s is '%s', expected %s".formatted(option, text, expected));
+  }
+
+  /**
    * @throws InputException naming the option when the value is not a number in [min, max]
    */
   static double within(String option, double value, double min, double max) {

@@ -22,9 +22,24 @@ final class EventReader {
     this.faults = faults;
   }
 
-  List<ScenarioEvent> events(List<XmlElement> elements) {
+  /**
+   * Reads them all: those of the elements, then those that come and go with the tracks.
+   *
+   * @param tracks one element at most
+   */
+  List<ScenarioEvent> events(
+      List<XmlElement> elements, List<XmlElement> tracks, TracksReader reader) {
     Set<String> start = cameras.names();
-    List<Placed> placed = faults.each(elements, this::event);
+    List<Placed> placed = new ArrayList<>(faults.each(elements, this::event));
+    faults.each(tracks, reader::events).stream()
+        .flatMap(List::stream)
+        .forEach(event -> placed.add(new Placed(event, tracks.get(0))));
+    if (tracks.size() > 1) {
+      faults.check(
+          () -> {
+            throw tracks.get(1).place().error("a second <tracks>, expected one");
+          });
+    }
     if (faults.none()) { // else who is missing in the story may be one of those with a fault
       checkTargets(placed);
       checkCameras(placed, start);
@@ -33,6 +48,10 @@ final class EventReader {
   }
 
   private record Placed(ScenarioEvent event, XmlElement element) {
+    boolean isOfTracks() {
+      return element.name().equals("tracks");
+    }
+
     InputException invalidName(String expected) {
       return new Attributes(element).invalid("name", expected);
     }
@@ -99,10 +118,11 @@ final class EventReader {
   private void checkTarget(Placed one, Set<Double> present) {
     if (one.event() instanceof ScenarioEvent.AddTarget add
         && !present.add(add.target().features())) {
-      throw one.invalidName("features that no object present has");
+      throw taken(one, add);
     }
     if (one.event() instanceof ScenarioEvent.RemoveTarget remove
-        && !present.remove(remove.features())) {
+        && !present.remove(remove.features())
+        && !one.isOfTracks()) {
       warnings.accept(
           one.element().place("name")
               + ": no object "
@@ -111,6 +131,16 @@ final class EventReader {
               + remove.step()
               + ", nothing is removed");
     }
+  }
+
+  private static InputException taken(Placed one, ScenarioEvent.AddTarget add) {
+    return one.isOfTracks()
+        ? one.element()
+            .place()
+            .error(
+                "target %s of the tracks comes at step %s while another one is there, expected features that no object present has"
+                    .formatted(add.target().name(), add.step()))
+        : one.invalidName("features that no object present has");
   }
 
   private void checkCameras(List<Placed> placed, Set<String> online) {

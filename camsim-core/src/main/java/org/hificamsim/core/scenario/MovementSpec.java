@@ -1,6 +1,7 @@
 package org.hificamsim.core.scenario;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * How a target moves.
@@ -10,13 +11,26 @@ import java.util.List;
  * @param mean mean of each coordinate's step, metres; Brownian only
  * @param std standard deviation of each coordinate's step, metres; Brownian only
  * @param waypoints the corners of the path; empty, or two and more
+ * @param track what it follows; Tracks only
  */
-public record MovementSpec(String name, double mean, double std, List<Waypoint> waypoints) {
+public record MovementSpec(
+    String name, double mean, double std, List<Waypoint> waypoints, Optional<Track> track) {
+  private static final String TRACKS = "Tracks";
   private static final String CAMSIM_PACKAGE = "epics.movement.";
 
   /** Copies what could change. */
   public MovementSpec {
     waypoints = List.copyOf(waypoints);
+  }
+
+  /** A movement without a track. */
+  public MovementSpec(String name, double mean, double std, List<Waypoint> waypoints) {
+    this(name, mean, std, waypoints, Optional.empty());
+  }
+
+  /** The movement along a track. */
+  static MovementSpec along(Track track) {
+    return new MovementSpec(TRACKS, 0, 1, List.of(), Optional.of(track));
   }
 
   /**
@@ -29,8 +43,9 @@ public record MovementSpec(String name, double mean, double std, List<Waypoint> 
     return name.startsWith(CAMSIM_PACKAGE) ? name.substring(CAMSIM_PACKAGE.length()) : name;
   }
 
-  /** The same parameters under another movement. */
+  /** The same parameters under another movement; none but Tracks keeps a track. */
   public MovementSpec withName(String newName) {
-    return new MovementSpec(newName, mean, std, waypoints);
+    boolean along = newName.equals(TRACKS);
+    return new MovementSpec(newName, mean, std, waypoints, along ? track : Optional.empty());
   }
 }

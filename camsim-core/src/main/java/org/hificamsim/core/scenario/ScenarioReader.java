@@ -40,6 +40,7 @@ public final class ScenarioReader {
           "object",
           "object_with_waypoints",
           "waypoint",
+          "tracks",
           "events",
           "event",
           "visiongraph",
@@ -148,7 +149,11 @@ public final class ScenarioReader {
     List<CameraSpec> cameras = faults.each(root.all("camera"), cameraReader::camera);
     List<TargetSpec> targets = targets(targetReader);
     List<ScenarioEvent> events =
-        new EventReader(cameraReader, targetReader, warnings, faults).events(root.all("event"));
+        new EventReader(cameraReader, targetReader, warnings, faults)
+            .events(
+                root.all("event"),
+                root.all("tracks"),
+                new TracksReader(path, field, stepTime, warnings));
     if (faults.none()) {
       requireSome(simulation, cameras, targets, events);
     }
@@ -206,7 +211,8 @@ public final class ScenarioReader {
     if (targets.isEmpty() && events.stream().noneMatch(ScenarioEvent.AddTarget.class::isInstance)) {
       throw simulation
           .place()
-          .error("no <object> and no event that adds one, expected at least one target");
+          .error(
+              "no <object>, no <tracks> and no event that adds one, expected at least one target");
     }
   }
 

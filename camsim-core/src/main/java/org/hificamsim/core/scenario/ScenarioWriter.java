@@ -1,10 +1,15 @@
 package org.hificamsim.core.scenario;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -16,17 +21,36 @@ import org.hificamsim.core.obstacle.Obstacle;
  * layout of an original file are not kept.
  */
 public final class ScenarioWriter {
+  private static final double NANOS = 1e9; // in a second
+
   private final StringBuilder out = new StringBuilder();
   private final Deque<String> open = new ArrayDeque<>();
+
+  private Optional<String> tracksFile = Optional.empty();
 
   private ScenarioWriter() {}
 
   /** The scenario as an XML document. */
   public static String write(Scenario scenario) {
+    return new ScenarioWriter().document(scenario);
+  }
+
+  /**
+   * The scenario as an XML document that names a file of tracks beside it.
+   *
+   * @param scenario without tracks of its own
+   * @param tracks the file's path from the scenario's folder
+   */
+  public static String write(Scenario scenario, String tracks) {
     ScenarioWriter writer = new ScenarioWriter();
-    writer.out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
-    writer.scenario(scenario);
-    return writer.out.append("\n").toString();
+    writer.tracksFile = Optional.of(tracks);
+    return writer.document(scenario);
+  }
+
+  private String document(Scenario scenario) {
+    out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+    scenario(scenario);
+    return out.append("\n").toString();
   }
 
   private void scenario(Scenario scenario) {
@@ -71,8 +95,13 @@ public final class ScenarioWriter {
     for (TargetSpec target : scenario.targets()) {
       target(target);
     }
+    List<ScenarioEvent.AddTarget> tracked = tracked(scenario.events());
+    tracksFile.ifPresent(file -> empty("tracks", Map.of("file", file)));
+    if (!tracked.isEmpty()) {
+      tracks(tracked);
+    }
     close();
-    events(scenario.events());
+    events(untracked(scenario.events(), tracked));
     if (scenario.visionGraph().isPresent()) {
       visionGraph(scenario.visionGraph().get());
     }
@@ -207,6 +236,68 @@ public final class ScenarioWriter {
     attributes.put("mean", target.movement().mean());
     attributes.put("std", target.movement().std());
     attributes.putAll(new TreeMap<>(target.extras()));
+  }
+
+  private static List<ScenarioEvent.AddTarget> tracked(List<ScenarioEvent> events) {
+    return events.stream()
+        .filter(ScenarioEvent.AddTarget.class::isInstance)
+        .map(ScenarioEvent.AddTarget.class::cast)
+        .filter(ScenarioWriter::tracked)
+        .toList();
+  }
+
+  /** The events that no track brings with it. */
+  private static List<ScenarioEvent> untracked(
+      List<ScenarioEvent> events, List<ScenarioEvent.AddTarget> tracked) {
+    Set<ScenarioEvent> ofTracks = new HashSet<>();
+    for (ScenarioEvent.AddTarget add : tracked) {
+      ofTracks.add(track(add).removal(add.target().features()));
+    }
+    return events.stream()
+        .filter(event -> !(event instanceof ScenarioEvent.AddTarget add) || !tracked(add))
+        .filter(event -> !ofTracks.contains(event))
+        .toList();
+  }
+
+  private static boolean tracked(ScenarioEvent.AddTarget add) {
+    return add.target().movement().track().isPresent();
+  }
+
+  private static Track track(ScenarioEvent.AddTarget add) {
+    return add.target().movement().track().orElseThrow();
+  }
+
+  /** Their file, in the element itself, so that the text is all of the scenario. */
+  private void tracks(List<ScenarioEvent.AddTarget> tracked) {
+    open("tracks", Map.of());
+    out.append('\n');
+    try {
+      TrackWriter writer = new TrackWriter(out, interval(track(tracked.get(0))), 0);
+      for (ScenarioEvent.AddTarget add : tracked) {
+        track(writer, add.target(), track(add));
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    open.removeLast();
+    out.append("    </tracks>");
+  }
+
+  private static void track(TrackWriter writer, TargetSpec target, Track track) throws IOException {
+    if (target.extent().isPresent()) {
+      writer.target(target.features(), target.extent().get());
+    } else {
+      writer.target(target.features(), target.size());
+    }
+    for (int i = 0; i < track.samples(); i++) {
+      writer.sample(track.time(i), track.x(i), track.y(i));
+    }
+  }
+
+  /** Between its first two samples, to the nanosecond. */
+  private static double interval(Track track) {
+    double interval = track.samples() == 1 ? 1 : track.time(1) - track.time(0);
+    return Math.max(1, Math.rint(interval * NANOS)) / NANOS;
   }
 
   private void events(List<ScenarioEvent> events) {

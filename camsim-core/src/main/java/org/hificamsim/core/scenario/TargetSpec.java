@@ -36,7 +36,9 @@ public record TargetSpec(
     /** {@code object_with_waypoints}. */
     OBJECT_WITH_WAYPOINTS,
     /** An event that adds an object. */
-    EVENT
+    EVENT,
+    /** {@code tracks}. */
+    TRACK
   }
 
   /** Copies what could change. */

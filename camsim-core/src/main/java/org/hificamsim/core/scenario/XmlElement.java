@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.TextLines;
 
 /** An element of a scenario file, which knows where it stands. */
 final class XmlElement {
@@ -54,6 +55,11 @@ final class XmlElement {
   /** The text directly inside, as it stands. */
   String text() {
     return text == null ? "" : text.toString();
+  }
+
+  /** The lines of that text, which know where they stand. */
+  TextLines lines() {
+    return source.lines(text(), endLine);
   }
 
   /** Where the start tag begins. */

@@ -9,11 +9,9 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.Locale;
-import javax.xml.parsers.ParserConfigurationException;
-import javax.xml.parsers.SAXParserFactory;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.PlainXml;
 import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
 import org.xml.sax.Locator;
@@ -26,9 +24,7 @@ import org.xml.sax.helpers.DefaultHandler;
  * Reads untrusted XML: no document types, no entities but the five of XML itself, bounded size and
  * depth.
  *
- * <p>Namespaces are not looked at: {@code a:camera} is a name like any other. The JDK's SAX parser
- * rather than its StAX one, which reports some faults on standard error, others as message keys,
- * and all in the machine's language.
+ * <p>Namespaces are not looked at: {@code a:camera} is a name like any other.
  */
 final class XmlParser extends DefaultHandler {
   /** Bytes; a scenario of 100,000 cameras takes about 12 million. */
@@ -39,8 +35,6 @@ final class XmlParser extends DefaultHandler {
 
   /** Elements and attributes; a scenario of 100,000 cameras has about a million. */
   static final int MAX_PARTS = 4_000_000;
-
-  private static final String FEATURES = "http://apache.org/xml/features/";
 
   // Parts of the parser's messages.
   private static final String NO_DOCTYPE = "disallow-doctype-decl";
@@ -95,7 +89,7 @@ final class XmlParser extends DefaultHandler {
   }
 
   private XmlElement parse(String content) {
-    XMLReader reader = configured();
+    XMLReader reader = PlainXml.reader(this);
     try {
       reader.parse(new InputSource(new StringReader(content)));
       return root;
@@ -107,28 +101,6 @@ final class XmlParser extends DefaultHandler {
     } catch (IOException e) {
       throw new IllegalStateException("a text is read without a fault", e);
     }
-  }
-
-  private XMLReader configured() {
-    try {
-      return reader();
-    } catch (SAXException | ParserConfigurationException e) {
-      throw new IllegalStateException("the JDK's own XML parser knows these settings", e);
-    }
-  }
-
-  private XMLReader reader() throws ParserConfigurationException, SAXException {
-    SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
-    factory.setFeature(FEATURES + NO_DOCTYPE, true);
-    factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
-    factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
-    factory.setFeature(FEATURES + "nonvalidating/load-external-dtd", false);
-    XMLReader reader = factory.newSAXParser().getXMLReader();
-    reader.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
-    reader.setContentHandler(this);
-    reader.setErrorHandler(this);
-    reader.setEntityResolver(this);
-    return reader;
   }
 
   @Override

@@ -1,7 +1,9 @@
 package org.hificamsim.core.scenario;
 
+import java.io.StringReader;
 import java.util.Arrays;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.TextLines;
 
 /**
  * The characters of a scenario file, for finding places.
@@ -23,6 +25,11 @@ final class XmlText {
   static String shortened(String value, int max) {
     String flat = value.substring(0, Math.min(value.length(), max + 1)).replaceAll("\\s+", " ");
     return value.length() > max ? flat.substring(0, Math.min(flat.length(), max)) + "..." : flat;
+  }
+
+  /** The lines of a part of the file that begins in this one, from 1. */
+  TextLines lines(String part, int firstLine) {
+    return new TextLines(file, new StringReader(part), firstLine);
   }
 
   Place tag(int endLine, int endColumn) {

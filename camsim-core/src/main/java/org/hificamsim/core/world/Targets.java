@@ -4,6 +4,7 @@ import java.util.Random;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.TargetOcclusion;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.StepOrder;
 
 /**
  * The targets' state, one array a quantity, sized once for all targets that will ever appear.
@@ -22,8 +23,10 @@ public final class Targets {
   private final double[] width;
   private final double[] radius; // of what hides others: 0 where the target is not present
   private final boolean[] present;
+  private final boolean movesFirst;
 
-  Targets(Field field, Obstacles obstacles, int count) {
+  Targets(Field field, Obstacles obstacles, StepOrder order, int count) {
+    movesFirst = order == StepOrder.CAMSIM;
     this.field = field;
     this.obstacles = obstacles;
     names = new String[count];
@@ -126,6 +129,11 @@ public final class Targets {
   /** The field that targets move in. */
   public Field field() {
     return field;
+  }
+
+  /** Whether targets move before the cameras look, also in the step in which they appear. */
+  public boolean moveFirst() {
+    return movesFirst;
   }
 
   /** Whether a target may walk from where it is to a point: no obstacle is in its way. */

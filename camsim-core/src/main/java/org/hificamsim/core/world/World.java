@@ -1,6 +1,7 @@
 package org.hificamsim.core.world;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
@@ -22,6 +23,8 @@ import org.hificamsim.core.visibility.Pose;
  * those that events add, in the order in which they appear.
  */
 public final class World {
+  private static final int NONE = -1;
+
   private final Scenario scenario;
   private final Cameras cameras;
   private final Targets targets;
@@ -32,6 +35,7 @@ public final class World {
   private final SightLines sightLines;
   private final Movement[] movements;
   private final ScenarioEvent[] events;
+  private final int[] removed; // the target that each event removes, or none
   private final RandomStreams random;
   private WorldObserver observer = WorldObserver.NONE;
   private int nextEvent;
@@ -52,9 +56,10 @@ public final class World {
             .sorted(Comparator.comparingInt(ScenarioEvent::step))
             .toArray(ScenarioEvent[]::new);
     collectSpecs();
+    removed = removed();
     cameras = new Cameras(cameraSpecs.size());
     Obstacles obstacles = new Obstacles(scenario.surroundings().obstacles());
-    targets = new Targets(scenario.field(), obstacles, targetSpecs.size());
+    targets = new Targets(scenario.field(), obstacles, scenario.order(), targetSpecs.size());
     movements = new Movement[targetSpecs.size()];
     defineAll(registry);
     scenario.cameras().forEach(camera -> addCamera());
@@ -139,7 +144,7 @@ public final class World {
   /** Fires the events of this step. */
   public void fireEvents(long step) {
     while (nextEvent < events.length && events[nextEvent].step() <= step) {
-      fire(events[nextEvent++]);
+      fire(nextEvent++);
     }
     sightLines.refresh();
   }
@@ -153,7 +158,8 @@ public final class World {
     }
   }
 
-  private void fire(ScenarioEvent event) {
+  private void fire(int number) {
+    ScenarioEvent event = events[number];
     if (event instanceof ScenarioEvent.AddCamera) {
       observer.cameraAdded(addCamera());
     } else if (event instanceof ScenarioEvent.ChangeCamera change) {
@@ -162,8 +168,8 @@ public final class World {
       failCamera(fail);
     } else if (event instanceof ScenarioEvent.AddTarget) {
       observer.targetAppeared(addTarget());
-    } else if (event instanceof ScenarioEvent.RemoveTarget remove) {
-      removeTarget(remove.features());
+    } else if (removed[number] != NONE) {
+      removeTarget(removed[number]);
     }
   }
 
@@ -223,14 +229,29 @@ public final class World {
     return nextTarget++;
   }
 
-  private void removeTarget(double features) {
-    for (int target = 0; target < targets.count(); target++) {
-      if (targets.present(target) && targetSpecs.get(target).features() == features) {
-        targets.disappear(target);
-        observer.targetVanished(target);
-        return;
+  private void removeTarget(int target) {
+    targets.disappear(target);
+    observer.targetVanished(target);
+  }
+
+  /** Who removes whom is known from the start: a search in each step would cost and allocate. */
+  private int[] removed() {
+    Map<Double, Integer> present = new HashMap<>();
+    int next = 0;
+    for (TargetSpec target : scenario.targets()) {
+      present.putIfAbsent(target.features(), next++);
+    }
+    int[] numbers = new int[events.length];
+    Arrays.fill(numbers, NONE);
+    for (int i = 0; i < events.length; i++) {
+      if (events[i] instanceof ScenarioEvent.AddTarget add) {
+        present.putIfAbsent(add.target().features(), next++);
+      } else if (events[i] instanceof ScenarioEvent.RemoveTarget remove) {
+        Integer target = present.remove(remove.features());
+        numbers[i] = target == null ? NONE : target;
       }
     }
+    return numbers;
   }
 
   private void collectSpecs() {

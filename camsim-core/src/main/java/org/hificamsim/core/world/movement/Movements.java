@@ -18,7 +18,8 @@ public final class Movements {
         .register(
             "RandomWaypoint",
             "straight to random places, around obstacles",
-            RandomWaypointMovement::new);
+            RandomWaypointMovement::new)
+        .register("Tracks", "recorded tracks, of a <tracks> element", TracksMovement::new);
   }
 
   /** A registry of the built-in movements and those in users' jars. */

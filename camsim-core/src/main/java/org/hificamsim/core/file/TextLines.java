@@ -1,0 +1,119 @@
+package org.hificamsim.core.file;
+
+import java.io.BufferedInputStream;
+import java.io.BufferedReader;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.zip.GZIPInputStream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+
+/**
+ * The lines of a text file (UTF-8; unpacked where its name ends in {@code .gz}), one at a time, so
+ * that a file of any size takes little memory.
+ */
+public final class TextLines implements Closeable {
+  private static final String MARK = "\ufeff"; // that some editors put before UTF-8
+
+  private final String file;
+  private final BufferedReader in;
+  private int number;
+  private String text = "";
+
+  /** The lines of a text that is part of a file and begins in one of its lines, from 1. */
+  public TextLines(String file, Reader in, int firstLine) {
+    this.file = file;
+    this.in = new BufferedReader(new ShortLines(in), 1 << 16);
+    this.number = firstLine - 1;
+  }
+
+  /**
+   * Opens a file.
+   *
+   * @throws InputException when it is missing or cannot be read
+   */
+  public static TextLines open(Path path) {
+    return new TextLines(
+        path.toString(), new InputStreamReader(stream(path), StandardCharsets.UTF_8), 1);
+  }
+
+  /**
+   * Opens a file's bytes, unpacked where its name ends in {@code .gz}.
+   *
+   * @throws InputException when it is missing or cannot be read
+   */
+  public static InputStream stream(Path path) {
+    if (!Files.isRegularFile(path)) {
+      String problem = Files.isDirectory(path) ? "is a folder" : "no such file";
+      throw new Place(path.toString(), 1, 1).error(problem + ", expected a file");
+    }
+    try {
+      boolean packed = path.toString().toLowerCase(Locale.ROOT).endsWith(".gz");
+      InputStream in = new BufferedInputStream(Files.newInputStream(path), 1 << 16);
+      return packed ? new GZIPInputStream(in, 1 << 16) : in;
+    } catch (IOException e) {
+      throw unreadable(path.toString(), 1, e);
+    }
+  }
+
+  /**
+   * Goes to the next line; false where there is none.
+   *
+   * @throws InputException when the file cannot be read on
+   */
+  public boolean next() {
+    try {
+      number++;
+      String line = in.readLine();
+      text = line == null ? "" : line;
+      if (number == 1 && text.startsWith(MARK)) {
+        text = text.substring(1);
+      }
+      return line != null;
+    } catch (IOException e) {
+      throw unreadable(file, number, e);
+    }
+  }
+
+  /** The line, without its end. */
+  public String text() {
+    return text;
+  }
+
+  /** Its number, from 1. */
+  public int number() {
+    return number;
+  }
+
+  /** A place in it; the column from 1. */
+  public Place place(int column) {
+    return new Place(file, number, column);
+  }
+
+  /** The fault of a file that cannot be read on. */
+  public static InputException unreadable(String file, int line, IOException e) {
+    String reason =
+        e instanceof FileSystemException fault && fault.getReason() != null
+            ? fault.getReason()
+            : String.valueOf(e.getMessage());
+    return new InputException(
+        new Place(file, line, 1).line("cannot be read (" + reason + "), expected a text file"), e);
+  }
+
+  @Override
+  public void close() {
+    try {
+      in.close();
+    } catch (IOException e) {
+      throw unreadable(file, number, e);
+    }
+  }
+}

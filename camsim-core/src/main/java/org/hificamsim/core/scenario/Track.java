@@ -1,0 +1,104 @@
+package org.hificamsim.core.scenario;
+
+import java.util.Arrays;
+
+/**
+ * Where a target was from when it came to when it went: samples in order of time, as a recording
+ * has them, on the clock of a scenario's steps. Between two samples it went straight on.
+ */
+public final class Track {
+  /** Seconds a step may be off a sample and still count as at it: rounding, no time. */
+  private static final double SLACK = 1e-6;
+
+  private final double[] times;
+  private final double[] x;
+  private final double[] y;
+  private final double stepTime;
+
+  /**
+   * @param times seconds from step 0, rising
+   * @param x metres
+   * @param y metres
+   * @param stepTime seconds, above 0
+   */
+  Track(double[] times, double[] x, double[] y, double stepTime) {
+    this.times = times;
+    this.x = x;
+    this.y = y;
+    this.stepTime = stepTime;
+  }
+
+  /** The number of samples, 1 or more. */
+  public int samples() {
+    return times.length;
+  }
+
+  /** When a sample was taken, seconds from step 0. */
+  public double time(int sample) {
+    return times[sample];
+  }
+
+  /** Metres. */
+  public double x(int sample) {
+    return x[sample];
+  }
+
+  /** Metres. */
+  public double y(int sample) {
+    return y[sample];
+  }
+
+  /** How long a step takes, seconds. */
+  public double stepTime() {
+    return stepTime;
+  }
+
+  /** The first step at which the target is there. */
+  public long firstStep() {
+    return (long) Math.ceil((times[0] - SLACK) / stepTime);
+  }
+
+  /** The last step at which the target is there; before the first one where no step meets it. */
+  public long lastStep() {
+    return (long) Math.floor((times[times.length - 1] + SLACK) / stepTime);
+  }
+
+  /** The speed from the first sample to the last along the way, metres a step. */
+  public double meanSpeed() {
+    double way = 0;
+    for (int i = 1; i < times.length; i++) {
+      way += Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]);
+    }
+    return way == 0 ? 0 : way / (times[times.length - 1] - times[0]) * stepTime;
+  }
+
+  /** Which way it goes at first, degrees, 0 is +y and 90 is +x. */
+  public double heading() {
+    return times.length == 1 ? 0 : Math.toDegrees(Math.atan2(x[1] - x[0], y[1] - y[0]));
+  }
+
+  /** The event that takes the target away, at the beginning of the step after its last. */
+  ScenarioEvent.RemoveTarget removal(double features) {
+    return new ScenarioEvent.RemoveTarget((int) lastStep() + 1, features);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return this == other
+        || (other instanceof Track track
+            && stepTime == track.stepTime
+            && Arrays.equals(times, track.times)
+            && Arrays.equals(x, track.x)
+            && Arrays.equals(y, track.y));
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * Arrays.hashCode(x) + Arrays.hashCode(times);
+  }
+
+  @Override
+  public String toString() {
+    return samples() + " samples from " + times[0] + " s";
+  }
+}

@@ -1,0 +1,172 @@
+package org.hificamsim.core.scenario;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.file.Fields;
+import org.hificamsim.core.file.TextLines;
+
+/** Reads what {@link TrackWriter} writes: tracks, in the order of the file. */
+final class TrackReader {
+  /** Samples of one file; they take 24 bytes each. */
+  static final int MAX_SAMPLES = 20_000_000;
+
+  private static final Range INTERVAL =
+      new Range("a number above 0 and at most 1e9 (s)", value -> value > 0 && value <= 1e9);
+
+  private static final String START = "a number of seconds from 0, later than before";
+
+  /**
+   * A target while it is there.
+   *
+   * @param place where the file begins it
+   * @param extent width and height, where the file gives them
+   */
+  record Tracked(Place place, double features, double size, Optional<Extent> extent, Track track) {}
+
+  private final TextLines lines;
+  private final Fields fields;
+  private final double stepTime;
+  private final List<Tracked> tracks = new ArrayList<>();
+  private final Map<Double, Double> lastTimes = new HashMap<>();
+  private final Samples samples = new Samples();
+  private Place begun;
+  private double features;
+  private double size;
+  private Optional<Extent> extent = Optional.empty();
+  private double interval;
+  private double anchor;
+  private int since;
+  private long total;
+
+  /**
+   * @param stepTime seconds, above 0
+   */
+  TrackReader(TextLines lines, double stepTime) {
+    this.lines = lines;
+    this.fields = new Fields(lines, Fields.BLANKS);
+    this.stepTime = stepTime;
+  }
+
+  /**
+   * Reads them all.
+   *
+   * @throws InputException when something is wrong
+   */
+  List<Tracked> tracks() {
+    header();
+    while (nextLine()) {
+      if (fields.text(0).equals("target")) {
+        end();
+        begin();
+      } else {
+        sample();
+      }
+    }
+    end();
+    return tracks;
+  }
+
+  /** Goes to the next line that is neither empty nor a comment. */
+  private boolean nextLine() {
+    while (lines.next()) {
+      if (fields.split() > 0 && !fields.text(0).startsWith("#")) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void header() {
+    if (!nextLine() || fields.count() != 2 || !lines.text().strip().equals(TrackWriter.HEADER)) {
+      throw lines.place(1).error("expected '" + TrackWriter.HEADER + "' as the first line");
+    }
+    if (!nextLine() || !fields.text(0).equals("interval")) {
+      throw lines.place(1).error("expected 'interval' and a number of seconds");
+    }
+    interval = number(1, "interval", INTERVAL);
+    requireFields(2);
+  }
+
+  private double number(int field, String name, Range range) {
+    return fields.number(field, name, range.expected(), range::contains);
+  }
+
+  private void requireFields(int most) {
+    if (fields.count() > most) {
+      throw fields.invalid(most, "a further field", "the end of the line");
+    }
+  }
+
+  private void begin() {
+    begun = fields.place(0);
+    features = fields.number(1, "target");
+    if (word(2).equals("width")) {
+      double width = number(3, "width", Range.POSITIVE_LENGTH);
+      requireWord(4, "height");
+      extent = Optional.of(new Extent(width, number(5, "height", Range.POSITIVE_LENGTH)));
+      size = extent.get().size();
+      requireFields(6);
+    } else {
+      requireWord(2, "size");
+      extent = Optional.empty();
+      size = number(3, "size", Range.POSITIVE_LENGTH);
+      requireFields(4);
+    }
+  }
+
+  private String word(int field) {
+    return field < fields.count() ? fields.text(field) : "";
+  }
+
+  private void requireWord(int field, String word) {
+    if (!word(field).equals(word)) {
+      throw fields.invalid(field, "the word", "'" + word + "' and a number of metres");
+    }
+  }
+
+  private void sample() {
+    if (begun == null) {
+      throw fields.invalid(0, "the line", "'target', its number, 'size' and metres");
+    }
+    requireFields(3);
+    int first = Math.max(0, fields.count() - 2); // of x
+    if (first == 1) {
+      anchor = fields.number(0, "time", START, this::isLater);
+      since = 0;
+    } else if (samples.isEmpty()) {
+      throw fields.invalid(2, "time, x and y", "all three in a track's first line");
+    }
+    requireRoom();
+    samples.add(
+        anchor + since++ * interval,
+        number(first, "x", Range.COORDINATE),
+        number(first + 1, "y", Range.COORDINATE));
+  }
+
+  private boolean isLater(double time) {
+    double last = samples.isEmpty() ? lastTimes.getOrDefault(features, -1.0) : samples.last();
+    return time >= 0 && time <= 1e9 && time > last;
+  }
+
+  private void requireRoom() {
+    if (++total > MAX_SAMPLES) {
+      throw lines.place(1).error("too many samples, expected at most " + MAX_SAMPLES);
+    }
+  }
+
+  private void end() {
+    if (begun == null) {
+      return;
+    }
+    if (samples.isEmpty()) {
+      throw begun.error("a target without a sample, expected lines of time, x and y");
+    }
+    lastTimes.put(features, samples.last());
+    tracks.add(new Tracked(begun, features, size, extent, samples.track(stepTime)));
+  }
+}

@@ -1,0 +1,109 @@
+package org.hificamsim.core.scenario;
+
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.hificamsim.core.file.TextLines;
+
+/**
+ * Reads the element {@code tracks}: the targets of a file beside the scenario, or of the element's
+ * own text, each as two events, one that adds it and one that removes it.
+ */
+final class TracksReader {
+  private final Path scenario;
+  private final Field field;
+  private final double stepTime;
+  private final Consumer<String> warnings;
+
+  /**
+   * @param scenario from whose folder paths are
+   * @param stepTime seconds
+   */
+  TracksReader(Path scenario, Field field, double stepTime, Consumer<String> warnings) {
+    this.scenario = scenario;
+    this.field = field;
+    this.stepTime = stepTime;
+    this.warnings = warnings;
+  }
+
+  /** The events of all targets of an element. */
+  List<ScenarioEvent> events(XmlElement element) {
+    Attributes attributes = new Attributes(element);
+    Optional<String> file = attributes.optionalText("file");
+    attributes.leftOver(warnings);
+    try (TextLines lines = file.map(one -> open(element, one)).orElseGet(element::lines)) {
+      return events(element, new TrackReader(lines, stepTime).tracks());
+    }
+  }
+
+  private TextLines open(XmlElement element, String file) {
+    if (!element.text().isBlank()) {
+      throw new Attributes(element).invalid("file", "none beside tracks that are written here");
+    }
+    try {
+      return TextLines.open(scenario.resolveSibling(file));
+    } catch (InvalidPathException e) {
+      throw new Attributes(element).invalid("file", "a path from the scenario's folder");
+    }
+  }
+
+  private List<ScenarioEvent> events(XmlElement element, List<TrackReader.Tracked> tracks) {
+    List<ScenarioEvent> events = new ArrayList<>();
+    int missed = 0;
+    int outside = 0;
+    for (TrackReader.Tracked one : tracks) {
+      missed += one.track().lastStep() < one.track().firstStep() ? 1 : 0;
+      outside += staysIn(one.track()) ? 0 : 1;
+      addEvents(one, events);
+    }
+    warn(element, missed, "no step meets: they are shorter than a step");
+    warn(element, outside, "lead outside the field");
+    return events;
+  }
+
+  private void warn(XmlElement element, int count, String what) {
+    if (count > 0) {
+      warnings.accept(element.place() + ": " + count + " of the tracks " + what);
+    }
+  }
+
+  private boolean staysIn(Track track) {
+    for (int i = 0; i < track.samples(); i++) {
+      if (!field.contains(track.x(i), track.y(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** A target goes at the beginning of the step after its last; at that step it may come again. */
+  private static void addEvents(TrackReader.Tracked one, List<ScenarioEvent> events) {
+    Track track = one.track();
+    if (track.lastStep() >= track.firstStep()) {
+      if (track.lastStep() >= Integer.MAX_VALUE) {
+        throw one.place().error("the target stays until step " + track.lastStep() + ", too far");
+      }
+      events.add(new ScenarioEvent.AddTarget((int) track.firstStep(), target(one)));
+      events.add(track.removal(one.features()));
+    }
+  }
+
+  private static TargetSpec target(TrackReader.Tracked one) {
+    Track track = one.track();
+    return new TargetSpec(
+        TargetSpec.Origin.TRACK,
+        one.features(),
+        track.x(0),
+        track.y(0),
+        track.heading(),
+        track.meanSpeed(),
+        one.size(),
+        one.extent(),
+        MovementSpec.along(track),
+        Map.of());
+  }
+}

@@ -1,0 +1,105 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.PrintWriter;
+import java.io.Writer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.tracks.ImportSummary;
+import org.hificamsim.tracks.TrackedSite;
+import org.hificamsim.tracks.TracksImport;
+import org.hificamsim.tracks.format.TrackFormat;
+import org.hificamsim.tracks.format.TrackFormats;
+import org.hificamsim.tracks.ground.LocalProjection;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code hificamsim import}: makes a scenario of recorded tracks. */
+@Command(
+    name = "import",
+    description = "Makes a scenario of recorded tracks, walls and a floor plan.")
+final class ImportCommand implements Callable<Integer> {
+  @Parameters(paramLabel = "FILE", description = "The recording; unpacked if it ends in .gz.")
+  private Path file;
+
+  @Option(
+      names = "--format",
+      required = true,
+      paramLabel = "F",
+      description = "obsmat, ethucy, trajnet, mot, petrack, fcd, gpx, geojson or csv.")
+  private String format;
+
+  @Option(names = "--out", required = true, paramLabel = "DIR", description = "Folder to write to.")
+  private Path out;
+
+  @Mixin private RecordingOptions recording;
+  @Mixin private SiteOptions site;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    TrackFormat reader = TrackFormats.registry().create(format);
+    LocalProjection projection = recording.projection();
+    String name = site.name(file);
+    List<Obstacle> walls = site.walls(recording.unitOf(format), projection);
+    TracksImport tracks =
+        new TracksImport(
+            recording.recording(file), recording.settings(), recording.homography(), projection);
+    try (OutputFolder folder = new OutputFolder(out)) {
+      ImportSummary found = tracks.run(reader, new Obstacles(walls), folder, name + ".tracks");
+      TrackedSite made = new TrackedSite(site.settings(name, file, walls), found);
+      write(folder, name, made);
+      folder.commit(List.of());
+      tell(name, found, made, walls, projection);
+    }
+    return 0;
+  }
+
+  private void write(OutputFolder folder, String name, TrackedSite made) throws IOException {
+    if (site.floorplan() != null) {
+      try (OutputStream copy = folder.stream(site.floorplanName(name))) {
+        Files.copy(site.floorplan(), copy);
+      }
+    }
+    try (Writer xml = folder.open(name + ".xml")) {
+      xml.write(made.xml(name + ".tracks"));
+    }
+  }
+
+  private void tell(
+      String name,
+      ImportSummary found,
+      TrackedSite made,
+      List<Obstacle> walls,
+      LocalProjection projection) {
+    PrintWriter terminal = spec.commandLine().getOut();
+    terminal.println(out.resolve(name + ".xml"));
+    found.lines().forEach(line -> terminal.println("  " + Place.printable(line)));
+    terminal.println("  " + recording.sizeLine(found));
+    if (!Double.isNaN(projection.longitude())) {
+      terminal.println(
+          "  projected to metres: equirectangular, WGS84, about latitude "
+              + projection.latitude()
+              + ", longitude "
+              + projection.longitude());
+    }
+    terminal.println("  " + site.line(made, walls));
+    terminal.println("Move the cameras, a first draft, and save them:");
+    terminal.println(
+        "  ./hificamsim view "
+            + out.resolve(name + ".xml")
+            + " --detection dori-2014:level=observe");
+  }
+}

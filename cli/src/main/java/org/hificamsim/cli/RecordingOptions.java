@@ -1,0 +1,162 @@
+package org.hificamsim.cli;
+
+import java.nio.file.Path;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.TreeMap;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.scenario.Extent;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.tracks.ImportSummary;
+import org.hificamsim.tracks.TrackSettings;
+import org.hificamsim.tracks.format.Recording;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.Homography;
+import org.hificamsim.tracks.ground.LocalProjection;
+import picocli.CommandLine.Option;
+
+/** What the user says of a recording. */
+final class RecordingOptions {
+  private static final double LARGE = 1e9;
+
+  @Option(names = "--rate", paramLabel = "R", description = "Frames a second.")
+  private Double rate;
+
+  @Option(names = "--unit", paramLabel = "U", description = "Of positions: m, cm, mm, px or deg.")
+  private String unit;
+
+  @Option(
+      names = "--homography",
+      paramLabel = "FILE",
+      description = "Three rows of three numbers that take pixels to metres on the ground.")
+  private Path homography;
+
+  @Option(
+      names = "--columns",
+      split = ",",
+      paramLabel = "KEY=NAME",
+      description =
+          "Of a table: time or frame, id, x, y, width, height, each with a name or number from 1.")
+  private Map<String, String> columns = new TreeMap<>();
+
+  @Option(
+      names = "--origin",
+      paramLabel = "LAT,LON",
+      description = "Where degrees become (0, 0) m; default: the first sample.")
+  private String origin;
+
+  @Option(
+      names = "--gap",
+      paramLabel = "S",
+      description =
+          "A target is away between two samples of its that are farther apart, seconds; default:"
+              + " three times the usual time.")
+  private Double gap;
+
+  @Option(names = "--from", paramLabel = "S", description = "Cut what is before, seconds.")
+  private Double from;
+
+  @Option(names = "--to", paramLabel = "S", description = "Cut what is after, seconds.")
+  private Double to;
+
+  @Option(
+      names = "--size",
+      paramLabel = "M[xM]",
+      description =
+          "Edge of targets, or width x height, m, where the file has none; default: 0.66.")
+  private String size;
+
+  /** The recording with what was said of it. */
+  Recording recording(Path file) {
+    return new Recording(file, positive("--rate", rate), unit(), columns);
+  }
+
+  private Optional<Unit> unit() {
+    return unit == null ? Optional.empty() : Optional.of(unit("--unit", unit));
+  }
+
+  static Unit unit(String option, String text) {
+    return Spelling.find(Unit.class, text)
+        .orElseThrow(
+            () ->
+                new InputException(
+                    "%s is '%s', expected one of %s"
+                        .formatted(option, text, Spelling.all(Unit.class))));
+  }
+
+  /** The unit that a format's positions have, as far as options and the format's name say it. */
+  Unit unitOf(String format) {
+    boolean geographic = format.equals("gpx") || format.equals("geojson");
+    return unit().orElse(geographic ? Unit.DEG : Unit.M);
+  }
+
+  /** What becomes of its samples. */
+  TrackSettings settings() {
+    double start = from == null ? 0 : Numbers.within("--from", from, 0, LARGE);
+    double end = to == null ? LARGE : Numbers.within("--to", to, start, LARGE);
+    return new TrackSettings(positive("--gap", gap), start, end, edge(), extent());
+  }
+
+  /** An option that has to be above 0, where it is given. */
+  static OptionalDouble positive(String option, Double value) {
+    if (value == null) {
+      return OptionalDouble.empty();
+    }
+    if (!(value > 0 && value <= LARGE)) {
+      throw new InputException(option + " is " + value + ", expected a number above 0");
+    }
+    return OptionalDouble.of(value);
+  }
+
+  private double edge() {
+    return size == null || size.contains("x") ? TargetSpec.DEFAULT_SIZE : metres(size);
+  }
+
+  private Optional<Extent> extent() {
+    if (size == null || !size.contains("x")) {
+      return Optional.empty();
+    }
+    int cross = size.indexOf('x');
+    return Optional.of(
+        new Extent(metres(size.substring(0, cross)), metres(size.substring(cross + 1))));
+  }
+
+  private double metres(String text) {
+    try {
+      double metres = Double.parseDouble(text);
+      if (metres > 0 && metres <= LARGE) {
+        return metres;
+      }
+    } catch (NumberFormatException e) {
+      // reported below
+    }
+    throw new InputException(
+        "--size is '" + size + "', expected metres above 0, as 0.5 or 0.5x1.75");
+  }
+
+  /** What sizes the targets have. */
+  String sizeLine(ImportSummary found) {
+    String rest = size == null ? TargetSpec.DEFAULT_SIZE + " m (--size)" : size + " m";
+    return found.sized() == found.targets()
+        ? "sizes: from the file"
+        : found.sized() == 0
+            ? "size: " + rest
+            : "sizes: of " + found.sized() + " targets from the file, of the others " + rest;
+  }
+
+  Optional<Homography> homography() {
+    return Optional.ofNullable(homography).map(Homography::read);
+  }
+
+  LocalProjection projection() {
+    if (origin == null) {
+      return new LocalProjection();
+    }
+    double[] at = Numbers.pair("--origin", origin, "latitude and longitude, as 48.2,16.37");
+    Numbers.within("--origin", at[0], -90, 90);
+    Numbers.within("--origin", at[1], -180, 180);
+    return new LocalProjection(at[1], at[0]);
+  }
+}

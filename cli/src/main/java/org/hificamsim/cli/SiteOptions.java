@@ -1,0 +1,151 @@
+package org.hificamsim.cli;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Floorplan;
+import org.hificamsim.tracks.SiteSettings;
+import org.hificamsim.tracks.TrackedSite;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.LocalProjection;
+import org.hificamsim.tracks.place.FloorplanFile;
+import org.hificamsim.tracks.place.PictureFrame;
+import org.hificamsim.tracks.place.WallFile;
+import picocli.CommandLine.Option;
+
+/** What a scenario of tracks has beside them. */
+final class SiteOptions {
+  private static final double LARGE = 1e9;
+  private static final int MAX_CAMERAS = 1000;
+
+  @Option(
+      names = "--name",
+      paramLabel = "NAME",
+      description = "Of the scenario; default: that of the recording.")
+  private String name;
+
+  @Option(names = "--cameras", paramLabel = "N", description = "Put up as a first draft.")
+  private int cameras;
+
+  @Option(
+      names = "--margin",
+      paramLabel = "M",
+      description = "Of the field around all samples, m; default: a tenth of its longer side.")
+  private Double margin;
+
+  @Option(
+      names = "--step",
+      paramLabel = "S",
+      description = "How long a step takes, s; default: the usual time between two samples.")
+  private Double step;
+
+  @Option(
+      names = "--walls",
+      paramLabel = "FILE",
+      description = "Walls: GeoJSON, XML with <Line x1= y1= x2= y2=>, or the lines of an SVG.")
+  private Path walls;
+
+  @Option(
+      names = "--walls-unit",
+      paramLabel = "U",
+      description = "Of the walls: m, cm, mm or deg; default: that of the recording.")
+  private String wallsUnit;
+
+  @Option(
+      names = "--floorplan",
+      paramLabel = "IMAGE",
+      description = "A PNG or JPEG to draw under the field; needs --scale.")
+  private Path floorplan;
+
+  @Option(
+      names = "--scale",
+      paramLabel = "M",
+      description = "Metres that a pixel of the floor plan, or a unit of the SVG, is.")
+  private Double scale;
+
+  @Option(
+      names = "--at",
+      paramLabel = "X,Y",
+      description = "Where its lower left corner is, m; default: 0,0.")
+  private String at;
+
+  /** The scenario's name. */
+  String name(Path recording) {
+    String plain = recording.getFileName().toString().replaceFirst("(?i)\\.gz$", "");
+    String own = name != null ? name : plain.replaceFirst("\\.[^.]*$", "");
+    String safe = own.replaceAll("[^\\p{L}\\p{M}\\p{N}_.+-]", "-");
+    if (safe.isEmpty() || safe.startsWith(".") || (name != null && !safe.equals(own))) {
+      throw new InputException(
+          "--name is '" + own + "', expected letters, digits and any of _.+- of them");
+    }
+    return safe;
+  }
+
+  /** The walls in metres; none where no file is given. */
+  List<Obstacle> walls(Unit ofRecording, LocalProjection projection) {
+    if (walls == null) {
+      return List.of();
+    }
+    Unit unit = ofRecording == Unit.PX ? Unit.M : ofRecording;
+    Unit own = wallsUnit == null ? unit : RecordingOptions.unit("--walls-unit", wallsUnit);
+    return WallFile.read(walls, own, projection, frame());
+  }
+
+  private Optional<PictureFrame> frame() {
+    OptionalDouble metres = RecordingOptions.positive("--scale", scale);
+    if (metres.isEmpty()) {
+      return Optional.empty();
+    }
+    double[] corner =
+        at == null ? new double[2] : Numbers.pair("--at", at, "two numbers, as -3.5,12");
+    Numbers.within("--at", corner[0], -LARGE, LARGE);
+    Numbers.within("--at", corner[1], -LARGE, LARGE);
+    return Optional.of(new PictureFrame(metres.getAsDouble(), corner[0], corner[1]));
+  }
+
+  /** The picture; null where none is given. */
+  Path floorplan() {
+    return floorplan;
+  }
+
+  /** What it is called beside the scenario. */
+  String floorplanName(String scenario) {
+    String file = floorplan.getFileName().toString();
+    int dot = file.lastIndexOf('.');
+    return scenario + "-floorplan" + (dot < 0 ? "" : file.substring(dot));
+  }
+
+  SiteSettings settings(String scenario, Path recording, List<Obstacle> allWalls) {
+    return new SiteSettings(
+        scenario,
+        recording,
+        Numbers.inRange("--cameras", cameras, 1, MAX_CAMERAS),
+        margin == null
+            ? OptionalDouble.empty()
+            : OptionalDouble.of(Numbers.within("--margin", margin, 0, LARGE)),
+        RecordingOptions.positive("--step", step),
+        allWalls,
+        floorplan == null ? Optional.empty() : Optional.of(plan(scenario)));
+  }
+
+  private Floorplan plan(String scenario) {
+    PictureFrame frame =
+        frame()
+            .orElseThrow(
+                () ->
+                    new InputException(
+                        "--floorplan without --scale M, expected how many metres a pixel is"));
+    return new Floorplan(floorplanName(scenario), FloorplanFile.area(floorplan, frame));
+  }
+
+  /** What was made, in a line. */
+  String line(TrackedSite made, List<Obstacle> allWalls) {
+    Field field = made.field();
+    return "field: %s x %s m; step: %s s; walls and solids: %s"
+        .formatted(field.width(), field.height(), made.step(), allWalls.size());
+  }
+}

@@ -1,0 +1,139 @@
+package org.hificamsim.tracks;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Function;
+import org.hificamsim.core.InputException;
+import org.hificamsim.tracks.format.Sample;
+import org.hificamsim.tracks.format.SampleSink;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.Ground;
+
+/**
+ * Takes a file's samples to the ground, checks each against the last one of its target, and hands
+ * them to the sorter. Of each target it keeps one record, whatever the number of samples.
+ */
+final class Collector implements SampleSink {
+  private static final int MAX_SPACINGS = 1000; // different ones that are counted
+
+  private final SampleSorter sorter;
+  private final Function<Unit, Ground> grounds;
+  private Ground ground;
+  private final Map<String, TargetRecord> byName = new HashMap<>();
+  private final List<TargetRecord> targets = new ArrayList<>();
+  private final Map<Double, Long> spacings = new TreeMap<>();
+  private long samples;
+  private long duplicates;
+  private String firstDuplicate = "";
+  private double firstTick = Double.POSITIVE_INFINITY;
+
+  /**
+   * @param grounds what takes the samples of a unit to metres
+   */
+  Collector(SampleSorter sorter, Function<Unit, Ground> grounds) {
+    this.sorter = sorter;
+    this.grounds = grounds;
+  }
+
+  @Override
+  public void measuredIn(Unit unit) {
+    ground = grounds.apply(unit);
+  }
+
+  @Override
+  public void accept(Sample asRead) {
+    Sample sample = ground.onGround(asRead);
+    TargetRecord target = byName.computeIfAbsent(sample.target(), this::begun);
+    if (isNew(sample, target)) {
+      count(sample, target);
+      target.seen(sample.tick(), sample.x(), sample.y());
+      target.sized(sample.width(), sample.height());
+      sorter.add(target.number(), sample.tick(), sample.x(), sample.y());
+    }
+  }
+
+  private TargetRecord begun(String name) {
+    TargetRecord target = new TargetRecord(targets.size(), name);
+    targets.add(target);
+    return target;
+  }
+
+  private boolean isNew(Sample sample, TargetRecord target) {
+    if (sample.tick() > target.tick()) {
+      return true;
+    }
+    if (sample.tick() < target.tick()) {
+      throw backwards(sample, target);
+    }
+    if (!target.isAt(sample.x(), sample.y())) {
+      throw twice(sample);
+    }
+    firstDuplicate = duplicates++ == 0 ? sample.place().toString() : firstDuplicate;
+    return false;
+  }
+
+  private static InputException backwards(Sample sample, TargetRecord target) {
+    return sample
+        .place()
+        .error(
+            "target %s: time runs backwards, from %s to %s, expected a target's samples in order of time"
+                .formatted(sample.target(), target.tick(), sample.tick()));
+  }
+
+  private static InputException twice(Sample sample) {
+    return sample
+        .place()
+        .error(
+            "target %s is at two places at time %s, expected one sample of a target at a time"
+                .formatted(sample.target(), sample.tick()));
+  }
+
+  private void count(Sample sample, TargetRecord target) {
+    samples++;
+    firstTick = Math.min(firstTick, sample.tick());
+    if (target.tick() != Double.NEGATIVE_INFINITY) {
+      double spacing = Math.rint((sample.tick() - target.tick()) * 1e6) / 1e6;
+      if (spacings.size() < MAX_SPACINGS || spacings.containsKey(spacing)) {
+        spacings.merge(spacing, 1L, Long::sum);
+      }
+    }
+  }
+
+  /** The targets by number. */
+  List<TargetRecord> targets() {
+    return targets;
+  }
+
+  long samples() {
+    return samples;
+  }
+
+  /** How many samples were there twice, the same each time. */
+  long duplicates() {
+    return duplicates;
+  }
+
+  /** Where the first of them is. */
+  String firstDuplicate() {
+    return firstDuplicate;
+  }
+
+  /** When the first sample was taken. */
+  double firstTick() {
+    return firstTick;
+  }
+
+  /** How many ticks lie between two samples of a target most often; 1 where none has two. */
+  double spacing() {
+    double best = 1;
+    long most = 0;
+    for (Map.Entry<Double, Long> one : spacings.entrySet()) {
+      best = one.getValue() > most ? one.getKey() : best;
+      most = Math.max(most, one.getValue());
+    }
+    return best;
+  }
+}

@@ -1,0 +1,172 @@
+package org.hificamsim.tracks;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.PriorityQueue;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.Field;
+
+/** What a recording has in it: extent in time and place, speeds, gaps, and what is odd. */
+final class Findings {
+  /** A speed is odd from this multiple of the third quartile on. */
+  private static final double ODD = 5;
+
+  private static final int NAMED = 3; // jumps that are told one by one
+
+  private record Leg(String target, double time, double way, double speed) {}
+
+  private final double interval;
+  private final Obstacles obstacles;
+  private final Speeds speeds = new Speeds();
+  private final PriorityQueue<Leg> fastest =
+      new PriorityQueue<>(Comparator.comparingDouble(Leg::speed));
+  private long samples;
+  private int targets;
+  private int gaps;
+  private double longestGap;
+  private double end;
+  private double minX = Double.POSITIVE_INFINITY;
+  private double maxX = Double.NEGATIVE_INFINITY;
+  private double minY = Double.POSITIVE_INFINITY;
+  private double maxY = Double.NEGATIVE_INFINITY;
+  private TargetRecord last;
+  private long ofLast;
+  private int single;
+  private long blocked; // ways between two samples
+  private String firstBlocked = "";
+
+  /**
+   * @param interval between most samples of a target, seconds
+   * @param obstacles through which nobody should go
+   */
+  Findings(double interval, Obstacles obstacles) {
+    this.interval = interval;
+    this.obstacles = obstacles;
+  }
+
+  void sample(TargetRecord target, double time, double x, double y) {
+    if (target != last) {
+      endTarget();
+      targets++;
+      last = target;
+    }
+    samples++;
+    ofLast++;
+    end = Math.max(end, time);
+    minX = Math.min(minX, x);
+    maxX = Math.max(maxX, x);
+    minY = Math.min(minY, y);
+    maxY = Math.max(maxY, y);
+  }
+
+  private void endTarget() {
+    single += ofLast == 1 ? 1 : 0;
+    ofLast = 0;
+  }
+
+  /** A way between two samples of a target, which ends at this time. */
+  void leg(TargetRecord target, double time, double duration, Point from, Point to) {
+    double way = Math.hypot(to.x() - from.x(), to.y() - from.y());
+    if (!obstacles.isEmpty()
+        && !obstacles.clear(from.x(), from.y(), to.x(), to.y())
+        && blocked++ == 0) {
+      firstBlocked = "target " + target.name() + " at " + time + " s";
+    }
+    double speed = way / duration;
+    speeds.add(speed);
+    if (fastest.size() < NAMED || speed > fastest.peek().speed()) {
+      fastest.add(new Leg(target.name(), time, way, speed));
+      if (fastest.size() > NAMED) {
+        fastest.poll();
+      }
+    }
+  }
+
+  void gap(double duration) {
+    gaps++;
+    longestGap = Math.max(longestGap, duration);
+  }
+
+  /** Between most samples of a target, seconds. */
+  double interval() {
+    return interval;
+  }
+
+  long samples() {
+    return samples;
+  }
+
+  int targets() {
+    return targets;
+  }
+
+  int gaps() {
+    return gaps;
+  }
+
+  /** Seconds. */
+  double longestGap() {
+    return longestGap;
+  }
+
+  /** From step 0 to the last sample, seconds. */
+  double duration() {
+    return end;
+  }
+
+  /** Of the way between two samples, metres a second. */
+  double speed(double part) {
+    return speeds.quantile(part);
+  }
+
+  /** What holds all samples. */
+  Field box() {
+    return new Field(minX, maxX, minY, maxY);
+  }
+
+  /** What is odd, in lines. */
+  List<String> odd() {
+    endTarget();
+    last = null;
+    List<String> odd = new ArrayList<>();
+    jumps(odd);
+    if (single > 0) {
+      odd.add(single + " targets with one sample alone");
+    }
+    if (blocked > 0) {
+      odd.add("through a wall: " + blocked + " times, first " + firstBlocked);
+    }
+    return odd;
+  }
+
+  private void jumps(List<String> odd) {
+    double limit = ODD * Math.max(speeds.quantile(0.75), 0.1);
+    long jumps = speeds.above(limit);
+    if (jumps == 0) {
+      return;
+    }
+    odd.add(
+        jumps
+            + (jumps == 1 ? " jump" : " jumps")
+            + ", faster than "
+            + Figures.rounded(limit)
+            + " m/s, five times the third quartile");
+    fastest.stream()
+        .sorted(Comparator.comparingDouble(Leg::speed).reversed())
+        .filter(leg -> leg.speed() > limit)
+        .forEach(
+            leg ->
+                odd.add(
+                    "target "
+                        + leg.target()
+                        + " jumps "
+                        + Figures.rounded(leg.way())
+                        + " m before "
+                        + Figures.rounded(leg.time())
+                        + " s, "
+                        + Figures.rounded(leg.speed())
+                        + " m/s"));
+  }
+}

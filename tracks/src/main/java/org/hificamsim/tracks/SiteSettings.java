@@ -1,0 +1,33 @@
+package org.hificamsim.tracks;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.Floorplan;
+
+/**
+ * What a scenario of tracks has beside them.
+ *
+ * @param name of the scenario
+ * @param source the recording, as a comment names it
+ * @param cameras how many are put up as a first draft
+ * @param margin of the field around all samples, metres
+ * @param step how long a step takes, seconds; as a rule the time between two samples
+ * @param walls solid, in metres
+ * @param floorplan the picture's name beside the scenario and what it shows
+ */
+public record SiteSettings(
+    String name,
+    Path source,
+    int cameras,
+    OptionalDouble margin,
+    OptionalDouble step,
+    List<Obstacle> walls,
+    Optional<Floorplan> floorplan) {
+  /** Copies what could change. */
+  public SiteSettings {
+    walls = List.copyOf(walls);
+  }
+}

@@ -1,0 +1,66 @@
+package org.hificamsim.tracks;
+
+import java.util.Optional;
+import org.hificamsim.core.scenario.Extent;
+
+/** What is kept of a target while its file is read. */
+final class TargetRecord {
+  private final int number;
+  private final String name;
+  private double tick = Double.NEGATIVE_INFINITY;
+  private double x;
+  private double y;
+  private double widths;
+  private double heights;
+  private int sized;
+
+  TargetRecord(int number, String name) {
+    this.number = number;
+    this.name = name;
+  }
+
+  /** From 0, in the order in which the targets appear in the file. */
+  int number() {
+    return number;
+  }
+
+  /** As the file says it. */
+  String name() {
+    return name;
+  }
+
+  /** When it was seen last; minus infinity before that. */
+  double tick() {
+    return tick;
+  }
+
+  /** Whether it was last seen at this very place. */
+  boolean isAt(double itsX, double itsY) {
+    return x == itsX && y == itsY;
+  }
+
+  void seen(double when, double itsX, double itsY) {
+    tick = when;
+    x = itsX;
+    y = itsY;
+  }
+
+  void sized(double width, double height) {
+    if (width > 0 && height > 0 && width <= 1e9 && height <= 1e9) {
+      widths += width;
+      heights += height;
+      sized++;
+    }
+  }
+
+  /** The mean of its boxes; empty where the file has none. */
+  Optional<Extent> extent() {
+    return sized == 0
+        ? Optional.empty()
+        : Optional.of(new Extent(rounded(widths / sized), rounded(heights / sized)));
+  }
+
+  private static double rounded(double metres) {
+    return Math.max(1e-3, Math.rint(metres * 1000) / 1000);
+  }
+}

@@ -1,0 +1,93 @@
+package org.hificamsim.tracks;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.regex.Matcher;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.Occlusion;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.Surroundings;
+import org.hificamsim.tracks.place.DraftCameras;
+
+/** The scenario around imported tracks: field, cameras as a first draft, walls, floor plan. */
+public final class TrackedSite {
+  private static final double MARGIN = 0.1; // of the longer side
+  private static final double LEAST = 1; // m
+
+  private final SiteSettings settings;
+  private final Field field;
+  private final double interval;
+
+  /**
+   * @param found what the tracks have in them
+   */
+  public TrackedSite(SiteSettings settings, ImportSummary found) {
+    this.settings = settings;
+    this.field = field(found.box());
+    this.interval = found.interval();
+  }
+
+  private Field field(Field box) {
+    double margin =
+        settings
+            .margin()
+            .orElse(Math.max(LEAST, Math.ceil(MARGIN * Math.max(box.width(), box.height()))));
+    return new Field(
+        Math.floor(box.minX() - margin),
+        Math.ceil(box.maxX() + margin),
+        Math.floor(box.minY() - margin),
+        Math.ceil(box.maxY() + margin));
+  }
+
+  /** The field, metres. */
+  public Field field() {
+    return field;
+  }
+
+  /** How long a step takes, seconds. */
+  public double step() {
+    return settings.step().orElse(interval);
+  }
+
+  /** The scenario's file, which names that of the tracks. */
+  public String xml(String tracks) {
+    String comment = "Made by hificamsim import of " + settings.source().getFileName();
+    String safe = Place.printable(comment).replace("--", "- -");
+    return ScenarioWriter.write(scenario(), tracks)
+        .replaceFirst("\n<root>", Matcher.quoteReplacement("\n<!-- " + safe + " -->\n<root>"));
+  }
+
+  private Scenario scenario() {
+    Obstacles obstacles = new Obstacles(settings.walls());
+    return new Scenario(
+        settings.name(),
+        field,
+        StepOrder.COVERAGE,
+        Headings.DEGREES,
+        OptionalDouble.empty(),
+        Optional.empty(),
+        Objective.parse("covered:k=1"),
+        OptionalDouble.empty(),
+        step(),
+        surroundings(settings.walls()),
+        List.of(),
+        DraftCameras.of(settings.cameras(), field, obstacles),
+        List.of(),
+        List.of(),
+        Optional.empty(),
+        Map.of());
+  }
+
+  private Surroundings surroundings(List<Obstacle> walls) {
+    return new Surroundings(walls, Occlusion.NONE, settings.floorplan());
+  }
+}

@@ -1,0 +1,17 @@
+package org.hificamsim.tracks.format;
+
+/**
+ * How a format counts time.
+ *
+ * @param rate ticks a second, above 0
+ * @param ofSamples whether the rate counts a target's samples, however many ticks lie between two
+ */
+public record Clock(double rate, boolean ofSamples) {
+  /** Ticks are seconds. */
+  public static final Clock SECONDS = new Clock(1, false);
+
+  /** How long a tick is, seconds, where a target's samples are this many ticks apart. */
+  public double secondsPerTick(double spacing) {
+    return ofSamples ? 1 / (rate * spacing) : 1 / rate;
+  }
+}

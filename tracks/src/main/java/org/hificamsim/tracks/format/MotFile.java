@@ -1,0 +1,67 @@
+package org.hificamsim.tracks.format;
+
+import java.nio.file.Path;
+import java.util.function.Consumer;
+import org.hificamsim.core.file.Fields;
+import org.hificamsim.core.file.TextLines;
+
+/**
+ * Reads MOTChallenge files row by row: {@code frame,id,left,top,width,height[,conf[,x,y,z]]}. Rows
+ * of nine columns have a class and a visibility behind the confidence (MOT16 and later) and no
+ * position in the world.
+ */
+public final class MotFile {
+  private static final int BOX = 6; // columns
+  private static final int WORLD = 7; // the column of x
+  private static final int WITH_WORLD = 10; // columns
+
+  private MotFile() {}
+
+  /**
+   * Reads them all.
+   *
+   * @throws org.hificamsim.core.InputException with the place, when something is wrong
+   */
+  public static void read(Path file, Consumer<MotRow> rows) {
+    try (TextLines lines = TextLines.open(file)) {
+      Fields fields = new Fields(lines, ',');
+      int columns = 0;
+      while (lines.next()) {
+        if (!lines.text().isBlank() && !lines.text().startsWith("#")) {
+          fields.split();
+          columns = columns == 0 ? Math.max(BOX, fields.count()) : columns;
+          rows.accept(row(fields, columns));
+        }
+      }
+    }
+  }
+
+  private static MotRow row(Fields fields, int columns) {
+    if (fields.count() != columns && fields.count() >= BOX) {
+      throw fields.invalid(columns, "further field", columns + " fields as in the first line");
+    }
+    boolean inWorld = columns >= WITH_WORLD && !isNowhere(fields);
+    return new MotRow(
+        fields.place(0),
+        fields.number(0, "frame"),
+        RowFormat.target(fields, 1),
+        fields.coordinate(2, "left"),
+        fields.coordinate(3, "top"),
+        length(fields, 4, "width"),
+        length(fields, 5, "height"),
+        columns > BOX ? fields.number(BOX, "confidence") : 1,
+        inWorld ? fields.coordinate(WORLD, "x") : Double.NaN,
+        inWorld ? fields.coordinate(WORLD + 1, "y") : Double.NaN,
+        inWorld ? fields.coordinate(WORLD + 2, "z") : Double.NaN);
+  }
+
+  /** x and y are both -1 where there is none. */
+  private static boolean isNowhere(Fields fields) {
+    return fields.number(WORLD, "x") == -1 && fields.number(WORLD + 1, "y") == -1;
+  }
+
+  private static double length(Fields fields, int field, String name) {
+    return fields.number(
+        field, name, "a number of pixels from 0", value -> value >= 0 && value <= 1e9);
+  }
+}

@@ -1,0 +1,49 @@
+package org.hificamsim.tracks.format;
+
+import org.hificamsim.core.InputException;
+
+/**
+ * MOTChallenge: positions in the world where the file has them; else where boxes stand in the
+ * picture. Rows whose confidence is 0 are not to count, and are left out.
+ */
+final class MotFormat implements TrackFormat {
+  @Override
+  public Clock read(Recording recording, SampleSink samples) {
+    Clock clock = recording.frames();
+    Unit unit = recording.requireUnit("px for boxes, another one for positions in the world");
+    samples.measuredIn(unit);
+    MotFile.read(
+        recording.file(),
+        row -> {
+          if (row.confidence() != 0) {
+            samples.accept(unit == Unit.PX ? inPicture(row) : inWorld(row));
+          }
+        });
+    return clock;
+  }
+
+  private static Sample inPicture(MotRow row) {
+    return new Sample(
+        row.place(),
+        row.target(),
+        row.frame(),
+        row.footX(),
+        row.footY(),
+        row.width(),
+        row.height());
+  }
+
+  private static Sample inWorld(MotRow row) {
+    if (!row.inWorld()) {
+      throw noWorld(row);
+    }
+    return new Sample(row.place(), row.target(), row.frame(), row.x(), row.y());
+  }
+
+  private static InputException noWorld(MotRow row) {
+    return row.place()
+        .error(
+            "the row has no position in the world, expected --unit px and --homography FILE, which"
+                + " takes boxes to the ground");
+  }
+}

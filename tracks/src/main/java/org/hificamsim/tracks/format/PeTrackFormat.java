@@ -1,0 +1,60 @@
+package org.hificamsim.tracks.format;
+
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.hificamsim.core.file.Fields;
+import org.hificamsim.core.file.TextLines;
+
+/**
+ * PeTrack and the Juelich data archive: {@code id frame x y [z]}, with rate and unit in comments,
+ * as {@code # framerate: 25} and {@code # id frame x/cm y/cm}, or in none. What is given beside the
+ * file counts before what it says.
+ */
+final class PeTrackFormat implements TrackFormat {
+  private static final Pattern RATE =
+      Pattern.compile("frame\\s*rate\\W*?\\s*[:=]?\\s*([0-9]+(\\.[0-9]+)?)");
+  private static final Pattern UNIT = Pattern.compile("\\bx\\s*(?:/|in|\\[)\\s*(mm|cm|m)\\b");
+
+  private OptionalDouble rate = OptionalDouble.empty();
+  private Optional<Unit> unit = Optional.empty();
+
+  @Override
+  public Clock read(Recording recording, SampleSink samples) {
+    rate = recording.rate();
+    unit = recording.unit();
+    Clock clock = null;
+    try (TextLines lines = TextLines.open(recording.file())) {
+      Fields fields = new Fields(lines, Fields.BLANKS);
+      while (lines.next()) {
+        if (fields.split() > 0 && fields.text(0).startsWith("#")) {
+          comment(lines.text().toLowerCase(Locale.ROOT));
+        } else if (fields.count() > 0) {
+          clock = clock == null ? begin(recording, samples) : clock;
+          samples.accept(RowFormat.sample(fields, Row.PETRACK));
+        }
+      }
+    }
+    return clock == null ? begin(recording, samples) : clock;
+  }
+
+  private void comment(String text) {
+    Matcher rates = RATE.matcher(text);
+    if (rate.isEmpty() && rates.find()) {
+      rate = OptionalDouble.of(Double.parseDouble(rates.group(1)));
+    }
+    Matcher units = UNIT.matcher(text);
+    if (unit.isEmpty() && units.find()) {
+      unit = Optional.of(Unit.valueOf(units.group(1).toUpperCase(Locale.ROOT)));
+    }
+  }
+
+  private Clock begin(Recording recording, SampleSink samples) {
+    Recording known = new Recording(recording.file(), rate, unit, recording.columns());
+    Clock clock = known.frames();
+    samples.measuredIn(known.requireUnit("no line such as '# id frame x/m y/m' says it"));
+    return clock;
+  }
+}

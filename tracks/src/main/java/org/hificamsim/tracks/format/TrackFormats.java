@@ -1,0 +1,22 @@
+package org.hificamsim.tracks.format;
+
+import org.hificamsim.core.registry.Registry;
+
+/** The formats by name. */
+public final class TrackFormats {
+  private TrackFormats() {}
+
+  /** All of them. */
+  public static Registry<TrackFormat> registry() {
+    return new Registry<TrackFormat>("format")
+        .register("obsmat", "ETH/UCY: frame id x z y vx vz vy", () -> new RowFormat(Row.OBSMAT))
+        .register("ethucy", "ETH/UCY as text: frame id x y", () -> new RowFormat(Row.ETH_UCY))
+        .register("trajnet", "TrajNet++: a JSON object a line", TrajNetFormat::new)
+        .register("mot", "MOTChallenge: boxes, world positions", MotFormat::new)
+        .register("petrack", "PeTrack and Juelich: id frame x y z", PeTrackFormat::new)
+        .register("fcd", "SUMO's floating car data, XML", FcdFormat::new)
+        .register("gpx", "GPX tracks, WGS84", GpxFormat::new)
+        .register("geojson", "lines or points with times, WGS84", GeoJsonFormat::new)
+        .register("csv", "any table; --columns says what is where", CsvFormat::new);
+  }
+}

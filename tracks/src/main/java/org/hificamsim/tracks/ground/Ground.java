@@ -1,0 +1,46 @@
+package org.hificamsim.tracks.ground;
+
+import java.util.Optional;
+import org.hificamsim.core.InputException;
+import org.hificamsim.tracks.format.Sample;
+import org.hificamsim.tracks.format.Unit;
+
+/** Takes samples to the ground: metres, x to the east and y to the north. */
+public interface Ground {
+  /** The same sample in metres. */
+  Sample onGround(Sample sample);
+
+  /**
+   * The ground for a unit.
+   *
+   * @param homography from pictures to the ground
+   * @param projection of degrees, which takes its origin from the first sample if it has none
+   * @throws InputException when pixels come without a homography, or it comes without them
+   */
+  static Ground of(Unit unit, Optional<Homography> homography, LocalProjection projection) {
+    if (homography.isPresent() != (unit == Unit.PX)) {
+      throw new InputException(
+          unit == Unit.PX
+              ? "positions are pixels, expected --homography FILE, which takes them to the ground"
+              : "--homography is for pixels, expected --unit px beside it");
+    }
+    return switch (unit) {
+      case PX -> homography.get();
+      case DEG -> projection;
+      default -> sample -> scaled(sample, unit.metres());
+    };
+  }
+
+  private static Sample scaled(Sample sample, double metres) {
+    return metres == 1
+        ? sample
+        : new Sample(
+            sample.place(),
+            sample.target(),
+            sample.tick(),
+            sample.x() * metres,
+            sample.y() * metres,
+            sample.width() * metres,
+            sample.height() * metres);
+  }
+}

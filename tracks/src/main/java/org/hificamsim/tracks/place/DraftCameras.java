@@ -1,0 +1,79 @@
+package org.hificamsim.tracks.place;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+
+/**
+ * Cameras as a first draft: domes evenly along the border of the field, from its lower left corner,
+ * that look at its middle. One that would stand in a wall stands a little further on.
+ */
+public final class DraftCameras {
+  private static final double INSET = 0.01; // of the field's shorter side
+  private static final int TRIES = 400;
+
+  private static final OpticsSpec DOME =
+      new OpticsSpec(
+          "dome",
+          OpticsLaw.PINHOLE,
+          OptionalInt.of(1920),
+          List.of(6.0, 11.0, 20.0, 35.0, 60.0),
+          OptionalDouble.empty(),
+          List.of(-60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0),
+          OptionalDouble.of(100),
+          3,
+          Moving.BLIND);
+
+  private DraftCameras() {}
+
+  /** This many cameras. */
+  public static List<CameraSpec> of(int count, Field field, Obstacles obstacles) {
+    List<CameraSpec> cameras = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      cameras.add(camera("camera-" + (i + 1), free((double) i / count, field, obstacles), field));
+    }
+    return cameras;
+  }
+
+  private static Point free(double part, Field field, Obstacles obstacles) {
+    Point point = onBorder(part, field);
+    for (int i = 1; i < TRIES && obstacles.containing(point.x(), point.y()).isPresent(); i++) {
+      point = onBorder((part + (double) i / TRIES) % 1, field);
+    }
+    return point;
+  }
+
+  /** A point of the border, a little inside; 0 is the lower left corner, then to the right. */
+  private static Point onBorder(double part, Field field) {
+    double inset = INSET * Math.min(field.width(), field.height());
+    double width = field.width() - 2 * inset;
+    double height = field.height() - 2 * inset;
+    double at = part * 2 * (width + height);
+    double x = at < width ? at : at < width + height ? width : 2 * width + height - at;
+    double y = at < width ? 0 : at < width + height ? at - width : height;
+    if (at > 2 * width + height) {
+      x = 0;
+      y = 2 * (width + height) - at;
+    }
+    return WallCollector.rounded(field.minX() + inset + x, field.minY() + inset + y);
+  }
+
+  private static CameraSpec camera(String name, Point at, Field field) {
+    double dx = (field.minX() + field.maxX()) / 2 - at.x();
+    double dy = (field.minY() + field.maxY()) / 2 - at.y();
+    double heading = Math.rint(Math.toDegrees(Math.atan2(dx, dy)));
+    return new CameraSpec(
+        name, at.x(), at.y(), heading, 60, 0, AgentSpec.NONE, Optional.of(DOME), Map.of());
+  }
+}

@@ -1,0 +1,49 @@
+package org.hificamsim.tracks.place;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.LocalProjection;
+
+/** Reads walls: GeoJSON, XML with {@code Line} elements, or the lines of an SVG, by the ending. */
+public final class WallFile {
+  private WallFile() {}
+
+  /**
+   * Reads them.
+   *
+   * @param unit of GeoJSON and XML
+   * @param projection of degrees
+   * @param frame of SVG; empty where its scale is not known
+   * @throws InputException with the place, when something is wrong
+   */
+  public static List<Obstacle> read(
+      Path file, Unit unit, LocalProjection projection, Optional<PictureFrame> frame) {
+    String name = file.toString().toLowerCase(Locale.ROOT);
+    if (unit == Unit.PX && !name.endsWith(".svg")) {
+      throw new InputException(
+          file + ": --walls-unit is px, expected m, cm, mm or deg: a homography takes no walls");
+    }
+    WallCollector walls = new WallCollector(unit, projection);
+    if (name.endsWith(".json") || name.endsWith(".geojson")) {
+      new GeoJsonWalls(walls).read(file);
+    } else if (name.endsWith(".xml")) {
+      new XmlWalls(walls).read(file);
+    } else if (name.endsWith(".svg")) {
+      return new SvgWalls(file, frame.orElseThrow(() -> noScale(file))).read();
+    } else {
+      throw new InputException(
+          file + ": expected walls in a file that ends in .geojson, .json, .xml or .svg");
+    }
+    return walls.all();
+  }
+
+  private static InputException noScale(Path file) {
+    return new InputException(
+        file + ": expected --scale M beside an SVG, how many metres a unit of the drawing is");
+  }
+}

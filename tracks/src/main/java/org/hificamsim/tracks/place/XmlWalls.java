@@ -1,0 +1,30 @@
+package org.hificamsim.tracks.place;
+
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.tracks.format.XmlFormat;
+import org.xml.sax.Attributes;
+
+/** Elements {@code <Line x1="" y1="" x2="" y2=""/>}, wherever they stand. */
+final class XmlWalls extends XmlFormat {
+  private final WallCollector walls;
+
+  XmlWalls(WallCollector walls) {
+    this.walls = walls;
+  }
+
+  void read(Path file) {
+    parse(file);
+  }
+
+  @Override
+  public void startElement(String uri, String local, String name, Attributes attributes) {
+    if (name.equals("Line")) {
+      walls.line(
+          List.of(
+              walls.point(place(), number(attributes, name, "x1"), number(attributes, name, "y1")),
+              walls.point(
+                  place(), number(attributes, name, "x2"), number(attributes, name, "y2"))));
+    }
+  }
+}

@@ -1,0 +1,2 @@
+/** Real places: walls from drawings and maps, floor plans, where cameras could stand. */
+package org.hificamsim.tracks.place;

@@ -1,0 +1,302 @@
+package org.hificamsim.tracks;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.file.Path;
+import java.util.Map;
+import org.hificamsim.core.InputException;
+import org.hificamsim.tracks.format.Unit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Each format, read from a small file of our own. */
+class FormatsTest {
+  private static final String GPX =
+      """
+      <gpx xmlns="http://www.topografix.com/GPX/1/1"><trk><name>Bus</name><trkseg>
+      <trkpt lat="48.2" lon="16.37"><ele>170</ele><time>2024-05-31T12:00:00Z</time></trkpt>
+      <trkpt lat="48.2009" lon="16.37"><time>2024-05-31T12:00:10.5Z</time></trkpt>
+      </trkseg></trk></gpx>
+      """;
+
+  @TempDir Path folder;
+
+  @Test
+  void obsmatHasItsSecondAxisInTheThirdPosition() {
+    Imported imported = new Imported(folder).rate(25);
+    ImportSummary found =
+        imported.of(
+            "obsmat",
+            """
+               1.000000e+00   1.000000e+00  -2.829260e+00   0.0e+00   1.895935e+01   0 0 -1.3
+               1.100000e+01   1.000000e+00  -2.829260e+00   9.0e+00   1.843074e+01   0 0 -1.3
+               1.100000e+01   2.000000e+00  3 0 4 0 0 0
+            """);
+    assertEquals(
+        "target 1 size 0.66;0 -2.829 18.959;-2.829 18.431;target 2 size 0.66;0.4 3 4;",
+        imported.tracks());
+    assertEquals(0.4, found.interval());
+  }
+
+  @Test
+  void ethUcyTextIsReadBetweenTabsAndBlanks() {
+    Imported imported = new Imported(folder).rate(2.5);
+    imported.of("ethucy", "10\t1.0\t2.5\t3\n11\t1.0\t 3.5 4\n");
+    assertEquals("target 1 size 0.66;0 2.5 3;3.5 4;", imported.tracks());
+  }
+
+  @Test
+  void trajNetCountsSamplesBySceneRate() {
+    Imported imported = new Imported(folder);
+    ImportSummary found = imported.of("trajnet", trajNet());
+    assertEquals("target 7 size 0.66;0 1 2;1.5 2;2 2;", imported.tracks());
+    assertEquals(0.4, found.interval());
+  }
+
+  @Test
+  void aRateBesideTrajNetCountsFrames() {
+    Imported imported = new Imported(folder).rate(6);
+    assertEquals(1, imported.of("trajnet", trajNet()).interval());
+  }
+
+  private static String trajNet() {
+    return """
+           {"scene": {"id": 0, "p": 7, "s": 6, "e": 18, "fps": 2.5, "tag": [1, [2]]}}
+           {"track": {"f": 6, "p": 7, "x": 1.0, "y": 2.0}}
+           {"track": {"f": 12, "p": 7, "x": 1.5, "y": 2.0}}
+           {"track": {"f": 18, "p": 7, "x": 2.0, "y": 2.0, "prediction_number": 0}}
+           """;
+  }
+
+  @Test
+  void motPositionsInTheWorldAreTakenWhereTheFileHasThem() {
+    Imported imported = new Imported(folder).rate(10).unit(Unit.CM);
+    ImportSummary found =
+        imported.of(
+            "mot", "1,3,10,20,30,60,1,100,250,0\n2,3,10,20,30,60,1,200,250,0\n2,4,0,0,1,1,0,5,5,0");
+    assertEquals("target 3 size 0.66;0 1 2.5;2 2.5;", imported.tracks());
+    assertEquals(0, found.sized());
+  }
+
+  @Test
+  void motBoxesStandOnTheGroundWhereAHomographyPutsTheirLowerEdge() {
+    Imported imported =
+        new Imported(folder).rate(10).unit(Unit.PX).homography("0.1 0 0\n0 -0.1 50\n0 0 1\n");
+    ImportSummary found = imported.of("mot", "1,3,100,20,10,40,1,-1,-1,-1\n");
+    assertEquals("target 3 width 1 height 4;0 10.5 44;", imported.tracks());
+    assertEquals(1, found.sized());
+  }
+
+  @Test
+  void motBoxesWithoutAWorldAreRefusedWithoutAHomography() {
+    assertRefused(
+        new Imported(folder).rate(10).unit(Unit.M),
+        "mot",
+        "1,3,100,20,10,40,1,-1,-1,-1\n",
+        ":1:1: the row has no position in the world, expected --unit px and --homography");
+    assertRefused(
+        new Imported(folder).rate(10).unit(Unit.PX),
+        "mot",
+        "1,3,100,20,10,40,1\n",
+        "positions are pixels, expected --homography FILE");
+  }
+
+  @Test
+  void classAndVisibilityOfMot16AreNoPosition() {
+    Imported imported =
+        new Imported(folder).rate(10).unit(Unit.PX).homography("1 0 0\n0 1 0\n0 0 1\n");
+    imported.of("mot", "1,3,100,20,10,40,1,1,0.9\n");
+    assertEquals("target 3 width 10 height 40;0 105 60;", imported.tracks());
+  }
+
+  @Test
+  void peTrackSaysItsRateAndUnitItself() {
+    Imported imported = new Imported(folder);
+    imported.of(
+        "petrack",
+        "# PeTrack\n"
+            + "# framerate: 16.00 fps\n"
+            + "# id frame x/cm y/cm z/cm\n"
+            + "1 0 100 200 170\n"
+            + "1 4 150 200 171\n");
+    assertEquals("target 1 size 0.66;0 1 2;1.5 2;", imported.tracks());
+  }
+
+  @Test
+  void peTrackWithoutAHeaderAsksForBoth() {
+    assertRefused(
+        new Imported(folder).unit(Unit.M), "petrack", "1 0 1 2\n", "expected --rate R, the frames");
+    assertRefused(
+        new Imported(folder).rate(16), "petrack", "1 0 1 2 3\n", "expected --unit, one of m, cm");
+  }
+
+  @Test
+  void floatingCarDataHasSecondsAndMetres() {
+    Imported imported = new Imported(folder);
+    ImportSummary found =
+        imported.of(
+            "fcd",
+            """
+<?xml version="1.0" encoding="UTF-8"?>
+<fcd-export xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance">
+  <timestep time="5.00"><vehicle id="north.0" x="1" y="2" angle="0" speed="5"/>
+    <person id="walker" x="7" y="8" angle="90" speed="1"/></timestep>
+  <timestep time="5.50"><vehicle id="north.0" x="1" y="4.5" angle="0" speed="5"/></timestep>
+</fcd-export>
+""");
+    assertEquals("target 1 size 0.66;0 1 2;1 4.5;target 2 size 0.66;0 7 8;", imported.tracks());
+    assertEquals(false, found.ownNames());
+  }
+
+  /** 0.0009 degrees of latitude are 100.075 m at 48.2 degrees (WGS84). */
+  @Test
+  void gpxIsProjectedToMetres() {
+    Imported imported = new Imported(folder);
+    imported.of("gpx", GPX);
+    assertEquals("target 1 size 0.66;0 0 0;0 100.075;", imported.tracks());
+  }
+
+  @Test
+  void gpxWithoutTimesIsRefused() {
+    assertRefused(
+        new Imported(folder),
+        "gpx",
+        GPX.replaceAll("<time>.*?</time>", ""),
+        ": <trkpt> has no <time>, expected one");
+    assertRefused(
+        new Imported(folder),
+        "gpx",
+        GPX.replace("12:00:00Z", "noon"),
+        ": <time> is '2024-05-31Tnoon', expected as 2024-05-31T12:00:00Z");
+  }
+
+  @Test
+  void geoJsonLinesHaveTheirTimesBesideThem() {
+    Imported imported = new Imported(folder).unit(Unit.M);
+    imported.of(
+        "geojson",
+        """
+        {"type": "FeatureCollection", "features": [{"type": "Feature",
+          "properties": {"id": 5, "coordTimes": ["2024-05-31T12:00:00Z", "2024-05-31T12:00:02Z"]},
+          "geometry": {"type": "LineString", "coordinates": [[1, 2, 99], [3, 2]]}}]}
+        """);
+    assertEquals("target 5 size 0.66;0 1 2;3 2;", imported.tracks());
+  }
+
+  @Test
+  void geoJsonPointsHaveOneTimeEach() {
+    Imported imported = new Imported(folder).unit(Unit.M).columns(Map.of("id", "who"));
+    imported.of(
+        "geojson",
+        """
+        {"features": [
+          {"properties": {"who": "a", "time": 3}, "geometry": {"coordinates": [1, 2]}},
+          {"properties": {"who": "a", "time": 4}, "geometry": {"coordinates": [2, 2]}}]}
+        """);
+    assertEquals("target 1 size 0.66;0 1 2;2 2;", imported.tracks());
+  }
+
+  @Test
+  void geoJsonWithoutTimesIsRefused() {
+    assertRefused(
+        new Imported(folder),
+        "geojson",
+        "{\"features\": [{\"geometry\": {\"coordinates\": [[1, 2], [3, 4]]}}]}",
+        ":1:15: the feature has 2 positions and 0 times, expected as many");
+  }
+
+  @Test
+  void tablesAreReadByTheNamesOfTheirColumns() {
+    Imported imported =
+        new Imported(folder)
+            .unit(Unit.MM)
+            .columns(
+                Map.of(
+                    "time", "t", "id", "who", "x", "east", "y", "north", "width", "w", "height",
+                    "h"));
+    imported.of(
+        "csv",
+        "north;east;\"who\";t;w;h\n1000;2000;\"a;b\";0,5;1;1\n".replace("0,5", "0.5")
+            + "1000;3000;\"a;b\";1;1;1\n");
+    assertEquals("target 1 width 0.001 height 0.001;0 2 1;3 1;", imported.tracks());
+  }
+
+  @Test
+  void tablesWithoutNamesAreReadByNumber() {
+    Imported imported =
+        new Imported(folder)
+            .unit(Unit.M)
+            .rate(2)
+            .columns(Map.of("frame", "1", "id", "2", "x", "3", "y", "4"));
+    imported.of("csv", "0,1,2,3\n1,1,2.5,3\n");
+    assertEquals("target 1 size 0.66;0 2 3;2.5 3;", imported.tracks());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "obsmat|1 1 1 0 1 0 0 0;2 1 NaN 0 1 0 0 0|:2:5: x is 'NaN', expected a number",
+        "obsmat|1 1 1 0 1 0 0 0;2 1 1 0|:2:8: the line has no y, expected a number",
+        "obsmat|1 1 1 0 1 0 0|:1:14: the line has no further number, expected 8 columns",
+        "obsmat|1,1,1,0,1,0,0,0|:1:16: the line has no id",
+        "ethucy|1 1 1 1;2;3 1 1 1|:2:2: the line has no id",
+        "ethucy|2 1 1 1;1 1 1 1|:2:1: target 1: time runs backwards, from 2.0 to 1.0, expected",
+        "ethucy|2 1 1 1;2 1 1 5|:2:1: target 1 is at two places at time 2.0, expected one sample",
+        "ethucy|1 1 1e10 1|:1:5: x is '1e10', expected a number from -1e9 to 1e9",
+        "ethucy|1 1 0x1p3 1|:1:5: x is '0x1p3'",
+        "ethucy||samples of targets; the file, or what is cut from it, has none",
+        "mot|1,1,0,0,5,5,1,1,1,0;2,1,0,0,5,5,1|:2:14: the line has no further field",
+        "mot|1,1,0,0,-5,5,1,1,1,0|:1:9: width is '-5', expected a number of pixels from 0",
+        "mot|1;1;0;0;5;5|:1:1: frame is '1;1;0;0;5;5', expected",
+        "trajnet|{\"track\": {\"f\": 1, \"p\": 1, \"x\": NaN, \"y\": 1}}|:1:33: x is 'NaN'",
+        "trajnet|{\"track\": {\"f\": 1, \"p\": 1, \"x\": 1}}|:1:11: a track without all of f, p",
+        "trajnet|{\"track\": {\"f\": 1, \"p\"|not JSON, or cut off",
+        "trajnet|[1]|:1:1: expected an object with a track or a scene",
+        "fcd|<f><timestep time='1'><vehicle id='a' x='1'/></timestep></f>|<vehicle> has no y",
+        "fcd|<f><vehicle id='a' x='1' y='2'/></f>|<vehicle> outside <timestep",
+        "fcd|<f><timestep time='1'><vehicle id='a' x='1' y='2'/>|cut off",
+        "fcd|<!DOCTYPE f []><f/>|not well-formed XML",
+        "fcd|<f><timestep time='x'/></f>|<timestep> time is 'x', expected a number",
+        "csv|time,id,x,y;0,1,2|:2:5: the line has 3 fields, expected 4 as in the first",
+        "csv|time,id,x,y;0,1,2 ,;|:2:8: y is '', expected a number",
+        "csv|when,id,x,y;0,1,2,3|:1:1: no column 'time' for time, expected --columns with it, of:",
+      })
+  void badInputIsRefusedWithItsPlace(String format, String content, String message) {
+    Imported imported = new Imported(folder).rate(1);
+    String text = content == null ? "" : content.replace(';', '\n');
+    assertRefused(
+        format.equals("fcd") || format.equals("trajnet")
+            ? new Imported(folder)
+            : imported.unit(Unit.M),
+        format,
+        format.equals("mot") && content.contains("1;1;0") ? content : text,
+        message);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"obsmat", "ethucy", "mot"})
+  void framesNeedARate(String format) {
+    assertRefused(
+        new Imported(folder).unit(Unit.M), format, "1 1 1 1", ": expected --rate R, the frames");
+  }
+
+  @Test
+  void aUnitThatTheFormatDoesNotHaveIsRefused() {
+    assertRefused(
+        new Imported(folder).unit(Unit.CM),
+        "fcd",
+        "<f/>",
+        ": --unit is cm, expected m or none: the format says so");
+  }
+
+  private static void assertRefused(
+      Imported imported, String format, String content, String message) {
+    InputException error = assertThrows(InputException.class, () -> imported.of(format, content));
+    assertTrue(error.getMessage().contains(message), error::getMessage);
+  }
+}

@@ -1,0 +1,111 @@
+package org.hificamsim.tracks;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.tracks.format.Recording;
+import org.hificamsim.tracks.format.TrackFormats;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.Homography;
+import org.hificamsim.tracks.ground.LocalProjection;
+
+/** Imports of small files. */
+final class Imported {
+  private final Path folder;
+  private OptionalDouble rate = OptionalDouble.empty();
+  private Optional<Unit> unit = Optional.empty();
+  private Map<String, String> columns = Map.of();
+  private Optional<Homography> homography = Optional.empty();
+  private OptionalDouble gap = OptionalDouble.empty();
+  private double from;
+  private double to = 1e9;
+  private List<Obstacle> walls = List.of();
+
+  Imported(Path folder) {
+    this.folder = folder;
+  }
+
+  Imported rate(double value) {
+    rate = OptionalDouble.of(value);
+    return this;
+  }
+
+  Imported unit(Unit value) {
+    unit = Optional.of(value);
+    return this;
+  }
+
+  Imported columns(Map<String, String> value) {
+    columns = value;
+    return this;
+  }
+
+  Imported homography(String rows) {
+    homography = Optional.of(Homography.read(written("homography.txt", rows)));
+    return this;
+  }
+
+  Imported gap(double seconds) {
+    gap = OptionalDouble.of(seconds);
+    return this;
+  }
+
+  Imported cut(double fromSeconds, double toSeconds) {
+    from = fromSeconds;
+    to = toSeconds;
+    return this;
+  }
+
+  Imported wall(double x1, double y1, double x2, double y2) {
+    walls = List.of(new Obstacle.Wall(x1, y1, x2, y2, 0));
+    return this;
+  }
+
+  /** What was found in a file of this content; the tracks are beside it. */
+  ImportSummary of(String format, String content) {
+    return ofFile(format, written("recording", content));
+  }
+
+  ImportSummary ofFile(String format, Path file) {
+    Recording recording = new Recording(file, rate, unit, columns);
+    TrackSettings settings =
+        new TrackSettings(gap, from, to, TargetSpec.DEFAULT_SIZE, Optional.empty());
+    try (OutputFolder out = new OutputFolder(folder)) {
+      ImportSummary found =
+          new TracksImport(recording, settings, homography, new LocalProjection())
+              .run(
+                  TrackFormats.registry().create(format), new Obstacles(walls), out, "made.tracks");
+      out.commit(List.of());
+      return found;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The tracks that were made, without the two lines that every file begins with. */
+  String tracks() {
+    try {
+      return Files.readString(folder.resolve("made.tracks")).split("\n", 3)[2].replace('\n', ';');
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private Path written(String name, String content) {
+    try {
+      return Files.write(folder.resolve(name), content.getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package org.hificamsim.tracks;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStreamWriter;
+import java.io.Writer;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.SplittableRandom;
+import java.util.zip.GZIPOutputStream;
+import org.hificamsim.core.Reference;
+import org.hificamsim.core.scenario.Field;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What becomes of samples, whatever format they come in. */
+class TracksImportTest {
+  @TempDir Path folder;
+
+  @Test
+  void aGapEndsATrackAndTheTargetComesAgain() {
+    Imported imported = new Imported(folder).rate(1);
+    ImportSummary found = imported.of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
+    assertEquals(
+        "target 1 size 0.66;0 0 0;1 0;2 0;target 1 size 0.66;6 3 0;4 0;", imported.tracks());
+    assertEquals(1, found.gaps());
+    assertEquals(4, found.longestGap());
+    assertEquals(3, found.gap());
+    assertEquals(1, found.targets());
+  }
+
+  @Test
+  void aLongerGapMayBeCrossed() {
+    Imported imported = new Imported(folder).rate(1).gap(4);
+    imported.of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
+    assertEquals("target 1 size 0.66;0 0 0;1 0;2 0;6 3 0;4 0;", imported.tracks());
+  }
+
+  @Test
+  void aPartIsCutOut() {
+    Imported imported = new Imported(folder).rate(1).cut(1, 2);
+    ImportSummary found = imported.of("ethucy", "5 1 0 0\n6 1 1 0\n7 1 2 0\n8 1 3 0\n");
+    assertEquals("target 1 size 0.66;0 1 0;2 0;", imported.tracks());
+    assertEquals(new Field(1, 2, 0, 0), found.box());
+  }
+
+  @Test
+  void quartilesAreOfTheSpeedBetweenSamples() {
+    ImportSummary found =
+        new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 3 0\n3 1 6 0\n4 1 10 0\n");
+    assertEquals(List.of(1.0, 2.0, 3.0), found.speeds());
+  }
+
+  @Test
+  void oddThingsAreNamed() {
+    StringBuilder text = new StringBuilder();
+    for (int frame = 0; frame < 100; frame++) {
+      text.append(frame).append(" 1 ").append(frame == 50 ? 500 : frame).append(" 0\n");
+    }
+    text.append("99 1 99 0\n99 2 5 5\n");
+    ImportSummary found =
+        new Imported(folder).rate(1).wall(10.5, -1, 10.5, 1).of("ethucy", text.toString());
+    String odd = String.join("\n", found.odd());
+    assertTrue(odd.contains("2 jumps, faster than 5 m/s, five times the third quartile"), odd);
+    assertTrue(odd.contains("target 1 jumps 451 m before 50 s, 451 m/s"), odd);
+    assertTrue(odd.contains("1 targets with one sample alone"), odd);
+    assertTrue(odd.contains("1 samples are there twice and count once, the first at "), odd);
+    assertTrue(odd.contains("recording:101:1"), odd);
+    assertTrue(odd.contains("through a wall: 1 times, first target 1 at 11.0 s"), odd);
+  }
+
+  @Test
+  void packedFilesAndNamesWithAccentsAreRead() throws IOException {
+    Path file = folder.resolve("Straße é.txt.gz");
+    try (Writer out =
+        new OutputStreamWriter(
+            new GZIPOutputStream(Files.newOutputStream(file)), StandardCharsets.UTF_8)) {
+      out.write("\ufeff0 1 2 3\n");
+    }
+    Imported imported = new Imported(folder).rate(1);
+    imported.ofFile("ethucy", file);
+    assertEquals("target 1 size 0.66;0 2 3;", imported.tracks());
+  }
+
+  @Test
+  void samplesThatDoNotFitIntoThePartAreMergedInOrder() throws IOException {
+    SplittableRandom random = new SplittableRandom(5);
+    int[] ticks = new int[20];
+    List<String> expected = new ArrayList<>();
+    List<String> sorted = new ArrayList<>();
+    try (SampleSorter sorter = new SampleSorter(7)) {
+      for (int i = 0; i < 5000; i++) {
+        int target = random.nextInt(ticks.length);
+        sorter.add(target, ticks[target], i, -i);
+        expected.add(String.format(Locale.ROOT, "%02d %05d %s", target, ticks[target]++, i));
+      }
+      SortedSamples samples = sorter.sorted();
+      while (samples.next()) {
+        SampleRun one = samples.sample();
+        assertEquals(0, one.x() + one.y());
+        sorted.add(
+            String.format(
+                Locale.ROOT, "%02d %05d %s", one.target(), (int) one.tick(), (int) one.x()));
+      }
+    }
+    expected.sort(null);
+    assertEquals(expected, sorted);
+  }
+
+  @Test
+  void zara01HasWhatItsAuthorsSay() {
+    Path file = Reference.file("tracks/zara01-obsmat.txt");
+    ImportSummary found = new Imported(folder).rate(25).ofFile("obsmat", file);
+    assertEquals(148, found.targets());
+    assertEquals(5024, found.samples());
+    assertEquals(0.4, found.interval());
+  }
+}
