@@ -2,7 +2,11 @@ package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 
 /** What WCAG 2.2 asks of a page, as far as a script can tell. */
 final class Accessibility {
@@ -53,6 +57,20 @@ return [...document.querySelectorAll('button, select, input, a, canvas[role], [r
     assertEquals(List.of(), browser.run(PALE), "contrast");
     assertEquals(List.of(), browser.run(EMPTY_HEADS), "tables with an empty head");
     assertEquals(List.of(), browser.run(NAMELESS), "controls without a name");
+  }
+
+  /** Takes pictures at three widths, to be looked at, and checks what a script can. */
+  static void lookAt(Browser browser, String name) throws IOException {
+    Path pictures = Files.createDirectories(Cli.ROOT.resolve("build/screenshots"));
+    for (Map.Entry<Integer, Integer> size : Map.of(400, 2400, 1280, 1000, 3840, 2000).entrySet()) {
+      browser.size(size.getKey(), size.getValue());
+      browser.run("return new Promise(done => setTimeout(done, 300))");
+      browser.screenshot(pictures.resolve(name + "-" + size.getKey() + ".png"));
+    }
+    browser.size(1280, 1000);
+    check(browser);
+    assertNothingSticksOut(browser, 400);
+    assertNothingSticksOut(browser, 3840);
   }
 
   /**

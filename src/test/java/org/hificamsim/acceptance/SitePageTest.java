@@ -9,7 +9,6 @@ import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Map;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
@@ -23,22 +22,6 @@ import org.openqa.selenium.WebElement;
  */
 class SitePageTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
-
-  /** The colour of the field at a place in metres. */
-  private static final String COLOUR =
-      """
-const {map, surface} = (hificamsim.player ?? hificamsim.players[0]).field;
-const at = [map.x(arguments[0]), map.y(arguments[1])].map(pixel => Math.round(pixel * surface.ratio));
-return [...surface.canvas.getContext('2d').getImageData(...at, 1, 1).data].join();
-""";
-
-  /** What is told about a place in metres. */
-  private static final String TOLD =
-      """
-const {field} = hificamsim.player, {map, surface: {canvas}} = field, box = canvas.getBoundingClientRect();
-canvas.dispatchEvent(new PointerEvent('pointermove', {clientX: box.left + map.x(arguments[0]), clientY: box.top + map.y(arguments[1])}));
-return field.tip.hidden ? '' : field.tip.textContent;
-""";
 
   @TempDir static Path folder;
   private static Browser browser;
@@ -85,15 +68,19 @@ return field.tip.hidden ? '' : field.tip.textContent;
   @Test
   void obstaclesAreToldAndCastShadows() {
     open();
-    assertEquals("wall, solid", browser.run(TOLD, 10, 4));
-    assertEquals("pillar, lets 10 % through", browser.run(TOLD, 6.3, 14.2));
-    assertEquals("polygon, solid", browser.run(TOLD, 22.2, 5.2));
-    assertEquals("", browser.run(TOLD, 28, 17));
+    assertEquals("wall, solid", browser.run(FieldScripts.TOLD, 10, 4));
+    assertEquals("pillar, lets 10 % through", browser.run(FieldScripts.TOLD, 6.3, 14.2));
+    assertEquals("polygon, solid", browser.run(FieldScripts.TOLD, 22.2, 5.2));
+    assertEquals("", browser.run(FieldScripts.TOLD, 28, 17));
     browser.assertQuietConsole();
     assertEquals(1, browser.requests().size());
-    Object ground = browser.run(COLOUR, 28.3, 17.3);
-    assertNotEquals(ground, browser.run(COLOUR, 11.3, 6.3), "the fixed camera detects here");
-    assertNotEquals(browser.run(COLOUR, 11.3, 6.3), browser.run(COLOUR, 9.3, 7.8), "behind a wall");
+    Object ground = browser.run(FieldScripts.COLOUR, 28.3, 17.3);
+    assertNotEquals(
+        ground, browser.run(FieldScripts.COLOUR, 11.3, 6.3), "the fixed camera detects here");
+    assertNotEquals(
+        browser.run(FieldScripts.COLOUR, 11.3, 6.3),
+        browser.run(FieldScripts.COLOUR, 9.3, 7.8),
+        "behind a wall");
     String legend = browser.text(".legend");
     assertTrue(legend.contains("obstacle") && legend.contains("lets 30 % through"), legend);
     assertTrue(legend.contains("moves, sees nothing"), legend);
@@ -134,12 +121,12 @@ return field.tip.hidden ? '' : field.tip.textContent;
     String north = "view.y + 5 * Math.cos(view.heading)";
     Object x = browser.run(place.formatted(east));
     Object y = browser.run(place.formatted(north));
-    Object before = browser.run(COLOUR, x, y);
-    assertEquals("", browser.run(TOLD, x, y));
+    Object before = browser.run(FieldScripts.COLOUR, x, y);
+    assertEquals("", browser.run(FieldScripts.TOLD, x, y));
     browser.find("[name=zones]").sendKeys(" ");
-    assertNotEquals(before, browser.run(COLOUR, x, y));
+    assertNotEquals(before, browser.run(FieldScripts.COLOUR, x, y));
     double density = ((Number) browser.run(place.formatted("view.density / 5"))).doubleValue();
-    String told = (String) browser.run(TOLD, x, y);
+    String told = (String) browser.run(FieldScripts.TOLD, x, y);
     assertEquals(density, Double.parseDouble(told.split(" ")[0]), 0.06);
     String zone = density >= 250 ? "identify" : density >= 125 ? "recognise" : "observe";
     assertTrue(told.endsWith("px/m: " + zone), told);
@@ -150,11 +137,11 @@ return field.tip.hidden ? '' : field.tip.textContent;
   void theFloorplanFadesByKeysAndTheStepStays() {
     open();
     browser.until("return hificamsim.player.field.site.floor[0].image.complete");
-    Object half = browser.run(COLOUR, 28.3, 17.3);
+    Object half = browser.run(FieldScripts.COLOUR, 28.3, 17.3);
     browser.run("document.querySelector('[name=floor]').focus()");
     browser.press(Keys.HOME);
-    assertEquals("255,255,255,255", browser.run(COLOUR, 28.3, 17.3));
-    assertNotEquals(half, browser.run(COLOUR, 28.3, 17.3));
+    assertEquals("255,255,255,255", browser.run(FieldScripts.COLOUR, 28.3, 17.3));
+    assertNotEquals(half, browser.run(FieldScripts.COLOUR, 28.3, 17.3));
     assertEquals("60", browser.text("[data-name=step]"));
   }
 
@@ -162,21 +149,7 @@ return field.tip.hidden ? '' : field.tip.textContent;
   void isReadableAtAllWidths() throws IOException {
     open();
     browser.find("[name=zones]").sendKeys(" ");
-    lookAt("site");
-  }
-
-  /** Takes pictures at three widths, to be looked at, and checks what a script can. */
-  private static void lookAt(String name) throws IOException {
-    Path pictures = Files.createDirectories(ROOT.resolve("build/screenshots"));
-    for (Map.Entry<Integer, Integer> size : Map.of(400, 2400, 1280, 1000, 3840, 2000).entrySet()) {
-      browser.size(size.getKey(), size.getValue());
-      browser.run("return new Promise(done => setTimeout(done, 300))");
-      browser.screenshot(pictures.resolve(name + "-" + size.getKey() + ".png"));
-    }
-    browser.size(1280, 1000);
-    Accessibility.check(browser);
-    Accessibility.assertNothingSticksOut(browser, 400);
-    Accessibility.assertNothingSticksOut(browser, 3840);
+    Accessibility.lookAt(browser, "site");
   }
 
   @Test
@@ -205,7 +178,7 @@ return field.tip.hidden ? '' : field.tip.textContent;
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 6");
       assertTrue(said().startsWith("polygon, solid"), said());
       savedIsValid();
-      lookAt("site-view");
+      Accessibility.lookAt(browser, "site-view");
       browser.assertQuietConsole();
       browser.leave();
     }

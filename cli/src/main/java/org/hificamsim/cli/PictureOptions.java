@@ -7,16 +7,22 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.presentation.picture.Animation;
+import org.hificamsim.presentation.picture.HeatPicture;
 import org.hificamsim.presentation.picture.Look;
 import org.hificamsim.presentation.picture.RunFrames;
 import org.hificamsim.presentation.picture.StepPicture;
 import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.Picture;
 import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.Recording;
 import org.hificamsim.presentation.replay.Replay;
 import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.runs.heat.HeatFigure;
+import org.hificamsim.runs.heat.HeatTable;
+import org.hificamsim.runs.output.Table;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 
@@ -81,10 +87,26 @@ final class PictureOptions {
   private Optional<Double> floor;
 
   @Option(
+      names = "--heatmap",
+      paramLabel = "FIGURE",
+      description = {
+        "Have --png and --svg show the heat map of run --heatmap, in place of a step: mean-k,",
+        "covered, covered-k, visits, visits-mean-k or visits-covered."
+      })
+  private Optional<String> heat;
+
+  @Option(
+      names = "--tracks",
+      description = "Have --png and --svg show where each target went over the whole run.")
+  private boolean tracks;
+
+  @Option(
       names = "--width",
       paramLabel = "PIXELS",
       description = "Width of --png (default: 1600) and --gif (default: 640).")
   private Integer width;
+
+  private int repeats;
 
   /** Whether any picture is asked for. */
   boolean asked() {
@@ -98,7 +120,10 @@ final class PictureOptions {
    */
   void check(ParseResult words) {
     boolean still = png != null || svg != null;
-    require(words, still, "--png or --svg", "--step");
+    require(words, still, "--png or --svg", "--step", "--heatmap", "--tracks");
+    if (heat.isPresent() && words.hasMatchedOption("--step")) {
+      throw new InputException("--heatmap is of all steps, expected no --step beside it");
+    }
     require(words, gif != null, "--gif", "--from", "--to", "--every", "--per-second");
     require(
         words, still || gif != null, "--png, --svg or --gif", "--run", "--density", "--floorplan");
@@ -120,7 +145,7 @@ final class PictureOptions {
       Numbers.inRange("--width", width, MIN_WIDTH, gif == null ? MAX_WIDTH : MAX_GIF_WIDTH);
     }
     RunFrames run = frames(folder);
-    StepPicture still = new StepPicture(run, run.at("--step", step == null ? run.last() : step));
+    Picture still = still(folder, run);
     Animation animation = animation(run);
     if (png != null) {
       int pixels = width == null ? PNG_WIDTH : width;
@@ -142,8 +167,28 @@ final class PictureOptions {
     }
   }
 
+  private Picture still(Path folder, RunFrames run) throws IOException {
+    if (heat.isEmpty()) {
+      return new StepPicture(run, run.at("--step", step == null ? run.last() : step));
+    }
+    HeatFigure figure =
+        Spelling.find(HeatFigure.class, heat.get())
+            .orElseThrow(
+                () ->
+                    new InputException(
+                        "--heatmap is '%s', expected one of %s"
+                            .formatted(heat.get(), Spelling.all(HeatFigure.class))));
+    if (!Table.HEATMAP.isIn(folder)) {
+      throw new InputException(
+          "no file '%s', expected a folder that 'hificamsim run --record --heatmap' wrote"
+              .formatted(folder.resolve(Table.HEATMAP.file())));
+    }
+    return new HeatPicture(run, HeatTable.read(folder, run.field()), figure, repeats);
+  }
+
   private RunFrames frames(Path folder) throws IOException {
     Replay replay = Replay.read(folder);
+    repeats = replay.repeat();
     for (int i = 0; i < replay.runs().size(); i++) {
       if (replay.runs().get(i).run() == repeat) {
         Recording recording = replay.recording(folder, i);
@@ -161,7 +206,9 @@ final class PictureOptions {
       throw new InputException("--floorplan is " + opacity + ", expected a number from 0 to 1");
     }
     return new Look(
-        opacity, density.map(name -> dense(setup, name)).stream().mapToInt(i -> i).findFirst());
+        opacity,
+        density.map(name -> dense(setup, name)).stream().mapToInt(i -> i).findFirst(),
+        tracks);
   }
 
   private static int dense(Setup setup, String name) {

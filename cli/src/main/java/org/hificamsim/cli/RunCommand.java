@@ -28,6 +28,10 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.heat.Cells;
+import org.hificamsim.runs.heat.HeatMap;
+import org.hificamsim.runs.heat.HeatRecorder;
+import org.hificamsim.runs.heat.HeatTable;
 import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.ResultFolder;
@@ -67,6 +71,20 @@ final class RunCommand implements Callable<Integer> {
   private boolean record;
 
   @Option(
+      names = "--heatmap",
+      description = {
+        "Write heatmap.csv: by how many cameras each cell of the field is covered, and how often",
+        "targets were there. With --record the page shows it."
+      })
+  private boolean heatmap;
+
+  @Option(
+      names = "--cells",
+      paramLabel = "N",
+      description = {"Cells of --heatmap along the field's longer side: 1 to 200; default: 100."})
+  private Optional<Integer> cells;
+
+  @Option(
       names = "--listener",
       paramLabel = "NAME",
       description = "A step listener from a jar on the class path; may be repeated.")
@@ -80,11 +98,16 @@ final class RunCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     Instant started = Instant.now();
+    int most = mostCells();
     Catalogue catalogue = Catalogue.load();
     RunPlan plan = plan(catalogue);
     new RunExecutor(catalogue).check(plan);
     checkRecord(catalogue, plan);
     listeners.forEach(catalogue.listeners()::create);
+    Optional<HeatRecorder> heat =
+        heatmap
+            ? Optional.of(new HeatRecorder(world(plan, catalogue), plan.detection(), most))
+            : Optional.empty();
     List<FloorPicture> floor = record ? FloorPictures.of(file, plan.scenario()) : List.of();
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan));
@@ -95,12 +118,17 @@ final class RunCommand implements Callable<Integer> {
       IntFunction<Stream<StepListener>> own =
           run ->
               Stream.concat(
-                  Stream.of(kMin.listener()), replay.map(film -> film.listener(run)).stream());
+                  Stream.concat(Stream.of(kMin.listener()), heat.stream()),
+                  replay.map(film -> film.listener(run)).stream());
       List<RunResult> results =
           execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
       output.manifest(screen.words(), started, (long) plan.steps() * plan.repeats());
       if (replay.isPresent()) {
         replay.get().write(output.replay());
+      }
+      Optional<HeatMap> map = heat.map(HeatRecorder::map);
+      if (map.isPresent()) {
+        output.add(all -> HeatTable.write(all, map.get()));
       }
       output.inputs(plan);
       output.commit(plan, results);
@@ -114,9 +142,35 @@ final class RunCommand implements Callable<Integer> {
         screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
       } else {
         SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
+        map.ifPresent(this::tell);
       }
     }
     return 0;
+  }
+
+  private int mostCells() {
+    if (cells.isPresent() && !heatmap) {
+      throw new InputException("--cells needs --heatmap beside it");
+    }
+    return Numbers.inRange("--cells", cells.orElse(Cells.USUAL), 1, Cells.MOST);
+  }
+
+  private void tell(HeatMap map) {
+    screen
+        .out()
+        .printf(
+            Locale.ROOT,
+            "heat map of %s x %s cells: of area and steps %.1f %% covered by 1 or more cameras,"
+                + " %.1f %% by 2 or more; of the area %.1f %% never%n",
+            map.cells().columns(),
+            map.cells().rows(),
+            100 * map.covered(),
+            100 * map.coveredK(),
+            100 * map.blind());
+  }
+
+  private static World world(RunPlan plan, Catalogue catalogue) {
+    return new World(plan.scenario(), catalogue.movements(), plan.seed());
   }
 
   /** A recording knows the angles that scenarios list. */
@@ -184,9 +238,8 @@ final class RunCommand implements Callable<Integer> {
 
   private static ReplayRecorder replay(
       RunPlan plan, Catalogue catalogue, List<FloorPicture> floor) {
-    World world = new World(plan.scenario(), catalogue.movements(), plan.seed());
     return new ReplayRecorder(
-        Setup.of(world, plan.detection(), plan.policy(), plan.seed()).on(floor),
+        Setup.of(world(plan, catalogue), plan.detection(), plan.policy(), plan.seed()).on(floor),
         plan.detection(),
         plan.repeats());
   }

@@ -1,6 +1,11 @@
 package org.hificamsim.runs;
 
+import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
@@ -37,6 +42,19 @@ public record Reach(double radius, double detected) {
     return Stream.concat(scenario.targets().stream(), added)
         .mapToDouble(TargetSpec::size)
         .max()
+        .orElse(TargetSpec.DEFAULT_SIZE);
+  }
+
+  /** The most frequent size of a world's targets, the first one of equals; metres. */
+  public static double usualTarget(World world) {
+    Map<Double, Long> counts =
+        IntStream.range(0, world.targets().count())
+            .mapToObj(world.targets()::size)
+            .collect(
+                Collectors.groupingBy(size -> size, LinkedHashMap::new, Collectors.counting()));
+    return counts.entrySet().stream()
+        .min(Map.Entry.comparingByValue(Comparator.reverseOrder()))
+        .map(Map.Entry::getKey)
         .orElse(TargetSpec.DEFAULT_SIZE);
   }
 

@@ -61,17 +61,39 @@ final class FieldPainter {
     run.look().zones().ifPresent(this::zones);
     views();
     site.obstacles(run.setup());
+    tracks();
     for (int target = 0; target < frame.x().length; target++) {
       trail(target);
     }
-    for (int camera = 0; camera < poses.size(); camera++) {
-      int view = frame.seen(camera) < 0 ? frame.level()[camera] : frame.seen(camera);
-      camera(poses.get(camera), view, frame.online()[camera]);
-    }
+    cameras();
     for (int target = 0; target < frame.x().length; target++) {
       if (frame.present()[target]) {
         target(target);
       }
+    }
+  }
+
+  /** The field without what belongs to one step: a heat map, obstacles, tracks and cameras. */
+  void paintMap(HeatLayer heat) {
+    SitePainter site = new SitePainter(graphics, map);
+    site.floor(run, run.look().floor());
+    grid();
+    heat.paint(graphics, map);
+    site.obstacles(run.setup());
+    tracks();
+    cameras();
+  }
+
+  private void tracks() {
+    if (run.look().tracks()) {
+      new TrackPainter(graphics, map, run).paint();
+    }
+  }
+
+  private void cameras() {
+    for (int camera = 0; camera < poses.size(); camera++) {
+      int view = frame.seen(camera) < 0 ? frame.level()[camera] : frame.seen(camera);
+      camera(poses.get(camera), view, frame.online()[camera]);
     }
   }
 

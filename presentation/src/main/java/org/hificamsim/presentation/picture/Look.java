@@ -7,8 +7,14 @@ import java.util.OptionalInt;
  *
  * @param floor how opaque the floorplan is, in [0, 1]
  * @param zones the camera whose {@linkplain DensityZone pixel densities} are shown
+ * @param tracks whether it is shown where each target went over the whole run
  */
-public record Look(double floor, OptionalInt zones) {
-  /** Half through, without zones. */
+public record Look(double floor, OptionalInt zones, boolean tracks) {
+  /** Half through, without zones or tracks. */
   public static final Look USUAL = new Look(0.5, OptionalInt.empty());
+
+  /** Without tracks. */
+  public Look(double floor, OptionalInt zones) {
+    this(floor, zones, false);
+  }
 }

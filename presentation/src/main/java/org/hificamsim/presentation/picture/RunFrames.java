@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.Field;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.FloorPictures;
@@ -39,6 +40,11 @@ public final class RunFrames {
 
   Setup setup() {
     return setup;
+  }
+
+  /** What the run was in, metres. */
+  public Field field() {
+    return setup.field();
   }
 
   private static double[] prominence(Setup setup) {

@@ -15,10 +15,10 @@ import org.hificamsim.presentation.replay.Setup;
 
 /** One step of a run: what it is, the field to scale, and k_min over all steps below. */
 public final class StepPicture implements Picture {
-  private static final int WIDTH = 800;
+  static final int WIDTH = 800;
   private static final int MAX_FIELD = 900;
   private static final int MIN_FIELD = 160;
-  private static final int MARGIN = 12;
+  static final int MARGIN = 12;
   private static final int HEADING = 62;
   private static final int LEGEND = 24;
   private static final int GUTTER = 36;
@@ -62,7 +62,12 @@ public final class StepPicture implements Picture {
   }
 
   private static Rectangle2D area(Field field) {
-    return new Rectangle2D.Double(MARGIN, HEADING, fieldWidth(), fieldHeight(field));
+    return area(field, HEADING);
+  }
+
+  /** Where a field is in a picture, below a heading of this height, points. */
+  static Rectangle2D area(Field field, int heading) {
+    return new Rectangle2D.Double(MARGIN, heading, fieldWidth(), fieldHeight(field));
   }
 
   /** Where metres are in the picture. */
@@ -100,16 +105,7 @@ public final class StepPicture implements Picture {
         MARGIN + 12);
     graphics.setColor(FieldPainter.FAINT);
     graphics.setFont(Fonts.TEXT);
-    graphics.drawString(
-        "%s, %s%s%s, seed %s"
-            .formatted(
-                setup.policy(),
-                setup.detection(),
-                setup.byChance() ? ": half of the time at " : " with threshold ",
-                setup.threshold(),
-                run.recording().seed()),
-        MARGIN,
-        MARGIN + 29);
+    graphics.drawString(settings(setup, run.recording().seed()), MARGIN, MARGIN + 29);
     graphics.drawString(
         String.format(
             Locale.ROOT,
@@ -121,6 +117,17 @@ public final class StepPicture implements Picture {
             coverage.covered1()),
         MARGIN,
         MARGIN + 44);
+  }
+
+  /** What a run was run under, in words. */
+  static String settings(Setup setup, long seed) {
+    return "%s, %s%s%s, seed %s"
+        .formatted(
+            setup.policy(),
+            setup.detection(),
+            setup.byChance() ? ": half of the time at " : " with threshold ",
+            setup.threshold(),
+            seed);
   }
 
   private static void legend(Graphics2D graphics, int middle) {

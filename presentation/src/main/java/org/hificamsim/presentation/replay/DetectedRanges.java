@@ -1,19 +1,14 @@
 package org.hificamsim.presentation.replay;
 
-import java.util.Comparator;
 import java.util.HashMap;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.IntFunction;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.OnAxis;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.core.world.World;
 
 /**
  * The distances at which targets of one size are detected, by zoom level; along the heading where
@@ -30,19 +25,6 @@ final class DetectedRanges {
   DetectedRanges(Detection detection, double size) {
     this.detection = new Detection(new OnAxis(detection.model()), detection.threshold());
     this.size = size;
-  }
-
-  /** The most frequent size of a target, the first one of equals; metres. */
-  static double usualSize(World world) {
-    Map<Double, Long> counts =
-        IntStream.range(0, world.targets().count())
-            .mapToObj(world.targets()::size)
-            .collect(
-                Collectors.groupingBy(size -> size, LinkedHashMap::new, Collectors.counting()));
-    return counts.entrySet().stream()
-        .min(Map.Entry.comparingByValue(Comparator.reverseOrder()))
-        .map(Map.Entry::getKey)
-        .orElse(TargetSpec.DEFAULT_SIZE);
   }
 
   /** The levels of a camera, from the narrowest. */

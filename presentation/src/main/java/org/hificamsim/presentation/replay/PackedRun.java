@@ -1,17 +1,13 @@
 package org.hificamsim.presentation.replay;
 
 import java.io.ByteArrayInputStream;
-import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
 import java.util.List;
-import java.util.zip.Deflater;
-import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
 
 /**
@@ -34,9 +30,6 @@ public record PackedRun(
     double scale,
     double estimateScale,
     String data) {
-  /** Up to five per cent larger than the best, in half the time. */
-  private static final int LEVEL = 6;
-
   /** Packs a recording, each frame rounded. */
   static PackedRun of(Setup setup, Recording recording) {
     Scale place = Scale.of(setup.field());
@@ -90,16 +83,13 @@ public record PackedRun(
   }
 
   private static String pack(List<Frame> frames, List<Column> columns) {
-    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    try (OutputStream out = new DeflaterOutputStream(bytes, new Deflater(LEVEL), 1 << 16)) {
-      pack(out, new Column(Frame::step, (frame, step) -> {}), frames);
-      for (Column column : columns) {
-        pack(out, column, frames);
-      }
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    return Base64.getEncoder().encodeToString(bytes.toByteArray());
+    return Deflated.base64(
+        out -> {
+          pack(out, new Column(Frame::step, (frame, step) -> {}), frames);
+          for (Column column : columns) {
+            pack(out, column, frames);
+          }
+        });
   }
 
   private static void pack(OutputStream out, Column column, List<Frame> frames) throws IOException {

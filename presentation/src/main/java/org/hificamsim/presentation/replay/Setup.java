@@ -10,6 +10,7 @@ import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
+import org.hificamsim.runs.Reach;
 
 /**
  * What does not change while a run is watched: the scenario and the settings.
@@ -53,7 +54,7 @@ public record Setup(
         IntStream.range(0, world.targets().count())
             .mapToObj(i -> new TargetSetup(world.targets().name(i), world.targets().size(i)))
             .toList();
-    double size = DetectedRanges.usualSize(world);
+    double size = Reach.usualTarget(world);
     List<Obstacle> obstacles = world.scenario().surroundings().obstacles();
     Poses poses = new Poses(detection, size, obstacles, world.scenario().field());
     List<CameraSetup> cameras =

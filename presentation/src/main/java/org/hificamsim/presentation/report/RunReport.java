@@ -6,11 +6,14 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
+import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.Replay;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.heat.HeatTable;
 import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.Table;
 
 /** The page of a run that was recorded: made from its folder alone. */
 final class RunReport {
@@ -39,6 +42,9 @@ final class RunReport {
     Setup setup = report.replay.setup();
     ObjectNode data = JSON.createObjectNode();
     data.set("replay", JSON.readTree(ReplayJson.of(report.replay)));
+    if (Table.HEATMAP.isIn(folder)) {
+      data.set("heat", JSON.readTree(ReplayJson.of(report.heat())));
+    }
     data.set("summary", report.figures());
     ResultFolder files = new ResultFolder(folder);
     data.put("command", files.command());
@@ -48,6 +54,11 @@ final class RunReport {
         "run-page.js",
         "runPage",
         JSON.writeValueAsString(data));
+  }
+
+  private PackedHeat heat() throws IOException {
+    long steps = replay.runs().get(0).steps() * replay.repeat();
+    return PackedHeat.of(HeatTable.read(folder, replay.setup().field()), 0, steps);
   }
 
   private void checkOneRun() {

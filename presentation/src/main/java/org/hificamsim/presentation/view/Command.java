@@ -28,7 +28,8 @@ import org.hificamsim.core.InputException;
   @JsonSubTypes.Type(value = Command.Wall.class, name = "wall"),
   @JsonSubTypes.Type(value = Command.Remove.class, name = "remove"),
   @JsonSubTypes.Type(value = Command.Choose.class, name = "choose"),
-  @JsonSubTypes.Type(value = Command.Compare.class, name = "compare")
+  @JsonSubTypes.Type(value = Command.Compare.class, name = "compare"),
+  @JsonSubTypes.Type(value = Command.Heat.class, name = "heat")
 })
 public sealed interface Command {
   /**
@@ -178,6 +179,14 @@ public sealed interface Command {
     @Override
     public void obey(Session session) {
       session.compare(on);
+    }
+  }
+
+  /** A heat map of the steps from now on, in all simulations, or none any more. */
+  record Heat(boolean on) implements Command {
+    @Override
+    public void obey(Session session) {
+      session.heat(on);
     }
   }
 

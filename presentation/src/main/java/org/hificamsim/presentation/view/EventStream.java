@@ -22,6 +22,7 @@ final class EventStream implements Session.Watcher {
   private final Deque<String> events = new ArrayDeque<>();
   private final StepBuffer steps;
   private String state;
+  private String heat;
   private boolean ended;
 
   /**
@@ -36,6 +37,7 @@ final class EventStream implements Session.Watcher {
     if (fresh) {
       events.clear();
       steps.clear();
+      heat = null;
     } else {
       addSteps();
     }
@@ -52,6 +54,12 @@ final class EventStream implements Session.Watcher {
   @Override
   public synchronized void state(String json) {
     state = event("state", json);
+    news.release();
+  }
+
+  @Override
+  public synchronized void heat(String json) {
+    heat = event("heat", json);
     news.release();
   }
 
@@ -80,6 +88,10 @@ final class EventStream implements Session.Watcher {
     if (state != null) {
       text.append(state);
       state = null;
+    }
+    if (heat != null) {
+      text.append(heat);
+      heat = null;
     }
     return text.isEmpty() ? NOTHING : text.toString();
   }

@@ -13,6 +13,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.FloorPicture;
+import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
 
@@ -32,6 +33,7 @@ public final class LiveRun {
   private List<LiveSide> sides = new ArrayList<>();
   private long seed;
   private long next;
+  private boolean heat;
 
   /**
    * @param choice of the first simulation; its detection may be a model file
@@ -96,6 +98,7 @@ public final class LiveRun {
   public void drag(int camera, double x, double y) {
     scenario.move(online(camera), x, y);
     sides.forEach(side -> side.world().moveCamera(camera, x, y));
+    heat(heat);
   }
 
   /**
@@ -107,6 +110,26 @@ public final class LiveRun {
   public void turn(int camera, double heading) {
     scenario.turn(online(camera), heading);
     sides.forEach(side -> side.world().turnCamera(camera, Math.toRadians(heading)));
+    heat(heat);
+  }
+
+  /**
+   * Makes a heat map of each simulation from the next step on, or none any more. It begins anew
+   * whenever somebody changes what cameras see.
+   */
+  public void heat(boolean on) {
+    heat = on;
+    sides.forEach(side -> side.heat(on));
+  }
+
+  /** Whether there is a heat map. */
+  public boolean heat() {
+    return heat;
+  }
+
+  /** The heat map of each simulation; none before the first step of each. */
+  List<PackedHeat> heats() {
+    return sides.stream().flatMap(side -> side.heat().stream()).toList();
   }
 
   /**
@@ -163,6 +186,7 @@ public final class LiveRun {
     } else {
       held.put(name, view);
     }
+    heat(heat);
   }
 
   /** The cameras that are held in a view. */
@@ -254,7 +278,10 @@ public final class LiveRun {
     Detection detection =
         Overrides.ofDetection(Optional.ofNullable(choice.threshold()), Optional.empty())
             .detection(spec(choice.detection()), scenario.now());
-    return new LiveSide(world, catalogue, detection, choice.policy(), ofSeed, at, floor, held);
+    LiveSide side =
+        new LiveSide(world, catalogue, detection, choice.policy(), ofSeed, at, floor, held);
+    side.heat(heat);
+    return side;
   }
 
   /** A page may name what the catalogue has, and the file that the session began with. */

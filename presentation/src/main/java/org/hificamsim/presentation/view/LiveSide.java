@@ -3,6 +3,7 @@ package org.hificamsim.presentation.view;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
@@ -16,8 +17,11 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.Move;
+import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
+import org.hificamsim.runs.heat.Cells;
+import org.hificamsim.runs.heat.HeatRecorder;
 
 /** A simulation that is watched step by step: a world under one choice of model and policy. */
 final class LiveSide {
@@ -25,6 +29,9 @@ final class LiveSide {
   private final Setup setup;
   private final Snapshots snapshots;
   private final Simulation simulation;
+  private final Detection detection;
+  private HeatRecorder heat;
+  private long heatFrom;
   private boolean begun;
   private LiveStep.Side last;
 
@@ -46,6 +53,7 @@ final class LiveSide {
       List<FloorPicture> floor,
       Map<String, Integer> held) {
     this.world = world;
+    this.detection = detection;
     ZoomPolicy policy = catalogue.policies().create(policySpec);
     if (policy instanceof HindsightZoomPolicy) {
       throw new InputException(
@@ -75,6 +83,22 @@ final class LiveSide {
       moves = allPoses(network);
     }
     last = new LiveStep.Side(snapshots.take(network), moves);
+    if (heat != null) {
+      heatFrom = heat.steps() == 0 ? network.step() : heatFrom;
+      heat.stepped(network, coverage);
+    }
+  }
+
+  /** Begins a heat map with the next step, or makes none any more. */
+  void heat(boolean on) {
+    heat = on ? new HeatRecorder(world, detection, Cells.USUAL) : null;
+  }
+
+  /** The heat map of the steps since it was begun, if there are any. */
+  Optional<PackedHeat> heat() {
+    return heat == null || heat.steps() == 0
+        ? Optional.empty()
+        : Optional.of(PackedHeat.of(heat.map(), heatFrom, heat.steps()));
   }
 
   /** Where every camera is: whoever watches may know them from another simulation. */

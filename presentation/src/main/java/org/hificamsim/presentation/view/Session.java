@@ -10,6 +10,7 @@ import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.RunFault;
@@ -21,6 +22,10 @@ import org.hificamsim.runs.RunFault;
 public final class Session implements AutoCloseable {
   private static final int MAX_PER_SECOND = 1000;
   private static final int MAX_STEPS = 1000;
+
+  /** A heat map is told so often while the simulation runs. */
+  private static final long BETWEEN_HEATS = TimeUnit.MILLISECONDS.toNanos(500);
+
   private static final long LATEST = TimeUnit.MILLISECONDS.toNanos(200);
 
   /** Who is told what happens, on the session's thread: must not wait for anything. */
@@ -42,6 +47,13 @@ public final class Session implements AutoCloseable {
      * @param json a {@link StateMessage}
      */
     void state(String json);
+
+    /**
+     * There is another heat map.
+     *
+     * @param json a list of {@link PackedHeat}, one for each simulation
+     */
+    void heat(String json);
   }
 
   /** What runs. */
@@ -55,6 +67,7 @@ public final class Session implements AutoCloseable {
    *
    * @param fault why it has stopped; empty unless a policy or model failed
    * @param held cameras that somebody holds in a view
+   * @param heat whether there is a heat map
    */
   record StateMessage(
       boolean running,
@@ -62,7 +75,8 @@ public final class Session implements AutoCloseable {
       long next,
       long seed,
       String fault,
-      @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Integer> held) {}
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Integer> held,
+      @JsonInclude(JsonInclude.Include.NON_DEFAULT) boolean heat) {}
 
   private final LiveRun run;
   private final LinkedBlockingQueue<Runnable> queue = new LinkedBlockingQueue<>();
@@ -75,6 +89,7 @@ public final class Session implements AutoCloseable {
   private int perSecond = 10;
   private long due;
   private String fault = "";
+  private long heatDue;
 
   /** A session that is paused after the first step. */
   public Session(LiveRun run) {
@@ -133,6 +148,7 @@ public final class Session implements AutoCloseable {
           history.all().forEach(watcher::step);
           watcher.state(state());
           watchers.add(watcher);
+          tellHeat();
         });
   }
 
@@ -173,6 +189,9 @@ public final class Session implements AutoCloseable {
     long now = System.nanoTime();
     due = Math.max(due, now - LATEST) + TimeUnit.SECONDS.toNanos(1) / perSecond;
     step();
+    if (now - heatDue >= 0) {
+      tellHeat();
+    }
   }
 
   @SuppressWarnings("CatchingUnchecked") // a user's own policy may fail in any way
@@ -198,6 +217,7 @@ public final class Session implements AutoCloseable {
   void pause() {
     running = false;
     tellState();
+    tellHeat();
   }
 
   void steps(int steps) {
@@ -208,6 +228,7 @@ public final class Session implements AutoCloseable {
       step();
     }
     tellState();
+    tellHeat();
   }
 
   void speed(int newPerSecond) {
@@ -258,6 +279,12 @@ public final class Session implements AutoCloseable {
     beginAnew();
   }
 
+  void heat(boolean on) {
+    run.heat(on);
+    heatDue = System.nanoTime();
+    tellState();
+  }
+
   void choose(int side, Choice choice) {
     run.choose(side, choice);
     history.replaceAll(step -> step.withoutEstimates(side));
@@ -271,6 +298,7 @@ public final class Session implements AutoCloseable {
     fault = "";
     tellSetup(true);
     step();
+    tellHeat();
   }
 
   private void tellSetup(boolean fresh) {
@@ -284,6 +312,14 @@ public final class Session implements AutoCloseable {
     watchers.forEach(watcher -> watcher.state(json));
   }
 
+  private void tellHeat() {
+    if (run.heat() && !watchers.isEmpty()) {
+      String json = ReplayJson.of(run.heats());
+      watchers.forEach(watcher -> watcher.heat(json));
+      heatDue = System.nanoTime() + BETWEEN_HEATS;
+    }
+  }
+
   private String setup(boolean fresh) {
     List<SideMessage> sides =
         run.sides().stream().map(side -> new SideMessage(side.setup(), side.estimated())).toList();
@@ -292,7 +328,8 @@ public final class Session implements AutoCloseable {
 
   private String state() {
     return ReplayJson.of(
-        new StateMessage(running, perSecond, run.next(), run.seed(), fault, run.held()));
+        new StateMessage(
+            running, perSecond, run.next(), run.seed(), fault, run.held(), run.heat()));
   }
 
   private static void between(String name, int value, int least, int most) {

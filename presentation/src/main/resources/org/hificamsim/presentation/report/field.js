@@ -2,7 +2,9 @@
 import { el, metres, decimals, onThemeChange, style, Surface } from './dom.js';
 import { COVER, coverClass, shape } from './palette.js';
 import { densityAt, paintZones, ZONES, zoneAt } from './density.js';
+import { HeatLayer } from './heat.js';
 import { named, Site } from './site.js';
+import { Tracks } from './tracks.js';
 import { fillDetected, inSight, sector, signed, viewOf } from './views.js';
 
 const TRAIL = 40;
@@ -17,7 +19,7 @@ export class FieldView {
   /**
    * @param run what is shown
    * @param on `select(camera)` when one is clicked; `drag(camera, x, y)`, if cameras can be moved; `line(ends)` when a wall has been
-   *   drawn, its ends as x and y in turn, and `lining(ends)` while it is
+   *   drawn, its ends as x and y in turn, and `lining(ends)` while it is; `heat(figure)` when a figure of the heat map is chosen, if there can be one
    */
   constructor(run, on) {
     this.run = run;
@@ -27,9 +29,11 @@ export class FieldView {
     this.prominence = prominence(run.setup);
     this.surface = new Surface({class: 'field', role: 'img', tabindex: 0}, (context, width, height) => this.paint(context, width, height));
     this.tip = el('div', {class: 'tip', hidden: true});
+    this.tracks = new Tracks(run);
+    this.heat = on.heat && new HeatLayer(run.setup, on.heat);
     this.site = new Site(run.setup, () => this.surface.draw());
     const [options, more] = [this.options(), this.site.legend(run.setup)];
-    this.element = el('div', {class: options || more.length ? 'field-box much' : 'field-box'}, this.surface.canvas, this.tip, options, legend(more));
+    this.element = el('div', {class: 'field-box much'}, this.surface.canvas, this.tip, options, legend(more));
     this.readColours();
     onThemeChange(() => {
       this.readColours();
@@ -38,17 +42,37 @@ export class FieldView {
     this.listen(this.surface.canvas);
   }
 
-  /** What can be shown or not: zones of pixel density, and the floorplan, more or less of it. */
+  /** What can be shown or not: a heat map, tracks, zones of pixel density, and the floorplan, more or less of it. */
   options() {
     const known = this.run.setup.cameras.some(({pose}) => pose.lenses?.some(({density}) => density));
     const zones = el('input', {type: 'checkbox', name: 'zones', onchange: () => this.showZones(zones.checked)});
     this.zoneKey = el('span', {class: 'zone-key', hidden: true}, ...ZONES.map(({name, least, colour}) => swatch(colour, `${name} ${least}`)));
     const floor = el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.site.opacity, oninput: () => this.fade(floor.value / 100)});
+    const tracks = el('input', {type: 'checkbox', name: 'tracks', onchange: () => this.showTracks(tracks.checked)});
     const parts = [
+      ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []),
+      el('label', {}, tracks, ' tracks'),
       ...(known ? [el('label', {}, zones, ' pixel density of the chosen camera (EN 62676-4, px/m)'), this.zoneKey] : []),
       ...(this.site.floor.length ? [el('label', {}, 'floorplan ', floor)] : []),
     ];
-    return parts.length ? el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'}, ...parts) : null;
+    return el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'}, ...parts);
+  }
+
+  showTracks(on) {
+    this.tracked = on;
+    this.surface.draw();
+  }
+
+  /** Shows a figure of the heat map; '' for none. */
+  showHeat(figure) {
+    this.heat.choose(figure);
+    this.surface.draw();
+  }
+
+  /** Takes a heat map. */
+  loadHeat(heat) {
+    this.heat.load(heat);
+    this.surface.draw();
   }
 
   showZones(on) {
@@ -189,13 +213,14 @@ export class FieldView {
       `detects ${run.detected[i][frame]} of ${run.targets[frame]} targets`];
   }
 
-  /** The obstacle under the pointer, and the pixel density there where zones are shown. */
+  /** The obstacle under the pointer, and what zones and heat map say of the place where they are shown. */
   describePlace() {
     const obstacle = this.site.at(this.surface.canvas.getContext('2d'), ...this.pointer);
     const lines = obstacle >= 0 ? [named(this.site.obstacles[obstacle])] : [];
     const online = this.zones && this.run.online[this.selected]?.[this.frame];
     const density = online ? densityAt(this.view(this.selected), ...this.map.place(...this.pointer)) : NaN;
     if (Number.isFinite(density)) lines.push(`${decimals(density, 1)} px/m: ${zoneAt(density)}`);
+    if (this.heat) lines.push(...this.heat.told(...this.map.place(...this.pointer)));
     return lines.length ? lines : null;
   }
 
@@ -203,16 +228,18 @@ export class FieldView {
     const {run, frame} = this;
     if (this.surface.changed) {
       this.map = fit(run.setup.field, width, height, this.surface.unit);
-      this.size = this.figureSize(width, height);
       this.site.fit(this.map, this.surface.unit);
       this.surface.changed = false;
     }
+    this.size = this.figureSize(width, height);
     context.fillStyle = this.colours.paper;
     context.fillRect(0, 0, width, height);
     this.site.paintFloor(context);
     this.paintGrid(context, width, height);
     if (!run.count) return;
+    this.heat?.paint(context, this.map, this.surface.unit);
     this.paintSight(context);
+    if (this.tracked) this.tracks.paint(context, this.map, this.colours.ink, this.surface.unit);
     this.paintTrails(context);
     run.setup.cameras.forEach((camera, i) => this.paintCamera(context, i));
     run.setup.targets.forEach((target, i) => run.present[i][frame] && this.paintTarget(context, i));
@@ -222,8 +249,7 @@ export class FieldView {
 
   /** How large cameras and targets are drawn: smaller where there are many. */
   figureSize(width, height) {
-    const {cameras, targets} = this.run.setup;
-    const room = Math.sqrt((width * height) / (cameras.length + targets.length + 1));
+    const room = Math.sqrt((width * height) / (this.run.setup.cameras.length + this.run.most + 1));
     return this.surface.unit * Math.max(0.3, Math.min(1, room / (ROOM * this.surface.unit)));
   }
 
@@ -266,7 +292,7 @@ export class FieldView {
     inSight(context, map, view, () => {
       context.fillStyle = colours.range;
       context.globalAlpha = chosen ? 0.4 : 0.13;
-      if (!blind && !(chosen && this.zones)) fillDetected(context, map, view);
+      if (!blind && !(chosen && this.zones) && !this.heat?.shown) fillDetected(context, map, view);
       context.globalAlpha = chosen ? 1 : 0.55;
       context.strokeStyle = colours.range;
       context.lineWidth = (chosen ? 2.5 : 1) * unit;
@@ -295,7 +321,7 @@ export class FieldView {
     }
     online.forEach(i => this.paintView(context, i));
     if (this.site.obstacles.length) {
-      this.site.paintShadows(context, online.filter(i => run.seen(i, frame) >= 0).map(i => this.view(i)), this.colours.shadow);
+      if (!this.heat?.shown) this.site.paintShadows(context, online.filter(i => run.seen(i, frame) >= 0).map(i => this.view(i)), this.colours.shadow);
       this.site.paintObstacles(context, this.colours.wall);
     }
   }
@@ -313,7 +339,7 @@ export class FieldView {
 
   paintTrails(context) {
     const {run, frame, map} = this;
-    const length = Math.ceil(Math.min(TRAIL, TRAIL_SEGMENTS / run.setup.targets.length));
+    const length = Math.ceil(Math.min(TRAIL, TRAIL_SEGMENTS / run.most));
     const first = Math.max(1, frame - length + 1);
     context.lineCap = 'round';
     for (let i = 0; i < run.setup.targets.length; i++) {
@@ -385,7 +411,8 @@ export class FieldView {
   label() {
     const row = this.run.row(this.frame);
     this.surface.canvas.setAttribute('aria-label', `The field at step ${row.step}: ${row.targets} targets, ` +
-      `${row.covered_0} covered by no camera, ${row.covered_1} by one, ${row.covered_k} by two or more.`);
+      `${row.covered_0} covered by no camera, ${row.covered_1} by one, ${row.covered_k} by two or more.` +
+      (this.heat?.shown ? ` Heat map: ${this.heat.summary()}.` : ''));
   }
 }
 

@@ -3,7 +3,7 @@ import { inflate } from './inflate.js';
 import { Run } from './run.js';
 
 /** Reads one series after the other. */
-class SeriesReader {
+export class SeriesReader {
   constructor(bytes) {
     this.bytes = bytes;
     this.at = 0;
@@ -36,7 +36,7 @@ class SeriesReader {
 
 const plain = code => code;
 const scaled = perUnit => code => code / perUnit;
-const optional = perUnit => code => {
+export const optional = perUnit => code => {
   if (code === 0) return NaN;
   const zigzag = code - 1;
   return (zigzag % 2 ? -(zigzag + 1) / 2 : zigzag / 2) / perUnit;

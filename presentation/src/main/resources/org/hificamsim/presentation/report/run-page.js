@@ -5,20 +5,28 @@ import { unpack } from './recording.js';
 import { Playhead } from './playhead.js';
 import { Controls } from './controls.js';
 import { Player } from './player.js';
+import { unpackHeat } from './heat.js';
 
 /** The page; `data` is what RunReport wrote. */
 export async function runPage(root, data) {
   const {setup, runs, repeat} = data.replay;
   const place = el('div', {class: 'single'});
   root.append(header(data, index => open(index)), place, details(data));
+  const heat = data.heat && (await unpackHeat(data.heat));
   let controls;
+  let figure = '';
 
   async function open(index) {
     const run = await unpack(setup, runs[index]);
     run.lens = data.summary.settings;
     const playhead = new Playhead(run.count, run.every);
     controls = new Controls(playhead, run);
-    const player = new Player(run, playhead, {middle: controls.element});
+    const chosen = name => player.field.showHeat((figure = name));
+    const player = new Player(run, playhead, {middle: controls.element, heat: heat && chosen});
+    if (heat) {
+      player.field.loadHeat(heat);
+      player.field.showHeat(figure);
+    }
     place.replaceChildren(player.element);
     window.hificamsim = {run, playhead, player};
     playhead.show(run.frameAt(Number(location.hash.slice(1)) || 0)); // report.html#120 opens at step 120

@@ -33,6 +33,7 @@ export class Run {
     this.poses = setup.cameras.map(camera => [{step: -1, pose: camera.pose}]);
     this.kMin = [];
     this.highest = 0;
+    this.most = 1; // targets at the same time
     this.targets = [];
     this.covered = [[], [], [], []];
     this.sum = [];
@@ -105,6 +106,7 @@ export class Run {
       least = Math.min(least, k);
       classes[Math.min(k, 3)]++;
     }
+    this.most = Math.max(this.most, targets);
     this.targets[frame] = targets;
     this.sum[frame] = sum;
     this.kMin[frame] = targets ? least : 0;

@@ -100,7 +100,7 @@ export class Site {
 }
 
 /** A tile of pale ground and a diagonal line, which shows on light and on dark floors. */
-function hatch(colour, unit) {
+export function hatch(colour, unit) {
   const tile = document.createElement('canvas');
   const side = (tile.width = tile.height = Math.round(7 * unit));
   const context = tile.getContext('2d');

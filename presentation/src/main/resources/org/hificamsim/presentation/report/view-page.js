@@ -7,6 +7,7 @@ import { LivePlayhead } from './live-playhead.js';
 import { ChoiceForm } from './choice.js';
 import { degrees, tidy } from './pose-form.js';
 import { located } from './site.js';
+import { unpackHeat } from './heat.js';
 import { signed, viewOf } from './views.js';
 
 const MAX_FRAMES = 8000;
@@ -40,6 +41,7 @@ class LiveView {
     this.thinned = el('p', {class: 'notice', hidden: true});
     this.said = el('p', {class: 'unseen', role: 'status'});
     this.pending = new Map();
+    this.figure = ''; // of the heat map
     this.held = []; // cameras whose views are chosen by hand
     this.place = el('div', {class: 'live-view'});
     root.append(this.header(), this.fault, this.thinned, this.said, this.place);
@@ -84,6 +86,7 @@ class LiveView {
     const events = new EventSource('events');
     events.addEventListener('setup', event => this.setup(JSON.parse(event.data)));
     events.addEventListener('steps', event => this.push(JSON.parse(event.data)));
+    events.addEventListener('heat', event => this.heat(JSON.parse(event.data)));
     events.addEventListener('state', event => this.state(JSON.parse(event.data)));
     events.onerror = () => this.tell('The command that serves this page does not answer.');
     events.onopen = () => this.tell('');
@@ -119,8 +122,9 @@ class LiveView {
       wall: (...ends) => this.wall(...ends), remove: obstacle => this.remove(obstacle),
     };
     const ceiling = () => Math.max(...this.runs.map(run => run.highest));
-    this.players = this.runs.map(run => new Player(run, this.playhead, {edit, ceiling, middle: pair ? null : this.controls.element}));
+    this.players = this.runs.map(run => new Player(run, this.playhead, {edit, ceiling, heat: figure => this.chooseHeat(figure), middle: pair ? null : this.controls.element}));
     this.selectTogether();
+    this.showHeat(this.figure);
     if (fresh) this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));
     this.columns.forEach((column, i) => {
       column.querySelector('.player')?.remove();
@@ -172,6 +176,24 @@ class LiveView {
     });
   }
 
+  /** What the simulations have found out of the cells, beside each other. */
+  async heat(sides) {
+    const {players} = this;
+    const maps = await Promise.all(sides.map(unpackHeat));
+    if (players === this.players && maps.length === players.length) maps.forEach((heat, i) => players[i].field.loadHeat(heat));
+  }
+
+  /** Shows a figure of the heat map in all simulations, which find it out as long as somebody looks. */
+  chooseHeat(figure) {
+    if (!figure !== !this.figure) this.send({command: 'heat', on: Boolean(figure)});
+    this.showHeat(figure);
+  }
+
+  showHeat(figure) {
+    this.figure = figure;
+    this.players.forEach(player => player.field.showHeat(figure));
+  }
+
   /** The first steps are the ones that lie furthest apart. */
   tellThinned(run) {
     const every = run.count > 1 ? run.step[1] - run.step[0] : 1;
@@ -182,6 +204,8 @@ class LiveView {
   state(state) {
     this.playhead.told(state);
     this.held = state.held ?? [];
+    if (this.figure && this.heated && !state.heat) this.showHeat(''); // another page does without it
+    this.heated = Boolean(state.heat);
     this.players.forEach(player => player.agent.show(this.playhead.frame));
     if (document.activeElement !== this.seed) this.seed.value = String(state.seed);
     if (state.fault) this.tell(state.fault);

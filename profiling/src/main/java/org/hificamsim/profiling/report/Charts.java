@@ -23,8 +23,10 @@ import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The few kinds of chart in the report, in one look, and grids of them as PNG. */
-final class Charts {
-  static final Color BLUE = new Color(0x1f, 0x5f, 0xa8);
+public final class Charts {
+  public static final Color BLUE = new Color(0x1f, 0x5f, 0xa8);
+  public static final Color ORANGE = new Color(0xe6, 0x9f, 0x00);
+
   static final Color RED = new Color(0xc0, 0x39, 0x2b);
   static final Color DOTS = new Color(0x30, 0x30, 0x30, 0xa0);
 
@@ -40,7 +42,7 @@ final class Charts {
   }
 
   /** A larger one, with room for a legend. */
-  static XYChart large(String title, String x, String y) {
+  public static XYChart large(String title, String x, String y) {
     return plot(title, x, y, 2 * WIDTH, HEIGHT + HEIGHT / 3);
   }
 
@@ -66,7 +68,7 @@ final class Charts {
   }
 
   /** Adds points of this shape. */
-  static XYChart points(
+  public static XYChart points(
       XYChart chart, String name, double[] x, double[] y, Color colour, Marker marker) {
     XYSeries series = chart.addSeries(name, x, y);
     series.setMarkerColor(colour);
@@ -75,7 +77,7 @@ final class Charts {
   }
 
   /** Adds a line. */
-  static XYChart line(XYChart chart, String name, double[] x, double[] y, Color colour) {
+  public static XYChart line(XYChart chart, String name, double[] x, double[] y, Color colour) {
     XYSeries series = chart.addSeries(name, x, y);
     series.setXYSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Line);
     series.setMarker(SeriesMarkers.NONE);
@@ -106,7 +108,7 @@ final class Charts {
   }
 
   /** Charts side by side, row after row, as a PNG file's bytes. */
-  static byte[] png(List<? extends Chart<?, ?>> charts, int columns) {
+  public static byte[] png(List<? extends Chart<?, ?>> charts, int columns) {
     List<BufferedImage> pictures = charts.stream().map(BitmapEncoder::getBufferedImage).toList();
     int width = pictures.get(0).getWidth();
     int height = pictures.get(0).getHeight();

@@ -23,6 +23,7 @@ public final class RunFolder implements Closeable {
       List.of(
           Table.RUN_ZOOMS.file(),
           Table.RUN_TARGETS.file(),
+          Table.HEATMAP.file(),
           ResultFolder.MANIFEST,
           ResultFolder.CRATE,
           ResultFolder.REPLAY,
@@ -113,6 +114,17 @@ public final class RunFolder implements Closeable {
   /** Adds {@code manifest.json}. */
   public void manifest(List<String> command, Instant started, long steps) throws IOException {
     ManifestFile.write(folder, command, started, steps);
+  }
+
+  /** Adds a table of its own. */
+  public void add(TableWriter table) throws IOException {
+    table.write(folder);
+  }
+
+  /** Writes a table into a folder. */
+  @FunctionalInterface
+  public interface TableWriter {
+    void write(OutputFolder folder) throws IOException;
   }
 
   /** Adds the scenario and the detection model. */

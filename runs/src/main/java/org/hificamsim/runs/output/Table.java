@@ -19,6 +19,10 @@ public enum Table {
   RUN_VIEWS(RUN_ZOOMS.file, RUN_ZOOMS.columns + ",pan,viewing_angle,moving"),
   RUN_TARGETS("targets.csv", "run,step,target,x,y"),
   RUN_TARGETS_BY_CHANCE(RUN_TARGETS.file, RUN_TARGETS.columns + ",k,chance_1,chance_k"),
+  HEATMAP(
+      "heatmap.csv",
+      "column,row,x,y,width,height,mean_k,covered_0,covered_1,covered_k,"
+          + "visits,visits_mean_k,visits_covered_0"),
   RESULTS(
       "results.csv",
       "scenario,detection,policy,seed,performance,proportion_of_optimal,"

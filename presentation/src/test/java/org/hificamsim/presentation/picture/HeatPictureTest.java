@@ -1,0 +1,233 @@
+package org.hificamsim.presentation.picture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.stream.IntStream;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.presentation.replay.Frame;
+import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.presentation.replay.TargetSetup;
+import org.hificamsim.runs.heat.Cells;
+import org.hificamsim.runs.heat.HeatFigure;
+import org.hificamsim.runs.heat.HeatMap;
+import org.hificamsim.runs.heat.HeatMap.Place;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** Pictures of a field of 30 x 20 m in six cells of ten metres. */
+class HeatPictureTest {
+  private static final int WIDTH = 800; // one pixel a point
+  private static final Field FIELD = new Field(0, 30, 0, 20);
+  private static final double NONE = Double.NaN;
+  private static final boolean[] STAYS = {true, true, true, true};
+
+  /** From the lower left: never covered, by half a camera, by two; then three that differ. */
+  private static final HeatMap MAP =
+      new HeatMap(
+          new Cells(FIELD, 3, 2),
+          List.of(
+              new Place(0, 1, 0, 0, 0, NONE, NONE),
+              new Place(0.5, 0.5, 0.5, 0, 1, 0, 1),
+              new Place(2, 0, 0, 1, 1000, 1.5, 0.25),
+              new Place(NONE, NONE, NONE, NONE, 0, NONE, NONE),
+              new Place(1, 0, 1, 0, 10, 1, 0),
+              new Place(1.7, 0, 0.3, 0.7, 30, 1, 0)));
+
+  @Test
+  void aCellHasTheColourOfItsFigure() {
+    BufferedImage image = image(HeatFigure.MEAN_K, frames(false, STAYS));
+    assertHatched(image, 5.3, 5.2);
+    assertEquals(seen(Palette.scale(0.25)), at(image, 15.3, 5.2));
+    assertEquals(seen(Palette.scale(1)), at(image, 25.3, 5.2));
+    assertEquals(Color.WHITE, at(image, 5.3, 15.2), "in an obstacle");
+    assertEquals(seen(Palette.scale(0.5)), at(image, 15.3, 15.2));
+  }
+
+  @Test
+  void visitsGoByTheirLogarithmAndOtherSharesByTheirWhole() {
+    BufferedImage visits = image(HeatFigure.VISITS, frames(false, STAYS));
+    assertEquals(Color.WHITE, at(visits, 5.3, 5.2), "nobody was there");
+    assertEquals(seen(Palette.scale(Math.log(11) / Math.log(1001))), at(visits, 15.3, 15.2));
+    BufferedImage covered = image(HeatFigure.VISITS_COVERED, frames(false, STAYS));
+    assertEquals(seen(Palette.scale(0.75)), at(covered, 25.3, 5.2));
+    assertHatched(covered, 15.3, 5.2);
+  }
+
+  @Test
+  void ticksAreRoundAndFew() {
+    assertEquals(List.of(0.0, 0.25, 0.5, 0.75, 1.0), HeatFigure.MEAN_K.ticks(1));
+    assertEquals("0.25 1", HeatFigure.MEAN_K.tick(0.25) + " " + HeatFigure.MEAN_K.tick(1));
+    assertEquals(List.of(0.0, 3.0, 6.0, 9.0, 12.0), HeatFigure.MEAN_K.ticks(14));
+    assertEquals(List.of(1.0, 10.0, 100.0), HeatFigure.VISITS.ticks(400));
+    assertEquals("25 %", HeatFigure.COVERED.tick(0.25));
+  }
+
+  @Test
+  void theLegendAndTheSummaryAreInThePicture() throws IOException {
+    ByteArrayOutputStream svg = new ByteArrayOutputStream();
+    FigureFile.svg(svg, new HeatPicture(frames(false, STAYS), MAP, HeatFigure.COVERED_K, 1));
+    String text = svg.toString(StandardCharsets.UTF_8);
+    assertTrue(text.contains(HeatFigure.COVERED_K.label()), "label");
+    assertTrue(text.contains("no camera, at no step"), "never");
+    assertTrue(text.contains(">50 %<"), "ticks");
+    assertTrue(text.contains("heat map of 4 steps"), "steps");
+    assertTrue(text.contains("of the area 20.0 % never"), "summary");
+  }
+
+  /** Machado, Oliveira and Fernandes, IEEE TVCG 15 (2009), severity 1. */
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "1 0 0 0 1 0 0 0 1",
+        "0.152286 1.052583 -0.204868 0.114503 0.786281 0.099216 -0.003882 -0.048116 1.051998",
+        "0.367322 0.860646 -0.227968 0.280085 0.672501 0.047413 -0.011820 0.042940 0.968881",
+        "1.255528 -0.076749 -0.178779 -0.078411 0.930809 0.147602 0.004733 0.691367 0.303900"
+      })
+  void everyEyeTellsTheColoursApart(String eye) {
+    double[] matrix = Arrays.stream(eye.split(" ")).mapToDouble(Double::parseDouble).toArray();
+    for (int i = 0; i <= 100; i++) {
+      double[] here = lab(Palette.scale(i / 100.0), matrix);
+      assertTrue(apart(here, lab(HeatLayer.NEVER, matrix)) > 20, "never from " + i);
+      assertTrue(i == 0 || here[0] > lab(Palette.scale((i - 1) / 100.0), matrix)[0], "lighter");
+      assertTrue(
+          i < 20 || apart(here, lab(Palette.scale((i - 20) / 100.0), matrix)) > 10, "a fifth on");
+    }
+  }
+
+  @Test
+  void aTrackIsBrokenWhereItsTargetIsAway() {
+    boolean[] away = {true, false, false, true};
+    BufferedImage image = image(HeatFigure.VISITS, frames(true, away));
+    BufferedImage bare = image(HeatFigure.VISITS, frames(false, away));
+    BufferedImage whole = image(HeatFigure.VISITS, frames(true, STAYS));
+    assertEquals(at(bare, 4, 17), at(image, 4, 17), "between the places where it was seen");
+    assertNotEquals(at(bare, 4, 17), at(whole, 4, 17));
+    assertNotEquals(at(bare, 2, 17), at(image, 2, 17), "a dot where it appears");
+    assertNotEquals(at(bare, 8, 17), at(image, 8, 17), "and where it comes again");
+  }
+
+  /** Within a few metres there is the ground of the hatch, and there are its lines. */
+  private static void assertHatched(BufferedImage image, double x, double y) {
+    int palest = 0;
+    int darkest = 255;
+    for (int i = 0; i < 100; i++) {
+      int blue = at(image, x + i % 10 * 0.1, y + i * 0.01).getBlue();
+      palest = Math.max(palest, blue);
+      darkest = Math.min(darkest, blue);
+    }
+    assertEquals(255 * (1 - HeatLayer.NEVER_GROUND), palest, 3, "the ground");
+    assertTrue(darkest < 130, "a line, whose blue is " + darkest);
+  }
+
+  private static Color seen(Color color) {
+    BufferedImage one = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
+    Graphics2D graphics = one.createGraphics();
+    graphics.setColor(Color.WHITE);
+    graphics.fillRect(0, 0, 1, 1);
+    graphics.setColor(Palette.pale(color, HeatLayer.STRENGTH));
+    graphics.fillRect(0, 0, 1, 1);
+    return new Color(one.getRGB(0, 0));
+  }
+
+  private static double apart(double[] a, double[] b) {
+    return Math.sqrt(IntStream.range(0, 3).mapToDouble(i -> Math.pow(a[i] - b[i], 2)).sum());
+  }
+
+  /** CIE L*a*b* of a colour as an eye sees it (D65). */
+  private static double[] lab(Color color, double[] eye) {
+    double[] rgb =
+        IntStream.of(color.getRed(), color.getGreen(), color.getBlue())
+            .mapToDouble(c -> linear(c / 255.0))
+            .toArray();
+    double[] s = product(eye, rgb);
+    double[] xyz =
+        product(new double[] {.4124, .3576, .1805, .2126, .7152, .0722, .0193, .1192, .9505}, s);
+    double x = root(xyz[0] / .9505);
+    double y = root(xyz[1]);
+    double z = root(xyz[2] / 1.089);
+    return new double[] {116 * y - 16, 500 * (x - y), 200 * (y - z)};
+  }
+
+  private static double[] product(double[] matrix, double[] v) {
+    return IntStream.range(0, 3)
+        .mapToDouble(
+            i -> matrix[3 * i] * v[0] + matrix[3 * i + 1] * v[1] + matrix[3 * i + 2] * v[2])
+        .map(sum -> Math.max(0, Math.min(1, sum)))
+        .toArray();
+  }
+
+  private static double linear(double c) {
+    return c <= 0.04045 ? c / 12.92 : Math.pow((c + 0.055) / 1.055, 2.4);
+  }
+
+  private static double root(double t) {
+    return t > 0.008856 ? Math.cbrt(t) : 7.787 * t + 16.0 / 116;
+  }
+
+  private static RunFrames frames(boolean tracks, boolean... present) {
+    Setup setup =
+        new Setup(
+            "hall",
+            FIELD,
+            "coverage",
+            "model",
+            0.5,
+            "policy",
+            0,
+            0.5,
+            false,
+            List.of(),
+            List.of(new TargetSetup("a", 0.5)),
+            List.of(),
+            List.of(),
+            List.of(),
+            List.of());
+    List<Frame> frames = new ArrayList<>();
+    for (int step = 0; step < 4; step++) {
+      frames.add(frame(step, present[step]));
+    }
+    Recording recording = new Recording(0, 0, 4, 1, "", List.of(), frames);
+    return new RunFrames(setup, recording, new Look(0.5, OptionalInt.empty(), tracks));
+  }
+
+  /** A target that goes east, two metres a step. */
+  private static Frame frame(int step, boolean present) {
+    return new Frame(
+        step,
+        new boolean[0],
+        new int[0],
+        new int[0],
+        new boolean[] {present},
+        new double[] {2 + 2 * step},
+        new double[] {17},
+        new int[1],
+        new double[0][],
+        new double[0][],
+        new int[0]);
+  }
+
+  private static BufferedImage image(HeatFigure figure, RunFrames frames) {
+    return FigureFile.image(new HeatPicture(frames, MAP, figure, 1), WIDTH);
+  }
+
+  private static Color at(BufferedImage image, double x, double y) {
+    FieldMap map = StepPicture.map(FIELD);
+    return new Color(image.getRGB((int) Math.round(map.x(x)), (int) Math.round(map.y(y))));
+  }
+}

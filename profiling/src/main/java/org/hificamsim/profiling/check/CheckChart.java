@@ -1,0 +1,68 @@
+package org.hificamsim.profiling.check;
+
+import java.awt.Color;
+import java.util.List;
+import java.util.stream.IntStream;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.profiling.report.Charts;
+import org.knowm.xchart.XYChart;
+import org.knowm.xchart.style.markers.Marker;
+import org.knowm.xchart.style.markers.SeriesMarkers;
+
+/** Errors over distance: a point for each box, and the bias of each band as a line. */
+final class CheckChart {
+  private static final int MOST_POINTS = 3000;
+
+  private CheckChart() {}
+
+  static byte[] png(RealityCheck check) {
+    return Charts.png(
+        List.of(chart(check, Quantity.HEIGHT, "box height"), chart(check, Quantity.PIP, "PIP")), 1);
+  }
+
+  private static XYChart chart(RealityCheck check, Quantity quantity, String title) {
+    XYChart chart =
+        Charts.large(
+            title + ": predicted against measured, " + check.boxes() + " boxes",
+            "distance, m",
+            "error, % of the measured");
+    points(chart, check, quantity, Rung.FLAT, Charts.BLUE, SeriesMarkers.CIRCLE);
+    points(chart, check, quantity, Rung.CALIBRATION, Charts.ORANGE, SeriesMarkers.CROSS);
+    line(chart, check, quantity, Rung.FLAT, Charts.BLUE);
+    line(chart, check, quantity, Rung.CALIBRATION, Charts.ORANGE);
+    chart.getStyler().setLegendVisible(true);
+    return chart;
+  }
+
+  private static void points(
+      XYChart chart, RealityCheck check, Quantity quantity, Rung rung, Color color, Marker marker) {
+    int every = 1 + check.boxes() / MOST_POINTS;
+    List<Comparison> shown =
+        IntStream.range(0, check.boxes())
+            .filter(i -> i % every == 0)
+            .mapToObj(check.comparisons()::get)
+            .toList();
+    Charts.points(
+        chart,
+        Spelling.of(rung),
+        shown.stream().mapToDouble(Comparison::distance).toArray(),
+        shown.stream().mapToDouble(one -> 100 * one.error(rung, quantity)).toArray(),
+        new Color(color.getRed(), color.getGreen(), color.getBlue(), 70),
+        marker);
+  }
+
+  private static void line(
+      XYChart chart, RealityCheck check, Quantity quantity, Rung rung, Color color) {
+    List<ErrorSummary> bands =
+        check.byDistance().stream()
+            .filter(one -> one.rung().equals(Spelling.of(rung)))
+            .filter(one -> one.quantity().equals(Spelling.of(quantity)))
+            .toList();
+    Charts.line(
+        chart,
+        Spelling.of(rung) + ", bias",
+        bands.stream().mapToDouble(one -> (one.from() + one.to()) / 2).toArray(),
+        bands.stream().mapToDouble(one -> 100 * one.bias()).toArray(),
+        color.darker());
+  }
+}

@@ -1,0 +1,43 @@
+package org.hificamsim.profiling.check;
+
+import java.util.List;
+import org.apache.commons.math3.stat.StatUtils;
+import org.hificamsim.core.Spelling;
+
+/**
+ * How far predictions are off, as shares of what was measured.
+ *
+ * @param from nearest distance that it is of, metres
+ * @param to the distance where the next band begins, metres
+ * @param boxes how many
+ * @param median of the errors' sizes
+ * @param ninety nine in ten errors are of this size or less
+ * @param bias the mean error; above 0 where too much is predicted
+ */
+public record ErrorSummary(
+    String rung,
+    String quantity,
+    double from,
+    double to,
+    int boxes,
+    double median,
+    double ninety,
+    double bias) {
+  private static final double HALF = 50;
+  private static final double NINETY = 90;
+
+  static ErrorSummary of(
+      Rung rung, Quantity quantity, double from, double to, List<Comparison> all) {
+    double[] errors = all.stream().mapToDouble(one -> one.error(rung, quantity)).toArray();
+    double[] sizes = all.stream().mapToDouble(one -> Math.abs(one.error(rung, quantity))).toArray();
+    return new ErrorSummary(
+        Spelling.of(rung),
+        Spelling.of(quantity),
+        from,
+        to,
+        errors.length,
+        StatUtils.percentile(sizes, HALF),
+        StatUtils.percentile(sizes, NINETY),
+        StatUtils.mean(errors));
+  }
+}

@@ -1,0 +1,115 @@
+package org.hificamsim.profiling.check;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.apache.commons.math3.stat.StatUtils;
+import org.hificamsim.core.InputException;
+
+/** Sightings beside predictions, and what the errors come to: over all, and by distance. */
+public final class RealityCheck {
+  private static final double MOST_BANDS = 8;
+
+  private final List<Comparison> comparisons;
+  private final double bandWidth;
+
+  private RealityCheck(List<Comparison> comparisons) {
+    this.comparisons = comparisons;
+    this.bandWidth = bandWidth(comparisons);
+  }
+
+  /**
+   * Compares.
+   *
+   * @param body what targets are assumed to be like
+   * @throws InputException when the calibration is of another place than the sightings, or there
+   *     are none
+   */
+  static RealityCheck of(List<Sighting> sightings, Calibration camera, Body body) {
+    List<Comparison> possible =
+        sightings.stream()
+            .map(sighting -> Comparison.of(sighting, camera, body))
+            .filter(Comparison::possible)
+            .toList();
+    if (possible.isEmpty()) {
+      throw new InputException(
+          "none of %s boxes is where the calibrated camera sees, expected positions and calibration"
+                  .formatted(sightings.size())
+              + " of one place; maybe --unit or --calibration-unit");
+    }
+    RealityCheck check = new RealityCheck(possible);
+    check.requireOnePlace();
+    return check;
+  }
+
+  /** Positions in another unit or of another camera would make errors that say nothing. */
+  private void requireOnePlace() {
+    double height =
+        median(comparisons.stream().mapToDouble(one -> one.sighting().height()).toArray());
+    if (footError() > height) {
+      throw new InputException(
+          ("half of the boxes stand %s pixels or more from where the calibration has them, expected"
+                  + " less than their height of %s; maybe --unit or --calibration-unit")
+              .formatted(Math.round(footError()), Math.round(height)));
+    }
+  }
+
+  private static double bandWidth(List<Comparison> all) {
+    double least = all.stream().mapToDouble(Comparison::distance).max().orElseThrow() / MOST_BANDS;
+    double power = Math.pow(10, Math.floor(Math.log10(least)));
+    for (int factor : new int[] {1, 2, 5}) {
+      if (factor * power >= least) {
+        return factor * power;
+      }
+    }
+    return 10 * power;
+  }
+
+  List<Comparison> comparisons() {
+    return comparisons;
+  }
+
+  /** How many boxes were compared. */
+  public int boxes() {
+    return comparisons.size();
+  }
+
+  /** From where the calibration has feet to where boxes stand, the median, pixels. */
+  public double footError() {
+    return median(comparisons.stream().mapToDouble(Comparison::footError).toArray());
+  }
+
+  private static double median(double[] values) {
+    return StatUtils.percentile(values, 50);
+  }
+
+  /** The errors of all boxes, a summary for each rung and quantity. */
+  public List<ErrorSummary> overall() {
+    double most = comparisons.stream().mapToDouble(Comparison::distance).max().orElseThrow();
+    return summaries(0, most, comparisons);
+  }
+
+  /** The same in bands of distance, the nearest first; those without a box are left out. */
+  public List<ErrorSummary> byDistance() {
+    List<ErrorSummary> all = new ArrayList<>();
+    for (int band = 0; band <= MOST_BANDS; band++) {
+      double from = band * bandWidth;
+      double to = from + bandWidth;
+      List<Comparison> within =
+          comparisons.stream().filter(o -> o.distance() >= from && o.distance() < to).toList();
+      if (!within.isEmpty()) {
+        all.addAll(summaries(from, to, within));
+      }
+    }
+    return all;
+  }
+
+  private static List<ErrorSummary> summaries(double from, double to, List<Comparison> within) {
+    List<ErrorSummary> all = new ArrayList<>();
+    for (Quantity quantity : Quantity.values()) {
+      for (Rung rung : Rung.values()) {
+        all.add(ErrorSummary.of(rung, quantity, from, to, within));
+      }
+    }
+    return all;
+  }
+}

@@ -1,0 +1,106 @@
+package org.hificamsim.profiling.check;
+
+/**
+ * A camera calibrated by Tsai's method (R. Tsai, IEEE J. Robotics and Automation 3(4), 1987) with
+ * one coefficient of radial distortion.
+ *
+ * @param view what turns and shifts the world before the camera
+ * @param lens what brings it into the picture
+ */
+record TsaiCamera(Extrinsic view, Intrinsic lens) implements Calibration {
+  /**
+   * Where the camera is: x before it = R x + T, with R = Rz Ry Rx.
+   *
+   * @param rx radians
+   * @param ry radians
+   * @param rz radians
+   * @param shift T, metres
+   */
+  record Extrinsic(double rx, double ry, double rz, Vector shift) {
+    private Vector row(int i) {
+      double sa = Math.sin(rx);
+      double ca = Math.cos(rx);
+      double sb = Math.sin(ry);
+      double cb = Math.cos(ry);
+      double sg = Math.sin(rz);
+      double cg = Math.cos(rz);
+      return switch (i) {
+        case 0 -> new Vector(cb * cg, cg * sa * sb - ca * sg, sa * sg + ca * cg * sb);
+        case 1 -> new Vector(cb * sg, sa * sb * sg + ca * cg, ca * sb * sg - cg * sa);
+        default -> new Vector(-sb, cb * sa, ca * cb);
+      };
+    }
+
+    Vector before(Vector world) {
+      return new Vector(row(0).dot(world), row(1).dot(world), row(2).dot(world)).plus(shift);
+    }
+
+    /** The direction in the world of one before the camera. */
+    Vector turnedBack(Vector v) {
+      return row(0).times(v.x()).plus(row(1).times(v.y())).plus(row(2).times(v.z()));
+    }
+  }
+
+  /**
+   * The lens and the sensor.
+   *
+   * @param focal length, millimetres
+   * @param kappa1 of radial distortion, per square millimetre: r (1 + kappa1 r^2) is where a
+   *     pinhole would have had what the lens puts at r
+   * @param dpx width of a pixel, millimetres
+   * @param dpy height of a pixel, millimetres
+   * @param sx what the width has to be multiplied by
+   * @param cx the picture's centre, pixels
+   * @param cy the picture's centre, pixels
+   */
+  record Intrinsic(
+      double focal, double kappa1, double dpx, double dpy, double sx, double cx, double cy) {
+    private static final int STEPS = 30; // Newton's method needs some five
+
+    Pixel pixel(double x, double y) {
+      double pinhole = focal * Math.hypot(x, y);
+      double factor = pinhole == 0 ? 1 : distorted(pinhole) / pinhole;
+      return new Pixel(cx + focal * x * factor * sx / dpx, cy + focal * y * factor / dpy);
+    }
+
+    /** The radius on the sensor of what a pinhole has at this one; NaN where the lens has none. */
+    private double distorted(double pinhole) {
+      double r = pinhole;
+      for (int i = 0; i < STEPS; i++) {
+        r -= (r * (1 + kappa1 * r * r) - pinhole) / (1 + 3 * kappa1 * r * r);
+      }
+      boolean found = Math.abs(r * (1 + kappa1 * r * r) - pinhole) <= 1e-9 * pinhole;
+      return found && r >= 0 && 1 + 3 * kappa1 * r * r > 0 ? r : Double.NaN;
+    }
+
+    Vector ray(Pixel pixel) {
+      double x = (pixel.u() - cx) * dpx / sx;
+      double y = (pixel.v() - cy) * dpy;
+      double factor = 1 + kappa1 * (x * x + y * y);
+      return new Vector(x * factor / focal, y * factor / focal, 1);
+    }
+  }
+
+  @Override
+  public Pixel project(Vector point) {
+    Vector before = view.before(point);
+    return before.z() > 0
+        ? lens.pixel(before.x() / before.z(), before.y() / before.z())
+        : Pixel.NONE;
+  }
+
+  @Override
+  public Vector ray(Pixel pixel) {
+    return view.turnedBack(lens.ray(pixel));
+  }
+
+  @Override
+  public Vector position() {
+    return view.turnedBack(view.shift().times(-1));
+  }
+
+  @Override
+  public double focalLength() {
+    return lens.focal() / lens.dpy();
+  }
+}

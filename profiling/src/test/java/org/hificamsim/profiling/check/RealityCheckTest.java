@@ -1,0 +1,136 @@
+package org.hificamsim.profiling.check;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.IntToDoubleFunction;
+import java.util.stream.IntStream;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+
+/** Boxes of a made camera, with errors that are known. */
+class RealityCheckTest {
+  private static final Body BODY = new Body(1.75, 0.5);
+  private static final TsaiCamera TILTED = MadeCameras.at(6, 15, MadeCameras.bent(0.004));
+
+  @Test
+  void boxesAsTheCalibrationHasThemHaveNoError() {
+    RealityCheck check = check(TILTED, i -> 0);
+    for (ErrorSummary one : check.overall()) {
+      if (one.rung().equals("calibration")) {
+        assertEquals(0, one.median(), 1e-12);
+        assertEquals(0, one.bias(), 1e-12);
+        assertEquals(200, one.boxes());
+      }
+    }
+    assertEquals(0, check.footError(), 1e-9);
+  }
+
+  @Test
+  void aKnownBiasIsFound() {
+    ErrorSummary height = of(check(TILTED, i -> 0.05), "calibration", "height");
+    assertEquals(0.05, height.median(), 1e-9);
+    assertEquals(0.05, height.ninety(), 1e-9);
+    assertEquals(0.05, height.bias(), 1e-9);
+    ErrorSummary pip = of(check(TILTED, i -> 0.05), "calibration", "pip");
+    assertEquals(1.05 * 1.05 - 1, pip.bias(), 1e-9, "an area");
+  }
+
+  @Test
+  void theQuantilesOfAKnownNoiseAreFound() {
+    ErrorSummary height =
+        of(check(TILTED, i -> -0.2 + 0.4 * (i + 0.5) / 200), "calibration", "height");
+    assertEquals(0.1, height.median(), 0.002, "evenly from -20 to 20 %");
+    assertEquals(0.18, height.ninety(), 0.002);
+    assertEquals(0, height.bias(), 1e-9);
+  }
+
+  @Test
+  void aFlatWorldIsRightOnTheAxisOfALevelCameraAndShortBesideIt() {
+    TsaiCamera level = MadeCameras.at(1.5, 0, MadeCameras.LENS);
+    List<Sighting> sightings =
+        List.of(sighting(level, 0, 20, 0), sighting(level, 15, 20, 0), sighting(level, 0, 10, 0));
+    RealityCheck check = RealityCheck.of(sightings, level, BODY);
+    assertEquals(0, check.comparisons().get(0).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(
+        20 / 25.0 - 1, check.comparisons().get(1).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(2).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(1).error(Rung.CALIBRATION, Quantity.HEIGHT), 1e-12);
+  }
+
+  @Test
+  void errorsGrowWithTheDistanceWhereTheyDo() {
+    List<Sighting> sightings = new ArrayList<>();
+    for (int i = 0; i < 100; i++) {
+      double y = 10 + 0.3 * i;
+      sightings.add(sighting(TILTED, 0, y, y / 400));
+    }
+    List<ErrorSummary> bands =
+        RealityCheck.of(sightings, TILTED, BODY).byDistance().stream()
+            .filter(one -> one.rung().equals("calibration") && one.quantity().equals("height"))
+            .toList();
+    assertEquals(100, bands.stream().mapToInt(ErrorSummary::boxes).sum(), "each in one band");
+    assertTrue(bands.size() > 3 && bands.size() <= 9, bands.size() + " bands");
+    for (ErrorSummary band : bands) {
+      double middle = (Math.max(10, band.from()) + Math.min(40, band.to())) / 2;
+      assertEquals(middle / 400, band.bias(), 0.002, "from " + band.from());
+    }
+  }
+
+  @Test
+  void positionsInAnotherUnitAreRefused() {
+    List<Sighting> off =
+        sightings(TILTED, i -> 0).stream().map(one -> moved(one, new Vector(0, 15, 0))).toList();
+    InputException other =
+        assertThrows(InputException.class, () -> RealityCheck.of(off, TILTED, BODY));
+    assertTrue(other.getMessage().contains("maybe --unit"), other.getMessage());
+    List<Sighting> behind = off.stream().map(one -> moved(one, new Vector(0, -500, 0))).toList();
+    assertTrue(
+        assertThrows(InputException.class, () -> RealityCheck.of(behind, TILTED, BODY))
+            .getMessage()
+            .startsWith("none of 200 boxes"));
+  }
+
+  private static ErrorSummary of(RealityCheck check, String rung, String quantity) {
+    return check.overall().stream()
+        .filter(one -> one.rung().equals(rung) && one.quantity().equals(quantity))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  private static RealityCheck check(Calibration camera, IntToDoubleFunction error) {
+    return RealityCheck.of(sightings(camera, error), camera, BODY);
+  }
+
+  /** Two hundred, evenly over a strip of ground. */
+  private static List<Sighting> sightings(Calibration camera, IntToDoubleFunction error) {
+    return IntStream.range(0, 200)
+        .mapToObj(
+            i -> sighting(camera, -4 + i % 9, 12 + i * 37 % 200 * 0.12, error.applyAsDouble(i)))
+        .toList();
+  }
+
+  /** A box that is by so much smaller than predicted that the prediction has this error. */
+  private static Sighting sighting(Calibration camera, double x, double y, double error) {
+    Vector foot = new Vector(x, y, 0);
+    Size predicted = Rung.CALIBRATION.size(camera, foot, BODY);
+    Pixel stand = camera.project(foot);
+    double width = predicted.width() / (1 + error);
+    double height = predicted.height() / (1 + error);
+    return new Sighting(1, "1", stand.u() - width / 2, stand.v() - height, width, height, foot);
+  }
+
+  private static Sighting moved(Sighting one, Vector by) {
+    return new Sighting(
+        one.frame(),
+        one.target(),
+        one.left(),
+        one.top(),
+        one.width(),
+        one.height(),
+        one.foot().plus(by));
+  }
+}

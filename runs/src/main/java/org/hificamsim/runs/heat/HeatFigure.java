@@ -1,0 +1,99 @@
+package org.hificamsim.runs.heat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import org.hificamsim.runs.heat.HeatMap.Place;
+
+/**
+ * What a picture of a heat map shows of each cell: the figures of the page's {@code heat.js}. NaN
+ * is nothing to show; 0 is told apart from all else.
+ */
+public enum HeatFigure {
+  MEAN_K("cameras that would detect there, mean", Unit.CAMERAS, Place::meanK),
+  COVERED("steps with 1 or more cameras", Unit.SHARE, place -> 1 - place.covered0()),
+  COVERED_K("steps with 2 or more cameras", Unit.SHARE, Place::coveredK),
+  VISITS("targets there, added up over the steps", Unit.COUNT, HeatFigure::visits),
+  VISITS_MEAN_K("cameras that detected a target there, mean", Unit.CAMERAS, Place::visitsMeanK),
+  VISITS_COVERED("visits with 1 or more cameras", Unit.SHARE, place -> 1 - place.visitsCovered0());
+
+  private enum Unit {
+    CAMERAS,
+    SHARE,
+    COUNT
+  }
+
+  private static final int MOST_TICKS = 6;
+
+  private final String label;
+  private final Unit unit;
+
+  @SuppressWarnings("ImmutableEnumChecker") // without state
+  private final ToDoubleFunction<Place> value;
+
+  HeatFigure(String label, Unit unit, ToDoubleFunction<Place> value) {
+    this.label = label;
+    this.unit = unit;
+    this.value = value;
+  }
+
+  private static double visits(Place place) {
+    return place.visits() == 0 ? Double.NaN : place.visits();
+  }
+
+  /** What it says, for a legend. */
+  public String label() {
+    return label;
+  }
+
+  /** The figure of a cell; NaN for none. */
+  public double of(Place place) {
+    return value.applyAsDouble(place);
+  }
+
+  /** Where its scale ends: at a whole number of cameras, at all steps or visits, at the most. */
+  public double end(HeatMap map) {
+    double most = map.places().stream().mapToDouble(this::of).filter(v -> v > 0).max().orElse(1);
+    return unit == Unit.SHARE ? 1 : Math.max(1, Math.ceil(most));
+  }
+
+  /**
+   * Where a figure lies on a scale, in [0, 1]; counts by their logarithm, since a few cells have
+   * most of them.
+   */
+  public double share(double figure, double end) {
+    return unit == Unit.COUNT ? Math.log1p(figure) / Math.log1p(end) : figure / end;
+  }
+
+  /** The numbers that are written beside a scale, rising. */
+  public List<Double> ticks(double end) {
+    return switch (unit) {
+      case SHARE -> List.of(0.0, 0.25, 0.5, 0.75, 1.0);
+      case CAMERAS -> cameras(end);
+      case COUNT -> powers(end);
+    };
+  }
+
+  private static List<Double> cameras(double end) {
+    double gap = end <= 2 ? end / 4 : Math.ceil(end / (MOST_TICKS - 1));
+    return IntStream.rangeClosed(0, (int) (end / gap)).mapToObj(i -> i * gap).toList();
+  }
+
+  private static List<Double> powers(double end) {
+    List<Double> ticks = new ArrayList<>();
+    for (double tick = 1; tick <= end; tick *= 10) {
+      ticks.add(tick);
+    }
+    return ticks;
+  }
+
+  /** A tick in words. */
+  public String tick(double figure) {
+    return switch (unit) {
+      case SHARE -> Math.round(100 * figure) + " %";
+      case CAMERAS -> Double.toString(figure).replaceFirst("\\.0$", "");
+      case COUNT -> Long.toString((long) figure);
+    };
+  }
+}

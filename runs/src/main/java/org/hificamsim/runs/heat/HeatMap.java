@@ -1,0 +1,57 @@
+package org.hificamsim.runs.heat;
+
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+
+/**
+ * How each cell of a field was covered over the steps of one or more runs.
+ *
+ * @param places by cell, in the order of {@link Cells}
+ */
+public record HeatMap(Cells cells, List<Place> places) {
+  /**
+   * One cell.
+   *
+   * @param meanK how many cameras would detect a target of the usual size in its middle, the mean
+   *     over the steps; by chance, the expected number. NaN where a solid obstacle stands
+   * @param covered0 the share of steps in which none would; by chance, the mean of the probability
+   * @param covered1 the same for exactly one
+   * @param coveredK the same for two or more
+   * @param visits how many targets were in the cell, summed over the steps
+   * @param visitsMeanK how many cameras detected these, the mean; NaN without any
+   * @param visitsCovered0 the share of these that none detected; NaN without any
+   */
+  public record Place(
+      double meanK,
+      double covered0,
+      double covered1,
+      double coveredK,
+      long visits,
+      double visitsMeanK,
+      double visitsCovered0) {
+    /** Whether a target could stand in the middle of the cell. */
+    public boolean free() {
+      return !Double.isNaN(meanK);
+    }
+  }
+
+  /** The share of the free area and the steps in which one or more cameras would detect. */
+  public double covered() {
+    return mean(place -> 1 - place.covered0);
+  }
+
+  /** The same for two or more cameras. */
+  public double coveredK() {
+    return mean(Place::coveredK);
+  }
+
+  /** The share of the free area in which no camera would ever detect. */
+  public double blind() {
+    return mean(place -> place.meanK == 0 ? 1 : 0);
+  }
+
+  /** The mean over the free cells; NaN where there are none. */
+  private double mean(ToDoubleFunction<Place> figure) {
+    return places.stream().filter(Place::free).mapToDouble(figure).average().orElse(Double.NaN);
+  }
+}

@@ -1,0 +1,113 @@
+package org.hificamsim.runs.heat;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.runs.heat.HeatMap.Place;
+import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.Table;
+import org.hificamsim.runs.output.TableFile;
+
+/** A heat map as a table, a row per cell: written, and read again. */
+public final class HeatTable {
+  private static final double DIGITS = 1e6; // shares and metres to a millionth
+  private static final double ROUNDING = 1e-5;
+
+  private HeatTable() {}
+
+  /** Adds {@code heatmap.csv}. */
+  public static void write(OutputFolder folder, HeatMap map) throws IOException {
+    try (CsvTable table = Table.HEATMAP.create(folder)) {
+      for (int cell = 0; cell < map.cells().count(); cell++) {
+        table.row(row(map.cells(), cell, map.places().get(cell)));
+      }
+    }
+  }
+
+  private static Object[] row(Cells cells, int cell, Place place) {
+    return new Object[] {
+      cell % cells.columns(),
+      cell / cells.columns(),
+      rounded(cells.x(cell)),
+      rounded(cells.y(cell)),
+      rounded(cells.width()),
+      rounded(cells.height()),
+      rounded(place.meanK()),
+      rounded(place.covered0()),
+      rounded(place.covered1()),
+      rounded(place.coveredK()),
+      place.visits(),
+      rounded(place.visitsMeanK()),
+      rounded(place.visitsCovered0())
+    };
+  }
+
+  private static double rounded(double number) {
+    return Double.isNaN(number) ? number : Math.round(number * DIGITS) / DIGITS;
+  }
+
+  /**
+   * Reads the table of a folder.
+   *
+   * @param field that the cells belong to
+   * @throws InputException when it is broken, or of another field
+   */
+  public static HeatMap read(Path folder, Field field) throws IOException {
+    TableFile table = Table.HEATMAP.read(folder);
+    Cells cells = cells(table, field);
+    List<Place> places = new ArrayList<>();
+    for (int row = 0; row < table.rows().size(); row++) {
+      check(table, row, cells);
+      places.add(place(table, row));
+    }
+    return new HeatMap(cells, places);
+  }
+
+  private static Cells cells(TableFile table, Field field) {
+    int last = table.rows().size() - 1;
+    int columns = last < 0 ? 0 : 1 + (int) table.number(last, "column");
+    int rows = last < 0 ? 0 : 1 + (int) table.number(last, "row");
+    boolean whole = columns > 0 && rows > 0 && columns <= Cells.MOST && rows <= Cells.MOST;
+    if (!whole || (long) columns * rows != table.rows().size()) {
+      throw new InputException(
+          "%s:%s:1: %s rows, expected one for each cell of a rectangle"
+              .formatted(table.file(), last + 2, last + 1));
+    }
+    return new Cells(field, columns, rows);
+  }
+
+  private static void check(TableFile table, int row, Cells cells) {
+    check(table, row, "x", cells.x(row), cells.field().width());
+    check(table, row, "y", cells.y(row), cells.field().height());
+  }
+
+  private static void check(TableFile table, int row, String column, double expected, double side) {
+    double found = table.number(row, column);
+    if (!(Math.abs(found - expected) <= ROUNDING * Math.max(1, side))) {
+      throw new InputException(
+          "%s:%s:%s: %s is %s, expected %s, as the field of this run is cut into cells"
+              .formatted(
+                  table.file(),
+                  table.line(row),
+                  1 + table.columns().indexOf(column),
+                  column,
+                  found,
+                  rounded(expected)));
+    }
+  }
+
+  private static Place place(TableFile table, int row) {
+    return new Place(
+        table.number(row, "mean_k"),
+        table.number(row, "covered_0"),
+        table.number(row, "covered_1"),
+        table.number(row, "covered_k"),
+        (long) table.number(row, "visits"),
+        table.number(row, "visits_mean_k"),
+        table.number(row, "visits_covered_0"));
+  }
+}

@@ -1,0 +1,240 @@
+package org.hificamsim.runs.heat;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.core.world.World;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.heat.HeatMap.Place;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Maps of a field of 12 x 8 m in cells of half a metre. Targets that stand still in the middle of
+ * every free cell tell what the simulation itself makes of these places.
+ */
+class HeatRecorderTest {
+  private static final int STEPS = 30;
+  private static final int CELLS = 24;
+
+  /** Cameras that turn, move slowly, fail and are moved; walls that hide, and that dim. */
+  private static final String SITE =
+      """
+<root>
+  <simulation min_x="0" max_x="12" min_y="0" max_y="8" order="coverage">
+    <obstacles>
+      <wall x1="4" y1="2" x2="4" y2="5"/>
+      <wall x1="7" y1="1" x2="7" y2="6" transmittance="0.6"/>
+      <polygon points="8.6,3.6 10.4,3.6 10.4,5.4 8.6,5.4"/>
+    </obstacles>
+    <cameras>
+      <optics name="ptz" law="pinhole" pixels="640" hfov="20 40 60" pan="-40 0 40" pan_speed="20" zoom_time="2"/>
+      <camera name="west" x="0.1" y="4.1" heading="90" viewing_angle="60" range="9" optics="ptz"/>
+      <camera name="north" x="6.1" y="7.9" heading="180" viewing_angle="90" range="6"/>
+      <camera name="east" x="11.9" y="0.1" heading="-45" viewing_angle="70" range="8"/>
+    </cameras>
+    <objects>%s</objects>
+    <events>
+      <event timestep="10" participant="camera" event="error" name="north" duration="-1"/>
+      <event timestep="20" participant="camera" event="change" name="east" x="11" y="7" heading="225" viewing_angle="-1" range="-1"/>
+    </events>
+  </simulation>
+</root>
+""";
+
+  @TempDir static Path folder;
+  private final Catalogue catalogue = Catalogue.load();
+
+  /** Adds up how the targets, one a free cell, are covered. */
+  private static final class Lattice implements StepListener {
+    private final Cells cells;
+    private final double[] k;
+    private final double[] none;
+    private final double[] more;
+
+    Lattice(Cells cells) {
+      this.cells = cells;
+      k = new double[cells.count()];
+      none = new double[cells.count()];
+      more = new double[cells.count()];
+    }
+
+    @Override
+    public void stepped(NetworkView network, StepCoverage coverage) {
+      for (int target = 0; target < network.targets(); target++) {
+        int cell = cells.at(network.oracle().targetX(target), network.oracle().targetY(target));
+        double mean = 0;
+        double zero = 1;
+        double one = 0;
+        for (int camera = 0; camera < network.cameras(); camera++) {
+          int view = network.seeing(camera);
+          boolean looks = network.online(camera) && view >= 0;
+          double chance = looks ? network.oracle().chance(camera, view, target) : 0;
+          mean += chance;
+          one = one * (1 - chance) + zero * chance;
+          zero *= 1 - chance;
+        }
+        k[cell] += mean / STEPS;
+        none[cell] += zero / STEPS;
+        more[cell] += (1 - zero - one) / STEPS;
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "geometric",
+        "dori-2014:level=observe",
+        "hifi:orb-lin",
+        "camsim-visibility",
+        "hifi:orb-lin@chance"
+      })
+  void aCellIsCoveredAsATargetInItsMiddle(String model) throws IOException {
+    Cells cells = new Cells(new Field(0, 12, 0, 8), 24, 16);
+    Scenario scenario = scenario("lattice", lattice(cells));
+    Lattice lattice = new Lattice(cells);
+    HeatMap map = map(scenario, detection(model, scenario), 1, lattice);
+    assertEquals(cells, map.cells());
+    int partly = 0;
+    for (int cell = 0; cell < cells.count(); cell++) {
+      Place place = map.places().get(cell);
+      if (place.free()) {
+        assertEquals(lattice.k[cell], place.meanK(), 1e-9, "cell " + cell);
+        assertEquals(lattice.none[cell], place.covered0(), 1e-9, "cell " + cell);
+        assertEquals(lattice.more[cell], place.coveredK(), 1e-9, "cell " + cell);
+        assertEquals(STEPS, place.visits());
+        partly += place.covered0() > 0.01 && place.covered0() < 0.99 ? 1 : 0;
+      }
+    }
+    assertEquals(
+        16, map.places().stream().filter(place -> !place.free()).count(), "in the polygon");
+    assertTrue(partly > 40, partly + " cells that are covered now and then");
+  }
+
+  @Test
+  void visitsAreCountedWhereTargetsWereAndAsTheyWereCovered() throws IOException {
+    String objects =
+        "<object features=\"1.0\" x=\"6.2\" y=\"7.2\" heading=\"0\" speed=\"0\"/>"
+            + "<object features=\"2.0\" x=\"6.3\" y=\"7.1\" heading=\"0\" speed=\"0\"/>"
+            + "<object features=\"3.0\" x=\"-3\" y=\"7.1\" heading=\"0\" speed=\"0\"/>";
+    Scenario scenario = scenario("visits", objects);
+    HeatMap map = map(scenario, detection("geometric", scenario), 2, null);
+    Place under = map.places().get(map.cells().at(6.25, 7.15));
+    assertEquals(2 * 2 * STEPS, under.visits(), "two targets in two runs");
+    assertEquals(under.meanK(), under.visitsMeanK(), 1e-12);
+    assertEquals(under.covered0(), under.visitsCovered0(), 1e-12);
+    assertTrue(under.covered0() > 0 && under.covered0() < 1, "north fails at step 10");
+    long all = map.places().stream().mapToLong(Place::visits).sum();
+    assertEquals(under.visits(), all, "who is beside the field is in no cell");
+    assertTrue(Double.isNaN(map.places().get(0).visitsMeanK()));
+  }
+
+  @Test
+  void theAreaIsMeasuredWhereTargetsCanStand() {
+    Cells cells = new Cells(new Field(0, 4, 0, 1), 4, 1);
+    HeatMap map =
+        new HeatMap(
+            cells,
+            List.of(
+                new Place(2, 0, 0, 1, 0, 0, 0),
+                new Place(0.5, 0.5, 0.5, 0, 0, 0, 0),
+                new Place(0, 1, 0, 0, 0, 0, 0),
+                new Place(Double.NaN, Double.NaN, Double.NaN, Double.NaN, 0, 0, 0)));
+    assertEquals(1.5 / 3, map.covered(), 1e-12);
+    assertEquals(1.0 / 3, map.coveredK(), 1e-12);
+    assertEquals(1.0 / 3, map.blind(), 1e-12);
+  }
+
+  @Test
+  void cellsAreNearlySquareAndBounded() {
+    Cells wide = Cells.of(new Field(-5, 15, 0, 7), 50);
+    assertEquals(new Cells(new Field(-5, 15, 0, 7), 50, 18), wide);
+    assertEquals(0.4, wide.width(), 1e-12);
+    assertEquals(-4.8, wide.x(0), 1e-12);
+    assertEquals(wide.count() - 1, wide.at(15, 7), "the border belongs to the last cells");
+    assertEquals(-1, wide.at(15.01, 7));
+    assertEquals(-1, wide.at(Double.NaN, 7));
+    assertEquals(1, Cells.of(new Field(3, 3, 2, 2), 50).count(), "a field that is a point");
+    assertEquals(50, Cells.of(new Field(0, 9, 2, 2), 50).count(), "a field that is a line");
+  }
+
+  @Test
+  void aTableIsReadAsItWasWrittenAndRefusedForAnotherField() throws IOException {
+    Scenario scenario = scenario("table", lattice(new Cells(new Field(0, 12, 0, 8), 6, 4)));
+    HeatMap map = map(scenario, detection("geometric", scenario), 1, null);
+    Path out = folder.resolve("written");
+    try (OutputFolder files = new OutputFolder(out)) {
+      HeatTable.write(files, map);
+      files.commit(List.of());
+    }
+    HeatMap read = HeatTable.read(out, scenario.field());
+    for (int cell = 0; cell < map.cells().count(); cell++) {
+      assertEquals(map.places().get(cell).meanK(), read.places().get(cell).meanK(), 1e-6);
+      assertEquals(map.places().get(cell).visits(), read.places().get(cell).visits());
+    }
+    InputException other =
+        assertThrows(InputException.class, () -> HeatTable.read(out, new Field(0, 13, 0, 8)));
+    assertTrue(
+        other.getMessage().contains("heatmap.csv:2:3: x is 0.25, expected 0.27"),
+        other.getMessage());
+    Path table = out.resolve("heatmap.csv");
+    Files.writeString(table, Files.readString(table).replaceFirst("(?s)\n[^\n]*\n$", "\n"));
+    assertThrows(InputException.class, () -> HeatTable.read(out, scenario.field()));
+  }
+
+  private static String lattice(Cells cells) {
+    StringBuilder objects = new StringBuilder();
+    for (int cell = 0; cell < cells.count(); cell++) {
+      double x = cells.x(cell);
+      double y = cells.y(cell);
+      if (Math.abs(x - 9.5) > 0.9 || Math.abs(y - 4.5) > 0.9) {
+        objects.append(
+            "<object features=\"%s.0\" x=\"%s\" y=\"%s\" heading=\"0\" speed=\"0\"/>"
+                .formatted(cell, x, y));
+      }
+    }
+    return objects.toString();
+  }
+
+  private Scenario scenario(String name, String objects) throws IOException {
+    Path file = folder.resolve(name + ".xml");
+    Files.writeString(file, SITE.formatted(objects));
+    return ScenarioReader.read(file, catalogue.movements().names()::contains, line -> {});
+  }
+
+  private Detection detection(String model, Scenario scenario) {
+    return Overrides.NONE.detection(DetectionSpec.parse(model, catalogue::detection), scenario);
+  }
+
+  private HeatMap map(Scenario scenario, Detection detection, int repeats, StepListener beside) {
+    RunPlan plan =
+        new RunPlan(scenario, detection, "epsilon-greedy:epsilon=0.5", STEPS, 7, repeats);
+    HeatRecorder recorder =
+        new HeatRecorder(new World(scenario, catalogue.movements(), 7), detection, CELLS);
+    List<StepListener> listeners = beside == null ? List.of(recorder) : List.of(recorder, beside);
+    new RunExecutor(catalogue).execute(plan, run -> listeners);
+    assertEquals((long) STEPS * repeats, recorder.steps());
+    return recorder.map();
+  }
+}

@@ -1,0 +1,286 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.openqa.selenium.support.ui.Select;
+
+/**
+ * The heat map of a hall with walls, a floorplan, and targets that come and go: as table, pictures
+ * and layer of both pages.
+ */
+class HeatMapTest {
+  private static final int STEPS = 120;
+
+  @TempDir static Path folder;
+  private static Browser browser;
+  private static Path scenario;
+  private static Path run;
+
+  @BeforeAll
+  static void recordAndStart() throws IOException {
+    String hall = Files.readString(Cli.ROOT.resolve("src/test/resources/seen/hall.xml"));
+    String comesAndGoes =
+        "<events>"
+            + "<event timestep=\"40\" participant=\"object\" event=\"add\" name=\"0.9\" x=\"2\""
+            + " y=\"18\" heading=\"90\" speed=\"0.3\""
+            + " fqName=\"epics.movement.Straight\"/>"
+            + "<event timestep=\"80\" participant=\"object\" event=\"error\" name=\"0.9\"/>"
+            + "</events>";
+    scenario = folder.resolve("hall.xml");
+    Files.writeString(scenario, hall.replace("</objects>", "</objects>" + comesAndGoes));
+    BufferedImage floor = new BufferedImage(60, 40, BufferedImage.TYPE_INT_RGB);
+    floor.createGraphics().fillRect(0, 0, 60, 40);
+    ImageIO.write(floor, "png", folder.resolve("floor.png").toFile());
+    run = folder.resolve("run");
+    done(
+        "run",
+        scenario,
+        "--record",
+        "--heatmap",
+        "--cells",
+        60,
+        "--policy",
+        "epsilon-greedy:epsilon=0.3",
+        "--steps",
+        STEPS,
+        "--repeat",
+        2,
+        "--out",
+        run);
+    browser = Browser.start(folder);
+  }
+
+  @AfterAll
+  static void stop() {
+    if (browser != null) {
+      browser.close();
+    }
+  }
+
+  private static Cli done(Object... words) {
+    Cli cli = Cli.run(words);
+    assertEquals(0, cli.exit(), cli.err());
+    return cli;
+  }
+
+  private static List<String[]> table() throws IOException {
+    return Files.readAllLines(run.resolve("heatmap.csv")).stream()
+        .skip(1)
+        .map(line -> line.split(",", -1))
+        .toList();
+  }
+
+  @Test
+  void theTableHasARowACellAndTheTargetsOfAllSteps() throws IOException {
+    List<String[]> rows = table();
+    assertEquals(60 * 40, rows.size());
+    long visits = rows.stream().mapToLong(row -> Long.parseLong(row[10])).sum();
+    long targets = Files.readAllLines(run.resolve("targets.csv")).size() - 1L;
+    assertEquals(targets, visits, "every target is in the field at every step");
+    for (String[] row : rows) {
+      assertEquals(row[6].isEmpty(), row[7].isEmpty());
+      if (!row[6].isEmpty()) {
+        double sum =
+            Double.parseDouble(row[7]) + Double.parseDouble(row[8]) + Double.parseDouble(row[9]);
+        assertEquals(1, sum, 1e-5);
+      }
+    }
+    assertTrue(rows.stream().anyMatch(row -> row[6].isEmpty()), "in the pillar");
+  }
+
+  @Test
+  void theSameSeedGivesTheSameTableOnAnyNumberOfThreadsAndWithoutARecording() throws IOException {
+    Path again = folder.resolve("again");
+    Cli cli =
+        done(
+            "run",
+            scenario,
+            "--heatmap",
+            "--cells",
+            60,
+            "--policy",
+            "epsilon-greedy:epsilon=0.3",
+            "--steps",
+            STEPS,
+            "--repeat",
+            2,
+            "--threads",
+            2,
+            "--out",
+            again);
+    assertTrue(cli.out().contains("heat map of 60 x 40 cells: of area and steps"), cli.out());
+    assertArrayEquals(
+        Files.readAllBytes(run.resolve("heatmap.csv")),
+        Files.readAllBytes(again.resolve("heatmap.csv")));
+    done("run", scenario, "--steps", 5, "--out", again);
+    assertFalse(Files.exists(again.resolve("heatmap.csv")), "of an earlier run");
+  }
+
+  @Test
+  void thePageShowsTheFigureThatIsChosenAndTellsTheNumbersOfTheTable() throws IOException {
+    open();
+    choose("mean-k");
+    String[] row = table().get(12 * 60 + 22); // of the cell of half a metre from (11, 6) on
+    String told = (String) browser.run(FieldScripts.TOLD, 11.3, 6.3);
+    assertTrue(told.startsWith(rounded(row[6]) + " cameras in the mean, none in "), told);
+    assertEquals(
+        "in an obstacle",
+        browser
+            .run(FieldScripts.TOLD, 16.2, 9.2)
+            .toString()
+            .lines()
+            .skip(1)
+            .findFirst()
+            .orElse(""));
+    assertTrue(browser.text(".heat-key").contains("240 steps: of area and steps"));
+    assertFalse(browser.text(".heat-key").contains("–"), browser.text(".heat-key"));
+    choose("visits");
+    assertTrue(browser.text(".heat-key").startsWith("1"), browser.text(".heat-key"));
+    browser.assertQuietConsole();
+    assertEquals(1, browser.requests().size());
+    choose("");
+    Object bare = browser.run(FieldScripts.COLOUR, 11.3, 6.3);
+    choose("mean-k");
+    assertNotEquals(bare, browser.run(FieldScripts.COLOUR, 11.3, 6.3));
+    choose("");
+    assertEquals(bare, browser.run(FieldScripts.COLOUR, 11.3, 6.3));
+  }
+
+  @Test
+  void tracksAreShownWhereTargetsWentAndOnlyThere() throws IOException {
+    open();
+    String[] row =
+        Files.readAllLines(run.resolve("targets.csv")).stream()
+            .map(line -> line.split(","))
+            .filter(one -> one[0].equals("0") && one[1].equals("60") && one[2].equals("0.9"))
+            .findFirst()
+            .orElseThrow();
+    double x = Double.parseDouble(row[3]);
+    double y = Double.parseDouble(row[4]);
+    browser.run("hificamsim.playhead.show(119)");
+    Object bare = browser.run(FieldScripts.COLOUR, x, y);
+    browser.find("[name=tracks]").sendKeys(" ");
+    assertNotEquals(
+        bare, browser.run(FieldScripts.COLOUR, x, y), "it was here at step 60, and is gone");
+    browser.find("[name=tracks]").sendKeys(" ");
+    assertEquals(bare, browser.run(FieldScripts.COLOUR, x, y));
+  }
+
+  @Test
+  void thePageIsReadableAtAllWidths() throws IOException {
+    open();
+    choose("mean-k");
+    browser.find("[name=tracks]").sendKeys(" ");
+    Accessibility.lookAt(browser, "heat");
+  }
+
+  @Test
+  void theLivePageFindsTheMapOutOnlyWhileItIsLookedAt() throws Exception {
+    try (ViewProcess view = new ViewProcess(scenario, "--policy", "zoom-out")) {
+      browser.open(view.address());
+      browser.until("return hificamsim.playhead.playing && hificamsim.playhead.count > 5");
+      assertEquals(false, browser.run("return Boolean(hificamsim.players[0].field.heat.heat)"));
+      choose("mean-k");
+      browser.until("return hificamsim.players[0].field.heat.shown");
+      String told = browser.text(".heat-key");
+      assertTrue(told.contains(" steps from "), told);
+      browser.until(
+          "return hificamsim.players[0].field.heat.heat.steps > arguments[0]"
+              .replace("arguments[0]", "3"));
+      Accessibility.lookAt(browser, "heat-view");
+      browser.run("hificamsim.send({command: 'drag', camera: 3, x: 20, y: 2})");
+      browser.until("return hificamsim.players[0].field.heat.heat.first > 20");
+      browser.find("#compare").click();
+      browser.until(
+          "return hificamsim.players.length === 2 && hificamsim.players[1].field.heat.shown");
+      choose("");
+      browser.until("return hificamsim.heated === false");
+      browser.assertQuietConsole();
+      browser.leave();
+    }
+  }
+
+  @Test
+  void picturesShowTheMapWithoutABrowser() throws IOException {
+    Path png = folder.resolve("map.png");
+    Path svg = folder.resolve("map.svg");
+    done("report", run, "--heatmap", "covered-k", "--tracks", "--png", png, "--svg", svg);
+    byte[] first = Files.readAllBytes(png);
+    assertEquals(1600, ImageIO.read(png.toFile()).getWidth());
+    String text = Files.readString(svg);
+    assertTrue(text.contains("heat map of 2 runs of 120 steps"), "heading");
+    assertTrue(text.contains("steps with 2 or more cameras"), "legend");
+    done("report", run, "--heatmap", "covered-k", "--tracks", "--png", png);
+    assertArrayEquals(first, Files.readAllBytes(png));
+    done("report", run, "--heatmap", "covered-k", "--png", png);
+    assertFalse(Arrays.equals(first, Files.readAllBytes(png)), "without tracks");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "report RUN --png FILE --heatmap hot | --heatmap is 'hot', expected one of mean-k,"
+            + " covered,",
+        "report RUN --png FILE --heatmap visits --step 3 | --heatmap is of all steps",
+        "report RUN --gif FILE --heatmap visits | --heatmap needs --png or --svg beside it",
+        "run SCENARIO --out FILE --cells 20 | --cells needs --heatmap beside it",
+        "run SCENARIO --out FILE --heatmap --cells 0 | --cells is 0, expected a whole number from 1"
+            + " to 200",
+        "run SCENARIO --out FILE --heatmap --cells 201 | --cells is 201, expected",
+      })
+  void wrongWordsAreToldInOneLine(String words, String expected) {
+    Path file = folder.resolve("refused");
+    Map<String, Object> paths = Map.of("RUN", run, "FILE", file, "SCENARIO", scenario);
+    Cli cli =
+        Cli.run(
+            Stream.of(words.strip().split(" "))
+                .map(word -> paths.getOrDefault(word, word))
+                .toArray());
+    cli.assertRefused(expected, file);
+  }
+
+  @Test
+  void aFolderWithoutAMapIsToldInOneLine() throws IOException {
+    Path other = folder.resolve("other");
+    done("run", Cli.scenario("ring-random"), "--record", "--steps", 5, "--out", other);
+    Cli cli = Cli.run("report", other, "--png", folder.resolve("x.png"), "--heatmap", "visits");
+    cli.assertRefused("run --record --heatmap", folder.resolve("x.png"));
+    Files.copy(run.resolve("heatmap.csv"), other.resolve("heatmap.csv"));
+    Cli foreign = Cli.run("report", other, "--out", folder.resolve("x.html"));
+    foreign.assertRefused("heatmap.csv:2:3: x is 0.25, expected", folder.resolve("x.html"));
+  }
+
+  private static void open() {
+    browser.open(run.resolve("report.html").toUri() + "#60");
+  }
+
+  private static void choose(String figure) {
+    new Select(browser.find("[name=heat]")).selectByValue(figure);
+  }
+
+  private static String rounded(String number) {
+    String text = String.format(Locale.ROOT, "%.2f", Double.parseDouble(number));
+    return text.contains(".") ? text.replaceFirst("0+$", "").replaceFirst("\\.$", "") : text;
+  }
+}
