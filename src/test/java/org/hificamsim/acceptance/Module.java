@@ -11,6 +11,7 @@ enum Module {
   AGENTS("coverage-agents", CORE),
   CATALOGUE("catalogue", HIFI, AGENTS),
   RUNS("runs", CATALOGUE),
+  WORLDS("worlds", CATALOGUE),
   NETWORK("camsim-network", RUNS),
   PROFILING("profiling", HIFI),
   PRESENTATION("presentation", RUNS),
@@ -18,7 +19,7 @@ enum Module {
   CLI("cli", REPRODUCTION, PROFILING),
   BRIDGE("camsim-bridge", RUNS),
   SPARK("spark", RUNS),
-  BENCH("bench", PRESENTATION, NETWORK);
+  BENCH("bench", PRESENTATION, NETWORK, WORLDS);
 
   /** Its folder, as settings.gradle names it. */
   final String folder;
