@@ -28,6 +28,7 @@ final class OneWorld implements StepListener {
   private final float[] rewards;
   private final float[] measures = new float[MEASURES];
   private final int[] actions;
+  private StepListener watcher = (network, coverage) -> {};
   private Simulation simulation;
   private CameraObserver observer;
   private Masks masks;
@@ -65,7 +66,8 @@ final class OneWorld implements StepListener {
     long ofEpisode = episodeSeed(seed, episode);
     world.restart(ofEpisode);
     reward.begin();
-    simulation = new Simulation(world, setup.detection(), policy, ofEpisode, List.of(this));
+    simulation =
+        new Simulation(world, setup.detection(), policy, ofEpisode, List.of(this, watcher));
     step = 0;
     simulation.untilDecision();
     observer = new CameraObserver(network(), setup.layout());
@@ -77,6 +79,11 @@ final class OneWorld implements StepListener {
     return episode == 0
         ? seed
         : new SplittableRandom(seed + episode * 0x9E3779B97F4A7C15L).nextLong();
+  }
+
+  /** The seed of the episode. */
+  long seed() {
+    return episodeSeed(seed, episode);
   }
 
   /** Does what {@link #actions} say, up to the next decision. */
@@ -94,6 +101,11 @@ final class OneWorld implements StepListener {
     measures[0] = (float) Rewards.covered(coverage);
     measures[1] = coverage.kMin();
     measures[2] = (float) coverage.score();
+  }
+
+  /** Adds a listener to the episodes that begin from now on. */
+  void watch(StepListener newWatcher) {
+    watcher = newWatcher;
   }
 
   /** Whether the episode is over. */

@@ -6,6 +6,7 @@ import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -115,6 +116,16 @@ public final class Worlds implements AutoCloseable {
   /** A world's network as it is now. */
   public NetworkView network(int world) {
     return worlds[world].network();
+  }
+
+  /** Has one listener told of the steps of a world, from its next episode on. */
+  public void watch(int world, StepListener listener) {
+    worlds[world].watch(listener);
+  }
+
+  /** The seed of the episode that a world is in. */
+  public long seed(int world) {
+    return worlds[world].seed();
   }
 
   /**
