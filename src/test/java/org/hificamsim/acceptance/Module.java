@@ -11,15 +11,17 @@ enum Module {
   AGENTS("coverage-agents", CORE),
   CATALOGUE("catalogue", HIFI, AGENTS),
   RUNS("runs", CATALOGUE),
+  WORLDS("worlds", CATALOGUE),
   NETWORK("camsim-network", RUNS),
   TRACKS("tracks", CORE),
   PROFILING("profiling", HIFI),
   PRESENTATION("presentation", RUNS),
   REPRODUCTION("reproduction", PRESENTATION, NETWORK),
   CLI("cli", REPRODUCTION, PROFILING, TRACKS),
+  PYTHON("python", WORLDS, PRESENTATION),
   BRIDGE("camsim-bridge", RUNS),
   SPARK("spark", RUNS),
-  BENCH("bench", PRESENTATION, NETWORK);
+  BENCH("bench", PRESENTATION, NETWORK, WORLDS);
 
   /** Its folder, as settings.gradle names it. */
   final String folder;

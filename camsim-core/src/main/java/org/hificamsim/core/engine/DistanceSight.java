@@ -159,6 +159,27 @@ final class DistanceSight implements Sight {
     return seen;
   }
 
+  @Override
+  public int find(
+      int camera, int view, PointGrid grid, int begin, int end, int[] found, int count) {
+    double below = disc[rows.row(camera, view)];
+    return below > 0 && rows.allRound(camera, view)
+        ? findAllRound(cameras.pose(camera), below, grid, begin, end, found, count)
+        : Sight.super.find(camera, view, grid, begin, end, found, count);
+  }
+
+  /** The same as {@link #lookAllRound}; the entry behind the last may be written, and is none. */
+  private static int findAllRound(
+      Pose camera, double below, PointGrid grid, int begin, int end, int[] found, int count) {
+    int filled = count;
+    for (int i = begin; i < end; i++) {
+      double difference = camera.squaredDistance(grid.x(i), grid.y(i)) - below;
+      found[filled] = i;
+      filled += (int) (Double.doubleToRawLongBits(difference) >>> 63);
+    }
+    return filled;
+  }
+
   /** What is in between is found once for all views, when a first one has the target in view. */
   @Override
   public void mark(

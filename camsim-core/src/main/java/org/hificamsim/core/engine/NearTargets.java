@@ -86,6 +86,45 @@ final class NearTargets {
     }
   }
 
+  /**
+   * As {@link org.hificamsim.core.policy.NetworkView#findSeen}.
+   *
+   * @param view {@link Cameras#NO_VIEW} sees none
+   */
+  int findSeen(int camera, int view, int[] who, double[] ahead, double[] sideways) {
+    if (view == Cameras.NO_VIEW) {
+      return 0;
+    }
+    int count = find(camera, view, who);
+    Pose pose = cameras.pose(camera, view);
+    for (int seen = 0; seen < count; seen++) {
+      int i = who[seen];
+      double dx = grid.x(i) - pose.x();
+      double dy = grid.y(i) - pose.y();
+      who[seen] = grid.point(i);
+      ahead[seen] = dx * pose.headingX() + dy * pose.headingY();
+      sideways[seen] = dx * pose.headingY() - dy * pose.headingX();
+    }
+    return count;
+  }
+
+  /** Finds the targets that a camera detects, by index in the grid. */
+  private int find(int camera, int view, int[] found) {
+    if (grid.cells() == 1) {
+      return sight.find(camera, view, grid, 0, grid.count(), found, 0);
+    }
+    double reach = sight.reach(camera, view);
+    int left = left(camera, reach);
+    int right = right(camera, reach);
+    int top = top(camera, reach);
+    int count = 0;
+    for (int row = bottom(camera, reach); row <= top; row++) {
+      int start = grid.start(row, left);
+      count = sight.find(camera, view, grid, start, grid.end(row, right), found, count);
+    }
+    return count;
+  }
+
   private <T> void see(Pose pose, int i, T work, SeenTask<T> task) {
     double dx = grid.x(i) - pose.x();
     double dy = grid.y(i) - pose.y();

@@ -297,6 +297,18 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
+  public double targetSize(int target) {
+    return targets.size(target);
+  }
+
+  @Override
+  public int findSeen(int camera, int[] who, double[] ahead, double[] right) {
+    return cameras.online(camera)
+        ? near.findSeen(camera, cameras.seeing(camera), who, ahead, right)
+        : 0;
+  }
+
+  @Override
   public <T> void eachSeen(int camera, T work, SeenTask<T> task) {
     if (cameras.online(camera)) {
       near.eachSeen(camera, cameras.seeing(camera), work, task);

@@ -61,6 +61,23 @@ interface Sight {
   }
 
   /**
+   * Finds the targets that the camera would detect at this view, among some that are near.
+   *
+   * @param grid where they are; those from index {@code from} up to {@code to} are looked at
+   * @param found receives the indices of those that are detected, from entry {@code count} on
+   * @return how many entries are filled then
+   */
+  default int find(int camera, int view, PointGrid grid, int from, int to, int[] found, int count) {
+    int filled = count;
+    for (int i = from; i < to; i++) {
+      if (detects(camera, view, grid.point(i))) {
+        found[filled++] = i;
+      }
+    }
+    return filled;
+  }
+
+  /**
    * Marks the targets that the camera would detect at each of its views, among some that are near.
    *
    * @param masks as {@link org.hificamsim.core.policy.OracleView#detections} has them

@@ -93,6 +93,15 @@ public final class Simulation {
 
   /** Runs one step; the first one calls the listeners' {@code started}. */
   public void step() {
+    untilDecision();
+    fromDecision();
+  }
+
+  /**
+   * Runs the first half of a step: all that comes before the policy is asked. What cameras see then
+   * is what they decide from. {@link #fromDecision} has to follow.
+   */
+  public void untilDecision() {
     if (!started) {
       start();
     }
@@ -103,6 +112,10 @@ public final class Simulation {
     }
     cooperation.prepare();
     network.locate();
+  }
+
+  /** Runs the second half of a step: decide, observe, measure. */
+  public void fromDecision() {
     decide();
     network.observe(cooperation);
     cooperation.cooperate();

@@ -19,7 +19,7 @@ public final class Workers implements AutoCloseable {
 
   /** A share of some work. */
   @FunctionalInterface
-  interface Share {
+  public interface Share {
     /**
      * Does one worker's share.
      *
@@ -61,7 +61,7 @@ public final class Workers implements AutoCloseable {
   }
 
   /** The first of {@code all} items that belong to a worker; its last is before the next one's. */
-  int first(int worker, int all) {
+  public int first(int worker, int all) {
     return (int) ((long) all * worker / count());
   }
 
@@ -70,7 +70,7 @@ public final class Workers implements AutoCloseable {
    *
    * @throws RuntimeException what a share threw
    */
-  void run(Share newShare) {
+  public void run(Share newShare) {
     if (threads.length == 0) {
       newShare.run(0);
       return;

@@ -114,6 +114,11 @@ public interface NetworkView extends CoveredTargets {
     return online(camera) && view >= 0 && present(target) && oracle().detects(camera, view, target);
   }
 
+  /** Edge of the bounding box of a target, metres; NaN where that is not known. */
+  default double targetSize(int target) {
+    return Double.NaN;
+  }
+
   /** How far a target is that the camera {@link #sees}, metres; NaN for one that it does not. */
   default double distance(int camera, int target) {
     return sees(camera, target)
@@ -134,6 +139,28 @@ public interface NetworkView extends CoveredTargets {
     double dy = oracle().targetY(target) - cameraY(camera);
     double axis = cameraHeading(camera) + pan(camera, seeing(camera));
     return Math.IEEEremainder(Math.atan2(dx, dy) - axis, 2 * Math.PI);
+  }
+
+  /**
+   * Finds the targets that a camera {@link #sees}, and where before it they are: the same as asking
+   * of every target, but those out of reach cost nothing.
+   *
+   * @param who as long as there are targets; filled from the start, in no order
+   * @param ahead metres from the camera along the axis of its view, one entry for each of them
+   * @param right metres to the right of that axis
+   * @return how many there are
+   */
+  default int findSeen(int camera, int[] who, double[] ahead, double[] right) {
+    int count = 0;
+    for (int target = 0; target < targets(); target++) {
+      if (sees(camera, target)) {
+        who[count] = target;
+        ahead[count] = distance(camera, target) * Math.cos(bearing(camera, target));
+        right[count] = distance(camera, target) * Math.sin(bearing(camera, target));
+        count++;
+      }
+    }
+    return count;
   }
 
   /**

@@ -15,6 +15,8 @@ public final class Cameras {
   /** What a camera that is on its way sees through, where it sees nothing. */
   public static final int NO_VIEW = -1;
 
+  private static final Pose NOWHERE = Pose.of(0, 0, 0);
+
   private final String[] names;
   private final Pose[] mounted;
   private final ViewSet[] sets;
@@ -31,7 +33,6 @@ public final class Cameras {
   Cameras(int count) {
     names = new String[count];
     mounted = new Pose[count];
-    Arrays.fill(mounted, Pose.of(0, 0, 0));
     sets = new ViewSet[count];
     poses = new Pose[count][];
     zooms = new ZoomLevel[count][];
@@ -41,8 +42,11 @@ public final class Cameras {
     online = new boolean[count];
   }
 
+  /** Not there yet. */
   void define(int camera, String name, ViewSet set) {
     names[camera] = name;
+    mounted[camera] = NOWHERE;
+    online[camera] = false;
     fit(camera, set);
     view[camera] = set.home();
   }

@@ -16,6 +16,12 @@ public final class RandomStreams {
     this.move = new Random(seed);
   }
 
+  /** Begins anew: the same as new streams with this seed. */
+  void restart(long seed) {
+    turn.setSeed(seed);
+    move.setSeed(seed);
+  }
+
   /** TURN: one double each time a moved target is outside the field. */
   public Random turn() {
     return turn;

@@ -40,10 +40,16 @@ public final class Targets {
     present = new boolean[count];
   }
 
+  /** Not there yet. */
   void define(int target, String name, double itsSize, double itsWidth) {
     names[target] = name;
     size[target] = itsSize;
     width[target] = itsWidth;
+    disappear(target);
+    x[target] = 0;
+    y[target] = 0;
+    heading[target] = 0;
+    speed[target] = 0;
   }
 
   void appear(int target, double atX, double atY, double itsHeading, double itsSpeed) {

@@ -33,6 +33,7 @@ public final class World {
   private final Map<String, Integer> cameraNumbers = new HashMap<>();
   private final Views views;
   private final SightLines sightLines;
+  private final Registry<Movement> registry;
   private final Movement[] movements;
   private final ScenarioEvent[] events;
   private final int[] removed; // the target that each event removes, or none
@@ -49,6 +50,7 @@ public final class World {
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
     this.scenario = scenario;
+    this.registry = registry;
     this.views = new Views(scenario);
     this.random = new RandomStreams(seed);
     this.events =
@@ -61,10 +63,29 @@ public final class World {
     Obstacles obstacles = new Obstacles(scenario.surroundings().obstacles());
     targets = new Targets(scenario.field(), obstacles, scenario.order(), targetSpecs.size());
     movements = new Movement[targetSpecs.size()];
-    defineAll(registry);
+    start();
+    sightLines = new SightLines(obstacles, scenario.surroundings().occlusion(), cameras, targets);
+  }
+
+  /** Defines all there will ever be, and adds those of the start. */
+  private void start() {
+    defineAll();
     scenario.cameras().forEach(camera -> addCamera());
     scenario.targets().forEach(target -> addTarget());
-    sightLines = new SightLines(obstacles, scenario.surroundings().occlusion(), cameras, targets);
+  }
+
+  /**
+   * Begins anew: the same as a new world with this seed, but what obstacles hide from cameras that
+   * stand where they stood is known. A {@link org.hificamsim.core.engine.Simulation} of this world
+   * ends with it; the next one is a new one.
+   */
+  public void restart(long seed) {
+    random.restart(seed);
+    nextEvent = 0;
+    nextCamera = 0;
+    nextTarget = 0;
+    start();
+    sightLines.refresh();
   }
 
   /** The zoom levels of the scenario's cameras at the start, each once, in the file's order. */
@@ -266,7 +287,7 @@ public final class World {
     }
   }
 
-  private void defineAll(Registry<Movement> registry) {
+  private void defineAll() {
     for (int camera = 0; camera < cameraSpecs.size(); camera++) {
       CameraSpec spec = cameraSpecs.get(camera);
       cameraNumbers.putIfAbsent(spec.name(), camera);

@@ -38,9 +38,23 @@ class SeenTargetsTest {
       network.eachSeen(
           camera, seen, (work, target, away, at) -> work.put(target, new Seen(away, at)));
       assertEquals(byAsking(network, camera), seen);
+      assertFound(seen, network, camera);
       all += seen.size();
     }
     assertTrue(all > 20 && all < CAMERAS * TARGETS / 2, all + " seen");
+  }
+
+  /** The same targets, by where they are before the camera. */
+  private static void assertFound(Map<Integer, Seen> seen, ObservedNetwork network, int camera) {
+    int[] who = new int[TARGETS];
+    double[] ahead = new double[TARGETS];
+    double[] right = new double[TARGETS];
+    assertEquals(seen.size(), network.findSeen(camera, who, ahead, right));
+    for (int i = 0; i < seen.size(); i++) {
+      Seen one = seen.get(who[i]);
+      assertEquals(one.distance * Math.cos(one.bearing), ahead[i], 1e-12);
+      assertEquals(one.distance * Math.sin(one.bearing), right[i], 1e-12);
+    }
   }
 
   private static Map<Integer, Seen> byAsking(NetworkView network, int camera) {

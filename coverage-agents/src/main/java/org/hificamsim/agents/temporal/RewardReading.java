@@ -19,7 +19,7 @@ public enum RewardReading {
   LITERAL;
 
   /** The reward, in targets. */
-  double reward(double before, double after) {
+  public double reward(double before, double after) {
     double change = after - before;
     return switch (this) {
       case COUNT_CHANGE -> change;

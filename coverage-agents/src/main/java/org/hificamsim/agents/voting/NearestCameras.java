@@ -10,7 +10,7 @@ import org.hificamsim.core.space.PointGrid;
  * Each online camera's k nearest online cameras by Euclidean distance, of equally near ones those
  * with the lower numbers (thesis 7.4.5); fewer than k in a small network.
  */
-final class NearestCameras {
+public final class NearestCameras {
   /** A little below 1: rounding must not make what lies just outside a square seem further away. */
   private static final double SURE = 1 - 1e-9;
 
@@ -25,7 +25,10 @@ final class NearestCameras {
   private final int[] counts;
   private int revision;
 
-  NearestCameras(NetworkView network, int wanted) {
+  /**
+   * @param wanted how many of each camera, 0 or more
+   */
+  public NearestCameras(NetworkView network, int wanted) {
     k = Math.min(wanted, Math.max(0, network.cameras() - 1));
     neighbours = new int[Math.multiplyExact(network.cameras(), k)];
     squaredDistances = new double[k];
@@ -46,7 +49,7 @@ final class NearestCameras {
   }
 
   /** Finds the neighbours again where cameras have come, moved or failed. */
-  void update(NetworkView network) {
+  public void update(NetworkView network) {
     if (network.revision() != revision) {
       find(network);
     }
@@ -69,12 +72,13 @@ final class NearestCameras {
     }
   }
 
-  int count(int camera) {
+  /** How many neighbours the camera has. */
+  public int count(int camera) {
     return counts[camera];
   }
 
   /** The camera's i-th nearest neighbour. */
-  int neighbour(int camera, int i) {
+  public int neighbour(int camera, int i) {
     return neighbours[camera * k + i];
   }
 

@@ -1,0 +1,98 @@
+package org.hificamsim.bench;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.file.Path;
+import java.util.SplittableRandom;
+import java.util.concurrent.TimeUnit;
+import org.hificamsim.agents.observation.ObservationLayout;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.worlds.ActionKind;
+import org.hificamsim.worlds.Rewards;
+import org.hificamsim.worlds.Section;
+import org.hificamsim.worlds.Setup;
+import org.hificamsim.worlds.Worlds;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OperationsPerInvocation;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * Microseconds per step of one world among {@value #WORLDS}, with random actions, observations,
+ * rewards and episodes of 1,000 steps that begin anew by themselves; one thread.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 3, time = 2)
+@Measurement(iterations = 5, time = 2)
+@Fork(2)
+public class WorldsBenchmark {
+  private static final int WORLDS = 256;
+  private static final int EPISODE = 1_000;
+
+  @Param({"bench/cluster-8", "scenarios/mate-4v8-9", "scenarios/junction"})
+  private String scenario;
+
+  @Param({"hifi:orb-lin"})
+  private String detection;
+
+  @Param({"coverage"})
+  private String reward;
+
+  private Worlds worlds;
+  private ByteBuffer actions;
+  private final SplittableRandom random = new SplittableRandom(1);
+  private int most;
+
+  /** Reads the scenario and makes the worlds. */
+  @org.openjdk.jmh.annotations.Setup
+  public void start() {
+    Catalogue catalogue = Catalogue.load();
+    Scenario read =
+        ScenarioReader.read(
+            Path.of(scenario + ".xml"), catalogue.movements()::knows, warning -> {});
+    Setup setup =
+        new Setup(
+            read,
+            catalogue.movements(),
+            Detection.of(catalogue.detection(detection)),
+            ObservationLayout.DEFAULT,
+            ActionKind.VIEW,
+            () -> Rewards.registry().create(reward),
+            EPISODE,
+            true);
+    worlds = Worlds.of(setup, WORLDS, 1, 0, ByteBuffer::allocateDirect);
+    Section section = worlds.block().sections().get(0);
+    actions = worlds.memory().slice(section.offset(), section.bytes());
+    actions.order(ByteOrder.nativeOrder());
+    most = worlds.choices().get(0);
+  }
+
+  /** One step of every world. */
+  @Benchmark
+  @OperationsPerInvocation(WORLDS)
+  public void step() {
+    for (int at = 0; at < actions.capacity(); at += Integer.BYTES) {
+      actions.putInt(at, random.nextInt(most));
+    }
+    worlds.step();
+  }
+
+  /** Ends the worlds. */
+  @TearDown
+  public void end() {
+    worlds.close();
+  }
+}

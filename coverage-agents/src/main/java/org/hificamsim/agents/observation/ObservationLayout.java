@@ -1,0 +1,94 @@
+package org.hificamsim.agents.observation;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.InputException;
+
+/**
+ * Which numbers an observation has, in their order: of the camera itself, of its nearest
+ * neighbours, of the nearest targets that it sees. Where there are fewer neighbours or targets, the
+ * numbers of the rest are 0; so are all numbers of a camera that is off.
+ *
+ * @param targets how many targets there is room for, 0 or more
+ * @param neighbours how many neighbours there is room for, 0 or more
+ */
+public record ObservationLayout(int targets, int neighbours) {
+  /** What there is room for where nothing else is asked for. */
+  public static final ObservationLayout DEFAULT = new ObservationLayout(4, 2);
+
+  private static final int MOST = 1_000;
+
+  static final List<Feature> OWN =
+      List.of(
+          Feature.share("online", "1, or 0 for a camera that is off: then all else is 0 too"),
+          Feature.signed("x", "place among the cameras of the start: -1 and 1 are the outermost"),
+          Feature.signed("y", "the same to +y, on the same scale as x"),
+          Feature.signed("mounted_x", "x of the unit vector along the mounted heading"),
+          Feature.signed("mounted_y", "y of it"),
+          Feature.signed("goal_pan", "pan angle of the view chosen last, over pi, to the right"),
+          Feature.share("goal_zoom", "zoom level of that view: 0 narrowest, 1 widest"),
+          Feature.signed("pan", "pan angle of the view that it sees through; 0 when blind"),
+          Feature.share("zoom", "zoom level of the view that it sees through; 0 when blind"),
+          Feature.share("angle", "opening angle of that view, over 2 pi; 0 when blind"),
+          Feature.share("blind", "1 while it sees nothing, on its way"),
+          Feature.share("moving", "1 while it is on its way"),
+          Feature.share("way", "n / (n + 1) after n decisions on its way"),
+          Feature.share("detected", "share of all targets that it detected in the last step"));
+
+  /** How many numbers are of the camera itself, which come first. */
+  public static final int OWN_SIZE = OWN.size();
+
+  static final List<Feature> NEIGHBOUR =
+      List.of(
+          Feature.signed("dx", "how far the neighbour is in x, half the scale of x and y"),
+          Feature.signed("dy", "the same in y"),
+          Feature.share("detected", "share of all targets that it detected in the last step"));
+
+  static final List<Feature> TARGET =
+      List.of(
+          Feature.share("seen", "1; 0 where no further target is seen"),
+          Feature.signed("ahead", "how far along the view's axis, over its reach"),
+          Feature.signed("right", "how far to the right of the axis, over the reach"),
+          Feature.share("size", "share of the opening angle that it takes, about: size / distance"),
+          Feature.share("confidence", "the detection model's"),
+          Feature.share("coverage", "share of the cameras that detected it in the last step"));
+
+  /** Checks the numbers. */
+  public ObservationLayout {
+    check("targets", targets);
+    check("neighbours", neighbours);
+  }
+
+  private static void check(String what, int number) {
+    if (number < 0 || number > MOST) {
+      throw new InputException("observed " + what + " is " + number + ", expected 0 to " + MOST);
+    }
+  }
+
+  /** How many numbers an observation has. */
+  public int size() {
+    return firstTarget() + targets * TARGET.size();
+  }
+
+  int firstNeighbour() {
+    return OWN.size();
+  }
+
+  int firstTarget() {
+    return OWN.size() + neighbours * NEIGHBOUR.size();
+  }
+
+  /** All numbers, in order. */
+  public List<Feature> features() {
+    List<Feature> all = new ArrayList<>(OWN);
+    for (int i = 0; i < neighbours; i++) {
+      int number = i;
+      NEIGHBOUR.forEach(feature -> all.add(feature.of("neighbour", number)));
+    }
+    for (int i = 0; i < targets; i++) {
+      int number = i;
+      TARGET.forEach(feature -> all.add(feature.of("target", number)));
+    }
+    return all;
+  }
+}

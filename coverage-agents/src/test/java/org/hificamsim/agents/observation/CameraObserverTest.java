@@ -1,0 +1,197 @@
+package org.hificamsim.agents.observation;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.agents.baseline.RandomZoomPolicy;
+import org.hificamsim.agents.toy.RealWorld;
+import org.hificamsim.core.AllocatedBytes;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.junit.jupiter.api.Test;
+
+/** Two cameras at (-8, 0) and (8, 6), the first looking along +y, with a lens that is turned. */
+class CameraObserverTest {
+  private static final ObservationLayout LAYOUT = new ObservationLayout(2, 1);
+  private static final String CAMERAS =
+      "<optics name='o' hfov='30 60' reach='10' pan='0 90' pan_speed='40'/>"
+          + "<camera name='a' x='-8' y='0' heading='0' viewing_angle='60' range='10' optics='o'/>"
+          + "<camera name='b' x='8' y='6' heading='90' viewing_angle='60' range='10' optics='o'/>";
+  private static final String TARGETS =
+      target(1, -8, 5, 0.5) + target(2, -7, 2, 1) + target(3, -8, 9, 1) + target(4, 0, -15, 1);
+
+  private static String target(int name, double x, double y, double size) {
+    return "<object features='"
+        + name
+        + "' x='"
+        + x
+        + "' y='"
+        + y
+        + "' heading='0' speed='0' size='"
+        + size
+        + "'/>";
+  }
+
+  @Test
+  void everyNumberHasANameOfItsOwn() {
+    List<String> names = LAYOUT.features().stream().map(Feature::name).toList();
+    assertEquals(LAYOUT.size(), names.size());
+    assertEquals(names.size(), names.stream().distinct().count());
+  }
+
+  @Test
+  void aCameraKnowsWhereItStandsAndLooks() {
+    Observed observed = observe(to(1, 1), 1);
+    assertEquals(1, observed.of("online"));
+    assertEquals(-1, observed.of("x"));
+    assertEquals(-0.375, observed.of("y"));
+    assertEquals(0, observed.of("mounted_x"));
+    assertEquals(1, observed.of("mounted_y"));
+    assertEquals(1, observed.of("zoom"), "the widest");
+    assertEquals(1 / 6.0, observed.of("angle"), 1e-7);
+    assertEquals(1, observed.of("neighbour0_dx"));
+    assertEquals(0.375, observed.of("neighbour0_dy"), 1e-7);
+  }
+
+  @Test
+  void theNearestTargetsComeFirst() {
+    Observed observed = observe(to(1, 1), 1);
+    assertEquals(0.2, observed.of("target0_ahead"), 1e-6);
+    assertEquals(0.1, observed.of("target0_right"), 1e-6);
+    assertEquals(0.5, observed.of("target1_ahead"), 1e-6);
+    assertEquals(0, observed.of("target1_right"), 1e-6);
+    assertEquals(0.5 / 5 / Math.toRadians(60), observed.of("target1_size"), 1e-6);
+    assertEquals(1, observed.of("target1_confidence"));
+    assertEquals(0.5, observed.of("target1_coverage"), "one camera of two, in the step before");
+    assertEquals(0.75, observed.of("detected"), "three of four, in the step before");
+  }
+
+  @Test
+  void whatIsNotSeenIsZero() {
+    Observed observed = observe(to(3, 1), 4);
+    assertEquals(0.5, observed.of("pan"), "turned to the right, where nothing is");
+    assertEquals(0, observed.of("target0_seen"));
+    assertEquals(0, observed.of("target0_ahead"));
+  }
+
+  @Test
+  void aCameraOnItsWayKnowsItsGoalAndHowLongItMoves() {
+    Observed observed = observe(to(3, 1), 2);
+    assertEquals(1, observed.of("moving"));
+    assertEquals(1, observed.of("blind"));
+    assertEquals(0.5, observed.of("goal_pan"));
+    assertEquals(2 / 3.0, observed.of("way"), 1e-6);
+    assertEquals(0, observed.of("target0_seen"));
+  }
+
+  @Test
+  void aCameraThatIsOffKnowsNothing() {
+    String off = "<event timestep='1' participant='camera' event='error' name='a' duration='-1'/>";
+    Watching watching = new Watching(to(1, 1));
+    RealWorld.run(CAMERAS + TARGETS + events(off), watching, 1).run(3);
+    float[] last = watching.seen.get(2);
+    float[] first = new float[LAYOUT.size()];
+    System.arraycopy(last, 0, first, 0, first.length);
+    assertArrayEquals(new float[LAYOUT.size()], first);
+    assertEquals(1, last[LAYOUT.size()], "the other is on");
+  }
+
+  private static String events(String events) {
+    return "<events>" + events + "</events>";
+  }
+
+  @Test
+  void staysWithinItsBoundsWhateverHappens() {
+    Watching watching = new Watching(new RandomZoomPolicy());
+    String walkers = CAMERAS + TARGETS.replace("speed='0'", "speed='1'");
+    RealWorld.run(walkers, watching, 3).run(2_000);
+    List<Feature> features = LAYOUT.features();
+    int looked = 0;
+    for (float[] all : watching.seen) {
+      for (int i = 0; i < all.length; i++) {
+        Feature feature = features.get(i % features.size());
+        assertTrue(all[i] >= feature.low() && all[i] <= feature.high(), feature + ": " + all[i]);
+        looked++;
+      }
+    }
+    assertEquals(2_000 * 2 * LAYOUT.size(), looked);
+  }
+
+  @Test
+  void observingAllocatesNothing() {
+    Simulation run = RealWorld.run(CAMERAS + TARGETS, to(1, 1), 1);
+    run.step();
+    CameraObserver observer = new CameraObserver(run.network(), LAYOUT);
+    float[] out = new float[2 * LAYOUT.size()];
+    Runnable round =
+        () -> {
+          for (int i = 0; i < 10_000; i++) {
+            observer.observe(run.network(), out);
+          }
+        };
+    round.run();
+    assertEquals(0, AllocatedBytes.fewest(() -> AllocatedBytes.by(round)));
+  }
+
+  private static Observed observe(ZoomPolicy policy, int steps) {
+    Watching watching = new Watching(policy);
+    RealWorld.run(CAMERAS + TARGETS, watching, 1).run(steps + 1);
+    return new Observed(watching.seen.get(steps));
+  }
+
+  private static ZoomPolicy to(int... views) {
+    return new ZoomPolicy() {
+      @Override
+      public String name() {
+        return "to";
+      }
+
+      @Override
+      public void decide(NetworkView network, int[] chosen) {
+        System.arraycopy(views, 0, chosen, 0, views.length);
+      }
+    };
+  }
+
+  /** What the first camera knew. */
+  private record Observed(float[] numbers) {
+    double of(String name) {
+      List<String> names = LAYOUT.features().stream().map(Feature::name).toList();
+      return numbers[names.indexOf(name)];
+    }
+  }
+
+  /** Keeps what is observed before each decision of a policy. */
+  private static final class Watching implements ZoomPolicy {
+    private final ZoomPolicy policy;
+    private final List<float[]> seen = new ArrayList<>();
+    private CameraObserver observer;
+
+    Watching(ZoomPolicy policy) {
+      this.policy = policy;
+    }
+
+    @Override
+    public String name() {
+      return policy.name();
+    }
+
+    @Override
+    public void begin(NetworkView network, java.util.SplittableRandom random) {
+      policy.begin(network, random);
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] views) {
+      observer = observer == null ? new CameraObserver(network, LAYOUT) : observer;
+      float[] out = new float[network.cameras() * LAYOUT.size()];
+      observer.observe(network, out);
+      seen.add(out);
+      policy.decide(network, views);
+    }
+  }
+}

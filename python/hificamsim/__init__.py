@@ -1,0 +1,86 @@
+"""Smart-camera networks for those who train agents.
+
+``parallel_env`` is PettingZoo's, ``vector_env`` and ``single_env`` are Gymnasium's, ``sb3_vec_env`` is that of
+Stable-Baselines3; ``Worlds`` is what they stand on. ``run``, ``compare`` and ``read_results`` give pandas frames.
+"""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING, Any
+
+from .errors import Closed, Error, InputError, JavaError, WorkerDied
+from .worlds import Worlds, scenarios
+
+if TYPE_CHECKING:
+    from .parallel import CameraEnv, env, parallel_env
+    from .registry import ids, make, register
+    from .results import Results, compare, execute, read_results, run
+    from .torch_envs import benchmarl_task, torchrl_env
+    from .vector import CameraVectorEnv, NetworkEnv, single_env, vector_env
+
+__version__ = "0.1.0"
+
+_LATER = {
+    "CameraEnv": "parallel",
+    "env": "parallel",
+    "parallel_env": "parallel",
+    "ids": "registry",
+    "make": "registry",
+    "register": "registry",
+    "Results": "results",
+    "compare": "results",
+    "execute": "results",
+    "read_results": "results",
+    "run": "results",
+    "benchmarl_task": "torch_envs",
+    "torchrl_env": "torch_envs",
+    "CameraVectorEnv": "vector",
+    "NetworkEnv": "vector",
+    "single_env": "vector",
+    "vector_env": "vector",
+}
+
+__all__ = [
+    "Closed",
+    "Error",
+    "InputError",
+    "JavaError",
+    "WorkerDied",
+    "Worlds",
+    "scenarios",
+    "sb3_vec_env",
+    "CameraEnv",
+    "CameraVectorEnv",
+    "NetworkEnv",
+    "Results",
+    "benchmarl_task",
+    "compare",
+    "env",
+    "execute",
+    "ids",
+    "make",
+    "parallel_env",
+    "read_results",
+    "register",
+    "run",
+    "single_env",
+    "torchrl_env",
+    "vector_env",
+]
+
+
+def sb3_vec_env(scenario: str | os.PathLike[str], num_envs: int = 1, **settings: Any) -> Any:
+    """A Stable-Baselines3 ``VecEnv`` with an environment for each camera of each of ``num_envs`` networks."""
+    from .sb3 import CameraVecEnv
+
+    return CameraVecEnv(scenario, num_envs, **settings)
+
+
+def __getattr__(name: str) -> Any:
+    """What needs more than NumPy is loaded when it is asked for."""
+    if name not in _LATER:
+        raise AttributeError(f"module 'hificamsim' has no attribute {name!r}")
+    from importlib import import_module
+
+    return getattr(import_module("." + _LATER[name], __name__), name)

@@ -1,0 +1,292 @@
+"""The two ways to the simulator: a JVM in this process, or one in a process of its own."""
+
+from __future__ import annotations
+
+import atexit
+import gc
+import json
+import mmap
+import os
+import signal
+import struct
+import subprocess
+import tempfile
+import threading
+import weakref
+from typing import Any, Protocol
+
+from . import java
+from .errors import Closed, Error, InputError, JavaError, WorkerDied
+
+
+class Backend(Protocol):
+    """Worlds that are open on the Java side. ``memory`` is shared with them."""
+
+    description: dict[str, Any]
+    memory: Any
+
+    def step(self) -> None: ...
+
+    def reset(self, seed: int, fresh: bool) -> None: ...
+
+    def state(self) -> None: ...
+
+    def seed(self) -> int: ...
+
+    def picture(self, width: int) -> bytes: ...
+
+    def close(self) -> None: ...
+
+
+def open_backend(name: str | None, settings: dict[str, Any]) -> Backend:
+    """Opens worlds by ``jvm``, ``process``, or the first of these that there is."""
+    if name is None:
+        name = "jvm" if _has_jpype() else "process"
+    if name == "jvm":
+        return JvmBackend(settings)
+    if name == "process":
+        return ProcessBackend(settings)
+    raise InputError(f"backend is {name!r}, expected 'jvm' or 'process'")
+
+
+def _has_jpype() -> bool:
+    try:
+        import jpype  # noqa: F401
+    except ImportError:
+        return False
+    return True
+
+
+class _Jvm:
+    """The JVM of this process: started once, and never stopped before the process ends."""
+
+    lock = threading.Lock()
+    process: int | None = None
+
+    @classmethod
+    def start(cls) -> Any:
+        try:
+            import jpype
+        except ImportError as e:
+            raise JavaError("backend 'jvm' needs JPype: pip install JPype1, or backend='process'") from e
+        with cls.lock:
+            if cls.process is None:
+                cls._start(jpype)
+            cls.check()
+        return jpype.JClass("org.hificamsim.python.Session")
+
+    @classmethod
+    def _start(cls, jpype: Any) -> None:
+        if jpype.isJVMStarted():  # by somebody else
+            for jar in java.class_path():
+                jpype.addClassPath(jar)
+        else:
+            library = java.library()
+            jpype.startJVM(library, *java.options(), classpath=java.class_path(), interrupt=False)
+        cls.process = os.getpid()
+        if hasattr(os, "register_at_fork"):
+            os.register_at_fork(after_in_child=_leave_jvm)
+
+    @classmethod
+    def check(cls) -> None:
+        if cls.process is not None and cls.process != os.getpid():
+            raise JavaError(
+                f"the JVM was started in process {cls.process} before this one was forked from it:"
+                " use backend='process', or multiprocessing's 'spawn'"
+            )
+
+
+def _leave_jvm() -> None:
+    """In a forked process the JVM has no threads: whoever calls it waits for ever, and so nobody may.
+
+    JPype calls it whenever Python collects garbage, and when the process ends.
+    """
+    import jpype
+
+    gc.callbacks[:] = [one for one in gc.callbacks if getattr(one, "__module__", "") != "_jpype"]
+    gc.freeze()
+    terminate = getattr(jpype._core, "_JTerminate", None)
+    if terminate is not None:
+        atexit.unregister(terminate)
+
+
+class JvmBackend:
+    """Worlds in a JVM in this process; their memory is the JVM's own."""
+
+    def __init__(self, settings: dict[str, Any]) -> None:
+        session_class = _Jvm.start()
+        import jpype
+
+        self._fault = jpype.JException
+        self._session = self._call(session_class.open, json.dumps(settings))
+        self.description = json.loads(str(self._session.description()))
+        self.memory = memoryview(self._session.memory())
+        self._step = self._session.step
+        self._closer = weakref.finalize(self, self._session.close)
+        self._closer.atexit = False  # the JVM may be gone by then
+
+    def _call(self, method: Any, *arguments: Any) -> Any:
+        try:
+            return method(*arguments)
+        except self._fault as e:
+            raise _translated(str(e.getClass().getName()), str(e.getMessage()), e) from None
+
+    def _open(self) -> Any:
+        _Jvm.check()
+        if self._session is None:
+            raise Closed("the environment was closed, expected a new one")
+        return self._session
+
+    def step(self) -> None:
+        if self._session is None or _Jvm.process != os.getpid():
+            self._open()
+        try:
+            self._step()
+        except self._fault as e:
+            raise _translated(str(e.getClass().getName()), str(e.getMessage()), e) from None
+
+    def reset(self, seed: int, fresh: bool) -> None:
+        self._call(self._open().reset, seed, fresh)
+
+    def state(self) -> None:
+        self._call(self._open().state)
+
+    def seed(self) -> int:
+        return int(self._open().seed())
+
+    def picture(self, width: int) -> bytes:
+        return bytes(self._call(self._open().picture, width))
+
+    def close(self) -> None:
+        """Ends the worlds. The JVM stays: it cannot be started twice in a process."""
+        if self._session is not None and _Jvm.process == os.getpid():
+            self._closer()
+        self._session = None
+
+
+def _translated(kind: str, message: str, cause: BaseException) -> Exception:
+    if kind.endswith(".InputException"):
+        return InputError(message)
+    trace = getattr(cause, "stacktrace", lambda: "")()
+    return Error(f"{kind}: {message}\n{trace}")
+
+
+class ProcessBackend:
+    """Worlds in a JVM of their own, which maps the same file as this process and takes orders by a pipe."""
+
+    def __init__(self, settings: dict[str, Any]) -> None:
+        self._process = os.getpid()
+        self._pending = False
+        self._read_ahead = b""
+        self._head: bytes | None = None
+        self._errors = tempfile.TemporaryFile()
+        folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
+        descriptor, file = tempfile.mkstemp(prefix="hificamsim-", dir=folder)
+        try:
+            self._worker = self._start(file)
+            self._closer = weakref.finalize(self, _end, self._worker, self._process)
+            self.description = json.loads(self._ask(b"o", json.dumps(settings).encode()))
+            self.memory = memoryview(mmap.mmap(descriptor, self.description["bytes"]))
+        except BaseException:
+            self.close()
+            raise
+        finally:
+            os.close(descriptor)
+            os.unlink(file)  # both sides have mapped it: nothing is left whatever happens
+
+    def _start(self, file: str) -> subprocess.Popen[bytes]:
+        command = [java.executable(), *java.options(), "-cp", os.pathsep.join(java.class_path())]
+        return subprocess.Popen(
+            [*command, "org.hificamsim.python.Server", file],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            stderr=self._errors,
+            bufsize=0,
+            start_new_session=True,  # Ctrl-C is for Python alone
+        )
+
+    def _ask(self, letter: bytes, message: bytes = b"") -> bytes:
+        self._check()
+        try:
+            if self._pending:  # a call before was interrupted
+                self._answer()
+            assert self._worker.stdin is not None
+            self._pending = True
+            self._worker.stdin.write(letter + struct.pack(">i", len(message)) + message)
+            kind, answer = self._answer()
+        except (BrokenPipeError, EOFError):
+            raise self._died() from None
+        if kind == b"k":
+            return answer
+        text = answer.decode(errors="replace")
+        raise InputError(text) if kind == b"i" else Error(text + "\n" + self._said())
+
+    def _answer(self) -> tuple[bytes, bytes]:
+        if self._head is None:
+            self._head = self._read(5)
+        answer = self._read(struct.unpack(">i", self._head[1:])[0])
+        kind, self._head, self._pending = self._head[:1], None, False
+        return kind, answer
+
+    def _read(self, count: int) -> bytes:
+        assert self._worker.stdout is not None
+        while len(self._read_ahead) < count:  # kept, for an interrupt must not lose what was read
+            part = self._worker.stdout.read(count - len(self._read_ahead))
+            if not part:
+                raise EOFError
+            self._read_ahead += part
+        data, self._read_ahead = self._read_ahead[:count], self._read_ahead[count:]
+        return data
+
+    def _check(self) -> None:
+        if self._process != os.getpid():
+            raise Closed(
+                f"the environment belongs to process {self._process}, from which this one was forked:"
+                " make one here"
+            )
+        if not self._closer.alive:
+            raise Closed("the environment was closed, expected a new one")
+
+    def _died(self) -> WorkerDied:
+        self.close()
+        code = self._worker.returncode
+        how = signal.Signals(-code).name if code is not None and code < 0 else f"code {code}"
+        return WorkerDied(f"the environment's Java process ended ({how}), make a new one\n{self._said()}".strip())
+
+    def _said(self) -> str:
+        self._errors.seek(0)
+        return self._errors.read().decode(errors="replace")[-4000:]
+
+    def step(self) -> None:
+        self._ask(b"s")
+
+    def reset(self, seed: int, fresh: bool) -> None:
+        self._ask(b"r", struct.pack(">qb", seed, fresh))
+
+    def state(self) -> None:
+        self._ask(b"t")
+
+    def seed(self) -> int:
+        return int(struct.unpack(">q", self._ask(b"n"))[0])
+
+    def picture(self, width: int) -> bytes:
+        return self._ask(b"p", struct.pack(">i", width))
+
+    def close(self) -> None:
+        """Ends the worlds and their process."""
+        if self._process == os.getpid() and hasattr(self, "_closer"):
+            self._closer()
+
+
+def _end(worker: subprocess.Popen[bytes], process: int) -> None:
+    """The worker ends with its input; one that does not is killed."""
+    if process != os.getpid():
+        return
+    for pipe in (worker.stdin, worker.stdout):
+        assert pipe is not None
+        pipe.close()
+    try:
+        worker.wait(timeout=5)
+    except subprocess.TimeoutExpired:
+        worker.kill()
+        worker.wait()

@@ -1,0 +1,162 @@
+"""PettingZoo: every camera an agent."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import tempfile
+from typing import Any
+
+import numpy as np
+from pettingzoo import ParallelEnv
+
+from . import spaces
+from .errors import InputError
+from .screen import Screen
+from .worlds import Array, Worlds
+
+
+class CameraEnv(ParallelEnv):  # type: ignore[misc]
+    """A network of cameras as a PettingZoo environment; the agents are the cameras, by name.
+
+    All end together, after ``steps``: nothing is terminated, all are truncated. A camera that an event switches
+    off or has yet to add stays an agent, sees zeros, and does nothing. ``infos[camera]["action_mask"]`` says what
+    it may be told; what it forbids leaves the camera as it is.
+    """
+
+    metadata: dict[str, Any] = {
+        "name": "hificamsim_v0",
+        "render_modes": ["human", "rgb_array"],
+        "is_parallelizable": True,
+        "render_fps": 10,
+    }
+
+    def __init__(
+        self,
+        scenario: str | os.PathLike[str],
+        *,
+        render_mode: str | None = None,
+        width: int = 800,
+        **settings: Any,
+    ) -> None:
+        if render_mode not in (None, "human", "rgb_array"):
+            raise InputError(f"render_mode is {render_mode!r}, expected None, 'human' or 'rgb_array'")
+        self.worlds = Worlds(scenario, 1, auto_reset=False, paints=render_mode is not None, **settings)
+        self.render_mode = render_mode
+        self._screen = Screen(self.worlds.name) if render_mode == "human" else None
+        self.width = width
+        self.possible_agents = list(self.worlds.cameras)
+        self.agents: list[str] = []
+        self.observation_spaces = {
+            agent: spaces.observation(self.worlds) for agent in self.possible_agents
+        }
+        self.action_spaces = {
+            agent: spaces.action(self.worlds, i) for i, agent in enumerate(self.possible_agents)
+        }
+        self.state_space = spaces.state(self.worlds)
+        self._false = dict.fromkeys(self.possible_agents, False)
+        self._true = dict.fromkeys(self.possible_agents, True)
+        self._episode: list[bytes] = []
+        self._fresh = False
+
+    def observation_space(self, agent: str) -> Any:
+        return self.observation_spaces[agent]
+
+    def action_space(self, agent: str) -> Any:
+        return self.action_spaces[agent]
+
+    def reset(
+        self, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[dict[str, Array], dict[str, dict[str, Any]]]:
+        """Begins an episode: of this seed, or the next one."""
+        if seed is None and not self._fresh:
+            self.worlds.reset_first(None)
+        else:
+            self.worlds.reset(seed)
+        self._fresh = True
+        self.agents = self.possible_agents[:]
+        self._episode.clear()
+        return self._observations(), self._infos()
+
+    def step(
+        self, actions: dict[str, Any]
+    ) -> tuple[
+        dict[str, Array], dict[str, float], dict[str, bool], dict[str, bool], dict[str, dict[str, Any]]
+    ]:
+        """Every camera acts, and a step goes by."""
+        if not self.agents:
+            return {}, {}, {}, {}, {}
+        worlds = self.worlds
+        try:
+            told = [actions[agent] for agent in self.agents]
+        except KeyError as e:
+            raise InputError(f"no action for camera {e.args[0]}, expected one for every agent") from None
+        worlds.actions[0] = np.asarray(told).reshape(worlds.actions.shape[1:])
+        worlds.step()
+        self._episode.append(worlds.actions.tobytes())
+        rewards = dict(zip(self.agents, worlds.rewards[0].tolist()))
+        over = bool(worlds.ends[0])
+        truncations = (self._true if over else self._false).copy()
+        result = self._observations(), rewards, self._false.copy(), truncations, self._infos()
+        if over:
+            self.agents = []
+        return result
+
+    def _observations(self) -> dict[str, Array]:
+        return dict(zip(self.possible_agents, self.worlds.observations[0].copy()))
+
+    def _infos(self) -> dict[str, dict[str, Any]]:
+        masks = self.worlds.masks[0].astype(np.int8)
+        covered, k_min, score = self.worlds.measures[0].tolist()
+        return {
+            agent: {
+                "action_mask": spaces.mask(self.worlds, i, masks[i]),
+                "coverage": covered,
+                "k_min": k_min,
+                "score": score,
+            }
+            for i, agent in enumerate(self.possible_agents)
+        }
+
+    def state(self) -> Array:
+        """All there is to know of the world, float32 in [-1, 1]."""
+        return self.worlds.state()[0].copy()
+
+    def render(self) -> Array | None:
+        """The last step as a picture, uint8 (height, width, 3), or in a window; as ``render_mode`` says."""
+        if self.render_mode is None:
+            return None
+        picture = self.worlds.picture(self.width)
+        if self._screen is None:
+            return picture
+        self._screen.show(picture)
+        return None
+
+    def report(self, folder: str | os.PathLike[str]) -> pathlib.Path:
+        """Writes the episode so far into a folder, as ``run --record`` does, and returns its page."""
+        from .results import record
+
+        if not self._episode:
+            raise InputError("the episode has no step yet, expected one or more")
+        with tempfile.TemporaryDirectory() as scratch:
+            file = pathlib.Path(scratch, "actions")
+            file.write_bytes(np.frombuffer(b"".join(self._episode), np.int32).astype("<i4").tobytes())
+            return record(self.worlds, file, len(self._episode), folder)
+
+    def close(self) -> None:
+        """Ends the environment."""
+        if self._screen is not None:
+            self._screen.close()
+        self.worlds.close()
+
+
+def parallel_env(scenario: str | os.PathLike[str], **settings: Any) -> CameraEnv:
+    """A network of cameras as a PettingZoo ``ParallelEnv``; the settings are those of ``Worlds``."""
+    return CameraEnv(scenario, **settings)
+
+
+def env(scenario: str | os.PathLike[str], **settings: Any) -> Any:
+    """The same as an ``AECEnv``, by PettingZoo's own conversion."""
+    from pettingzoo.utils.conversions import parallel_to_aec
+
+    return parallel_to_aec(parallel_env(scenario, **settings))

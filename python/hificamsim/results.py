@@ -1,0 +1,143 @@
+"""Runs and comparisons of the command line as functions, and their folders as pandas frames."""
+
+from __future__ import annotations
+
+import json
+import os
+import pathlib
+import subprocess
+import tempfile
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from typing import Any
+
+import pandas as pd
+
+from . import java
+from .errors import Error, InputError
+from .worlds import Worlds, scenario_file
+
+BAD_INPUT = 2
+
+
+@dataclass(frozen=True)
+class Results:
+    """A folder of results.
+
+    :ivar settings: what was chosen (``settings.json``, or that part of ``summary.json``)
+    :ivar frames: every table by the name of its file: ``frames["steps"]`` is ``steps.csv``
+    :ivar folder: None where it is gone
+    """
+
+    settings: dict[str, Any]
+    frames: dict[str, pd.DataFrame] = field(repr=False)
+    folder: pathlib.Path | None = None
+
+    def __getitem__(self, table: str) -> pd.DataFrame:
+        try:
+            return self.frames[table]
+        except KeyError:
+            raise InputError(f"no table {table!r}, expected one of {', '.join(self.frames)}") from None
+
+
+def read_results(folder: str | os.PathLike[str]) -> Results:
+    """Reads a folder that ``run``, ``compare`` or another command wrote."""
+    base = pathlib.Path(folder)
+    tables = sorted([*base.glob("*.csv"), *base.glob("*.csv.gz")])
+    if not tables:
+        raise InputError(f"{base} has no tables, expected a folder of results")
+    frames = {file.name.split(".")[0]: _frame(file) for file in tables}
+    return Results(_settings(base), frames, base)
+
+
+def _frame(file: pathlib.Path) -> pd.DataFrame:
+    return pd.read_csv(file, keep_default_na=False, na_values=[""])  # a name may be NA
+
+
+def _settings(base: pathlib.Path) -> dict[str, Any]:
+    for name in ("settings.json", "summary.json"):
+        if (base / name).exists():
+            read: dict[str, Any] = json.loads((base / name).read_text(encoding="utf-8"))
+            return read
+    return {}
+
+
+def run(
+    scenario: str | os.PathLike[str], *, out: str | os.PathLike[str] | None = None, **options: Any
+) -> Results:
+    """Runs a scenario: ``run("campus", policy="sarsa", repeat=3)`` is ``hificamsim run campus.xml --policy sarsa ...``.
+
+    :param out: where the files stay; without it they are read and deleted
+    :param options: those of the command, with ``_`` for ``-``; True for one without a value, a list for several
+    """
+    return _command("run", [scenario_file(scenario)], out, options)
+
+
+def compare(
+    *scenarios: str | os.PathLike[str], out: str | os.PathLike[str] | None = None, **options: Any
+) -> Results:
+    """Compares policies and detection models: ``compare("campus", policies=["zoom-out", "sarsa"])``; as ``run``."""
+    return _command("compare", [scenario_file(one) for one in scenarios], out, options)
+
+
+def _command(
+    name: str, files: list[str], out: str | os.PathLike[str] | None, options: dict[str, Any]
+) -> Results:
+    words = [word for key, value in options.items() for word in _words(key, value)]
+    if out is not None:
+        execute(name, *files, "--out", os.fspath(out), *words)
+        return read_results(out)
+    with tempfile.TemporaryDirectory() as scratch:
+        execute(name, *files, "--out", scratch, *words)
+        read = read_results(scratch)
+    return Results(read.settings, read.frames)
+
+
+def _words(key: str, value: Any) -> list[str]:
+    option = "--" + key.replace("_", "-")
+    if value is None or value is False:
+        return []
+    if value is True:
+        return [option]
+    if isinstance(value, Iterable) and not isinstance(value, str):
+        return [option, ",".join(str(one) for one in value)]
+    return [option, str(value)]
+
+
+def execute(*words: str) -> str:
+    """Runs any command of ``hificamsim``, and returns what it prints."""
+    command = [java.executable(), *java.options(), "-cp", os.pathsep.join(java.class_path())]
+    done = subprocess.run(
+        [*command, "org.hificamsim.cli.Main", *words],
+        capture_output=True,
+        text=True,
+        encoding="utf-8",
+        stdin=subprocess.DEVNULL,
+        check=False,
+    )
+    if done.returncode == BAD_INPUT:
+        raise InputError(done.stderr.strip())
+    if done.returncode:
+        raise Error(done.stderr.strip())
+    return done.stdout
+
+
+def record(
+    worlds: Worlds, actions: pathlib.Path, steps: int, folder: str | os.PathLike[str]
+) -> pathlib.Path:
+    """Plays actions again into a folder, and returns the page of the episode."""
+    told = worlds.settings
+    options = {
+        key: told[key] for key in ("detection", "threshold", "detect", "objective", "order", "headings")
+    }
+    policy = f"played:actions={told['actions']},file={actions}"
+    run(
+        told["scenario"],
+        out=folder,
+        policy=policy,
+        steps=steps,
+        seed=worlds.episode_seed(),
+        record=True,
+        **options,
+    )
+    return pathlib.Path(folder, "report.html")

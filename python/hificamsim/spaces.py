@@ -1,0 +1,42 @@
+"""The spaces of worlds."""
+
+from __future__ import annotations
+
+import gymnasium
+import numpy as np
+
+from .worlds import Array, Worlds
+
+
+def observation(worlds: Worlds, *shape: int) -> gymnasium.spaces.Box:
+    """Of observations, with their true bounds; ``shape`` is what comes before the numbers of a camera."""
+    low, high = worlds.bounds()
+    full = (*shape, low.size)
+    return gymnasium.spaces.Box(np.broadcast_to(low, full), np.broadcast_to(high, full), dtype=np.float32)
+
+
+def state(worlds: Worlds) -> gymnasium.spaces.Box:
+    """Of the state of a world."""
+    return gymnasium.spaces.Box(-1, 1, (worlds.states.shape[1],), np.float32)
+
+
+def action(worlds: Worlds, camera: int | None = None) -> gymnasium.spaces.Space:
+    """Of a camera's action; without a camera, of one that may be any."""
+    if len(worlds.choices) > 1:
+        return gymnasium.spaces.MultiDiscrete(worlds.choices)
+    return gymnasium.spaces.Discrete(worlds.choices[0] if camera is None else worlds.views[camera])
+
+
+def joint_action(worlds: Worlds) -> gymnasium.spaces.MultiDiscrete:
+    """Of the actions of all cameras, one after the other."""
+    if len(worlds.choices) > 1:
+        return gymnasium.spaces.MultiDiscrete(worlds.choices * len(worlds.cameras))
+    return gymnasium.spaces.MultiDiscrete(worlds.views)
+
+
+def mask(worlds: Worlds, camera: int, of: Array) -> Array | tuple[Array, ...]:
+    """A camera's mask as ``Space.sample`` takes it."""
+    if len(worlds.choices) == 1:
+        return of[: worlds.views[camera]]
+    ends = np.cumsum(worlds.choices)[:-1]
+    return tuple(np.split(of, ends))

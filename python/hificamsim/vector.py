@@ -1,0 +1,195 @@
+"""Gymnasium: one agent for a whole network, or for each of its cameras."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import gymnasium
+import numpy as np
+from gymnasium.vector import AutoresetMode, VectorEnv
+from gymnasium.vector.utils import batch_space
+
+from . import spaces
+from .errors import InputError
+from .worlds import Array, Worlds
+
+
+class CameraVectorEnv(VectorEnv):  # type: ignore[misc]
+    """Many networks side by side, for one policy.
+
+    :param num_envs: how many networks
+    :param per: ``world``: an environment is a network, with the actions of all its cameras, and the mean of their
+        rewards. ``camera``: an environment is a camera, all of one network's one after the other, so that
+        ``num_envs`` of the object is the number of networks times that of cameras
+    :param copy: whether each step returns arrays of its own; if not, they change with the next step
+    :param settings: those of ``Worlds``
+
+    An episode that ends begins anew within the same step: its last observation is in ``infos["final_obs"]``.
+    Nothing is terminated; all is truncated after ``steps``.
+    """
+
+    metadata: dict[str, Any] = {"autoreset_mode": AutoresetMode.SAME_STEP, "render_modes": ["rgb_array"]}
+
+    def __init__(
+        self,
+        scenario: str | os.PathLike[str],
+        num_envs: int = 1,
+        *,
+        per: str = "world",
+        copy: bool = True,
+        render_mode: str | None = None,
+        **settings: Any,
+    ) -> None:
+        if per not in ("world", "camera"):
+            raise InputError(f"per is {per!r}, expected 'world' or 'camera'")
+        self.worlds = Worlds(scenario, num_envs, paints=render_mode is not None, **settings)
+        self.render_mode = render_mode
+        self.per = per
+        self.copy = copy
+        self._each = len(self.worlds.cameras)
+        self.num_envs = num_envs * (self._each if per == "camera" else 1)
+        if per == "camera":
+            self.single_observation_space = spaces.observation(self.worlds)
+            self.single_action_space = spaces.action(self.worlds)
+        else:
+            self.single_observation_space = spaces.observation(self.worlds, self._each)
+            self.single_action_space = spaces.joint_action(self.worlds)
+        self.observation_space = batch_space(self.single_observation_space, self.num_envs)
+        self.action_space = batch_space(self.single_action_space, self.num_envs)
+        self._observations = self.worlds.observations.reshape(self.observation_space.shape)
+        self._finals = self.worlds.finals.reshape(self.observation_space.shape)
+        self._masks = self.worlds.masks.reshape(self.num_envs, -1)
+        self._never = np.zeros(self.num_envs, np.bool_)
+        self._fresh = False
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Array, dict[str, Any]]:
+        """Begins an episode everywhere: network i of ``seed + i``, or each its next one."""
+        if seed is None and not self._fresh:
+            self.worlds.reset_first(None)
+        else:
+            self.worlds.reset(seed)
+        self._fresh = True
+        return self._own(self._observations), self._infos()
+
+    def step(self, actions: Any) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
+        """Every network goes on by a step."""
+        worlds = self.worlds
+        worlds.actions[...] = np.asarray(actions).reshape(worlds.actions.shape)
+        worlds.step()
+        ends = self._spread(worlds.ends).astype(np.bool_)
+        infos = self._infos()
+        if ends.any():
+            self._add_finals(infos, ends)
+        never = self._never.copy() if self.copy else self._never
+        return self._own(self._observations), self._rewards(), never, ends, infos
+
+    def _rewards(self) -> Array:
+        if self.per == "camera":
+            return self._own(self.worlds.rewards.reshape(-1))
+        return np.asarray(self.worlds.rewards.mean(axis=1))
+
+    def _own(self, array: Array) -> Array:
+        return array.copy() if self.copy else array
+
+    def _spread(self, of_worlds: Array) -> Array:
+        """One number for each environment of one for each world."""
+        return np.repeat(of_worlds, self._each) if self.per == "camera" else of_worlds
+
+    def _infos(self) -> dict[str, Any]:
+        covered, k_min, score = self.worlds.measures.T
+        infos: dict[str, Any] = {"action_mask": self._own(self._masks)}
+        for name, values in (("coverage", covered), ("k_min", k_min), ("score", score)):
+            infos[name] = self._own(self._spread(values))
+        return infos
+
+    def _add_finals(self, infos: dict[str, Any], ends: Array) -> None:
+        finals = np.empty(self.num_envs, dtype=object)
+        for i in np.flatnonzero(ends):
+            finals[i] = self._finals[i].copy()
+        infos["final_obs"] = finals
+        infos["_final_obs"] = ends
+        infos["final_info"] = {}
+        infos["_final_info"] = ends
+
+    def action_masks(self) -> Array:
+        """What may be chosen, bool (num_envs, choices), as of now."""
+        return self._masks.astype(np.bool_)
+
+    def state(self) -> Array:
+        """All there is to know of every network, float32 (networks, numbers)."""
+        return self.worlds.state().copy()
+
+    def render(self) -> tuple[Array, ...] | None:
+        """The first network as a picture."""
+        return None if self.render_mode is None else (self.worlds.picture(),)
+
+    def close_extras(self, **kwargs: Any) -> None:
+        self.worlds.close()
+
+
+class NetworkEnv(gymnasium.Env):  # type: ignore[misc]
+    """One network for one agent, which moves all cameras and is paid the mean of their rewards."""
+
+    metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 10}
+
+    def __init__(
+        self,
+        scenario: str | os.PathLike[str],
+        *,
+        render_mode: str | None = None,
+        width: int = 800,
+        **settings: Any,
+    ) -> None:
+        if render_mode not in (None, "rgb_array"):
+            raise InputError(f"render_mode is {render_mode!r}, expected None or 'rgb_array'")
+        self.worlds = Worlds(scenario, 1, auto_reset=False, paints=render_mode is not None, **settings)
+        self.render_mode = render_mode
+        self.width = width
+        self.observation_space = spaces.observation(self.worlds, len(self.worlds.cameras))
+        self.action_space = spaces.joint_action(self.worlds)
+        self._fresh = False
+
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[Array, dict[str, Any]]:
+        """Begins an episode: of this seed, or the next one."""
+        super().reset(seed=seed)
+        if seed is None and not self._fresh:
+            self.worlds.reset_first(None)
+        else:
+            self.worlds.reset(seed)
+        self._fresh = True
+        return self.worlds.observations[0].copy(), self._info()
+
+    def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:
+        """All cameras act, and a step goes by."""
+        worlds = self.worlds
+        worlds.actions[0] = np.asarray(action).reshape(worlds.actions.shape[1:])
+        worlds.step()
+        reward = float(worlds.rewards[0].mean())
+        return worlds.observations[0].copy(), reward, False, bool(worlds.ends[0]), self._info()
+
+    def _info(self) -> dict[str, Any]:
+        covered, k_min, score = self.worlds.measures[0].tolist()
+        masks = self.worlds.masks[0].copy()
+        return {"action_mask": masks, "coverage": covered, "k_min": k_min, "score": score}
+
+    def render(self) -> Any:
+        """The last step as a picture, uint8 (height, width, 3)."""
+        return None if self.render_mode is None else self.worlds.picture(self.width)
+
+    def close(self) -> None:
+        self.worlds.close()
+
+
+def vector_env(scenario: str | os.PathLike[str], num_envs: int = 1, **settings: Any) -> CameraVectorEnv:
+    """Many networks side by side as a Gymnasium ``VectorEnv``."""
+    return CameraVectorEnv(scenario, num_envs, **settings)
+
+
+def single_env(scenario: str | os.PathLike[str], **settings: Any) -> NetworkEnv:
+    """One network as a Gymnasium ``Env``."""
+    return NetworkEnv(scenario, **settings)

@@ -1,0 +1,183 @@
+"""Simulations side by side, stepped by one call; the arrays are shared with the simulator."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .backends import open_backend
+from .errors import InputError
+
+Array = npt.NDArray[Any]
+
+SCENARIOS = pathlib.Path(__file__).resolve().parent / "scenarios"
+
+
+def scenarios() -> list[str]:
+    """The names of the scenarios that come with the package."""
+    return sorted(file.stem for file in _shipped().glob("*.xml"))
+
+
+def _shipped() -> pathlib.Path:
+    return pathlib.Path(os.environ.get("HIFICAMSIM_SCENARIOS") or SCENARIOS)
+
+
+def scenario_file(scenario: str | os.PathLike[str]) -> str:
+    """The file of a scenario: one of the package's by its name, or any file."""
+    named = _shipped() / f"{os.fspath(scenario)}.xml"
+    if not os.path.exists(scenario) and named.exists():
+        return str(named)
+    if not os.path.exists(scenario):
+        raise InputError(
+            f"scenario {os.fspath(scenario)!r} is no file, and none of those that come with the package: "
+            + ", ".join(scenarios())
+        )
+    return os.path.abspath(scenario)
+
+
+class Worlds:
+    """``num_envs`` worlds of one scenario.
+
+    World i begins with ``seed + i``: its first episode is the run of ``hificamsim run --seed``. What comes out
+    depends on seeds and actions alone, not on the number of worlds or threads, or on the backend.
+
+    The arrays belong to the simulator and change with every call; copy what is to stay. B is the number of
+    worlds, C of cameras, F of numbers of an observation, A of numbers of an action.
+
+    - ``actions`` int32 (B, C, A): written before ``step``
+    - ``observations`` float32 (B, C, F), see ``features``
+    - ``finals`` float32 (B, C, F): the last observations of episodes that ended in this step
+    - ``rewards`` float32 (B, C)
+    - ``masks`` uint8 (B, C, M): 1 for what a camera may be told
+    - ``ends`` uint8 (B,): 1 where the episode ended in this step
+    - ``measures`` float32 (B, 3): share of targets covered, k_min, score by the objective
+    - ``states`` float32 (B, S): written by ``state``
+
+    :param scenario: a name of ``scenarios()`` or a file
+    :param detection: the detection model, as of ``--detection``
+    :param steps: the length of an episode
+    :param seed: of the first world
+    :param reward: coverage, kmin, score, difference or thesis
+    :param actions: view (the number of a view) or steps (pan and zoom, each down, stay or up)
+    :param targets: how many of the nearest seen targets are observed
+    :param neighbours: how many of the nearest cameras are observed
+    :param auto_reset: whether an episode that ends begins anew within the same call
+    :param threads: that share the worlds; by default as many as there are processors, from 16 worlds on
+    :param backend: jvm (in this process) or process; by default jvm where JPype is installed
+    :param paints: whether ``picture`` will be asked for
+    """
+
+    def __init__(
+        self,
+        scenario: str | os.PathLike[str],
+        num_envs: int = 1,
+        *,
+        detection: str = "hifi:orb-lin",
+        threshold: float | None = None,
+        detect: str | None = None,
+        objective: str | None = None,
+        order: str | None = None,
+        headings: str | None = None,
+        steps: int = 1000,
+        seed: int = 0,
+        reward: str = "coverage",
+        actions: str = "view",
+        targets: int = 4,
+        neighbours: int = 2,
+        auto_reset: bool = True,
+        threads: int | None = None,
+        backend: str | None = None,
+        paints: bool = False,
+    ) -> None:
+        self.file = scenario_file(scenario)
+        if threads is None:
+            threads = (os.cpu_count() or 1) if num_envs >= 16 else 1
+        self.settings: dict[str, Any] = {
+            "scenario": self.file,
+            "detection": detection,
+            "threshold": threshold,
+            "detect": detect,
+            "objective": objective,
+            "order": order,
+            "headings": headings,
+            "worlds": num_envs,
+            "threads": threads,
+            "steps": steps,
+            "seed": seed,
+            "reward": reward,
+            "actions": actions,
+            "targets": targets,
+            "neighbours": neighbours,
+            "autoReset": auto_reset,
+            "paints": paints,
+        }
+        self._backend = open_backend(backend, self.settings)
+        said = self._backend.description
+        self.name: str = said["scenario"]
+        self.num_envs = num_envs
+        self.cameras: list[str] = said["cameras"]
+        self.views: list[int] = said["views"]
+        self.num_targets: int = said["targets"]
+        self.choices: list[int] = said["choices"]
+        self.features: list[dict[str, Any]] = said["features"]
+        arrays = {part["name"]: self._array(part) for part in said["sections"]}
+        self.actions = arrays["actions"]
+        self.observations = arrays["observations"]
+        self.finals = arrays["finals"]
+        self.rewards = arrays["rewards"]
+        self.masks = arrays["masks"]
+        self.ends = arrays["ends"]
+        self.measures = arrays["measures"]
+        self.states = arrays["states"]
+        #: Steps every world by one: reads ``actions`` and writes all but ``states``.
+        self.step: Callable[[], None] = self._backend.step
+
+    def _array(self, section: dict[str, Any]) -> Array:
+        count = int(np.prod(section["shape"]))
+        flat = np.frombuffer(self._backend.memory, section["type"], count, section["offset"])
+        return flat.reshape(section["shape"])
+
+    def bounds(self) -> tuple[Array, Array]:
+        """The least and the most that each number of an observation can be, (F,) each."""
+        low = np.array([feature["low"] for feature in self.features], np.float32)
+        return low, np.array([feature["high"] for feature in self.features], np.float32)
+
+    def reset(self, seed: int | None = None) -> None:
+        """Begins an episode in every world: of new seeds from this one on, or each its next one."""
+        if seed is not None and not -(2**63) <= seed < 2**63:
+            raise InputError(f"seed is {seed}, expected one of 64 bits")
+        self._backend.reset(0 if seed is None else int(seed), seed is not None)
+
+    def reset_first(self, seed: int | None) -> None:
+        """As ``reset``; without a seed, worlds keep what they begin with."""
+        self.reset(self.settings["seed"] if seed is None else seed)
+
+    def state(self) -> Array:
+        """The state of every world, (B, S); a view."""
+        self._backend.state()
+        return self.states
+
+    def episode_seed(self) -> int:
+        """The seed of the episode that the first world is in."""
+        return self._backend.seed()
+
+    def picture(self, width: int = 800) -> Array:
+        """The first world as it is now, uint8 (height, width, 3)."""
+        data = self._backend.picture(width)
+        wide, high = np.frombuffer(data, ">i4", 2)
+        return np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
+
+    def close(self) -> None:
+        """Ends the worlds. A JVM in this process goes on: it can be started only once."""
+        self._backend.close()
+
+    def __enter__(self) -> Worlds:
+        return self
+
+    def __exit__(self, *fault: object) -> None:
+        self.close()

@@ -1,0 +1,45 @@
+"""Puts the jars into the wheel: those that Gradle builds, or those of the folder HIFICAMSIM_JARS."""
+
+import os
+import pathlib
+import shutil
+import subprocess
+
+from setuptools import setup
+from setuptools.command.build_py import build_py
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent
+BUILT = HERE / "build" / "wheel" / "jars"
+
+
+def jars() -> pathlib.Path:
+    """The folder of jars, built if need be."""
+    given = os.environ.get("HIFICAMSIM_JARS")
+    if given:
+        return pathlib.Path(given)
+    build = f'root="{ROOT}"; . "$root/tools/setup.sh"; build_if_stale "{BUILT}" :python:jars'
+    subprocess.run(["sh", "-euc", build], check=True)
+    return BUILT
+
+
+class WithJars(build_py):
+    """Builds the package with its jars and scenarios."""
+
+    def run(self) -> None:
+        super().run()
+        if self.editable_mode:
+            package = HERE / "hificamsim"
+        else:
+            package = pathlib.Path(self.build_lib) / "hificamsim"
+        self.copy(jars().glob("*.jar"), package / "jars")
+        self.copy((ROOT / "scenarios").glob("*"), package / "scenarios")
+
+    def copy(self, files, folder: pathlib.Path) -> None:
+        shutil.rmtree(folder, ignore_errors=True)
+        folder.mkdir(parents=True)
+        for file in files:
+            shutil.copy(file, folder)
+
+
+setup(cmdclass={"build_py": WithJars})

@@ -1,0 +1,71 @@
+package org.hificamsim.python;
+
+import java.awt.image.BufferedImage;
+import java.nio.ByteBuffer;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.presentation.picture.RunFrames;
+import org.hificamsim.presentation.picture.StepPicture;
+import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.presentation.replay.Frame;
+import org.hificamsim.presentation.replay.Move;
+import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.presentation.replay.Snapshots;
+
+/** The episode of a world, kept frame by frame to be painted. */
+final class Painted implements StepListener {
+  private final Setup setup;
+  private final Detection detection;
+  private final List<Frame> frames = new ArrayList<>();
+  private final List<Move> moves = new ArrayList<>();
+  private Snapshots snapshots;
+
+  Painted(Setup setup, Detection detection) {
+    this.setup = setup;
+    this.detection = detection;
+  }
+
+  @Override
+  public void started(NetworkView network, ZoomPolicy policy) {
+    frames.clear();
+    moves.clear();
+    snapshots = new Snapshots(setup, detection, policy);
+  }
+
+  @Override
+  public void stepped(NetworkView network, StepCoverage coverage) {
+    moves.addAll(snapshots.moves(network));
+    frames.add(snapshots.take(network));
+  }
+
+  /**
+   * The last step; before the first one the network as it is.
+   *
+   * @param width pixels
+   * @return width and height as two ints, then red, green and blue of each pixel, row by row
+   */
+  byte[] picture(NetworkView network, long seed, int width) {
+    List<Frame> shown = frames.isEmpty() ? List.of(snapshots.take(network)) : List.copyOf(frames);
+    long steps = shown.get(shown.size() - 1).step() + 1;
+    Recording recording = new Recording(0, seed, steps, 1, "", List.copyOf(moves), shown);
+    RunFrames run = new RunFrames(setup, recording);
+    return bytes(FigureFile.image(new StepPicture(run, shown.size() - 1), width));
+  }
+
+  private static byte[] bytes(BufferedImage image) {
+    int width = image.getWidth();
+    int[] pixels = image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
+    ByteBuffer bytes = ByteBuffer.allocate(2 * Integer.BYTES + 3 * pixels.length);
+    bytes.putInt(width).putInt(image.getHeight());
+    for (int pixel : pixels) {
+      bytes.put((byte) (pixel >> 16)).put((byte) (pixel >> 8)).put((byte) pixel);
+    }
+    return bytes.array();
+  }
+}

@@ -1,0 +1,104 @@
+package org.hificamsim.python;
+
+import java.nio.ByteBuffer;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.world.World;
+import org.hificamsim.worlds.Setup;
+import org.hificamsim.worlds.Worlds;
+
+/** Worlds that Python has opened; one thread may call at a time. */
+public final class Session implements AutoCloseable {
+  private static final int MAX_WIDTH = 10_000;
+
+  private final Setup setup;
+  private final Worlds worlds;
+  private final Painted painted;
+
+  /**
+   * Opens worlds in memory of the JVM's.
+   *
+   * @param settings JSON, see {@link Request}
+   * @throws InputException when something is wrong with them
+   */
+  public static Session open(String settings) {
+    return open(settings, ByteBuffer::allocateDirect);
+  }
+
+  static Session open(String settings, Worlds.Memory memory) {
+    return new Session(Request.parse(settings), memory);
+  }
+
+  private Session(Request request, Worlds.Memory memory) {
+    Catalogue catalogue = Catalogue.load();
+    setup = request.setup(catalogue);
+    worlds = Worlds.of(setup, request.worlds(), request.threads(), request.seed(), memory);
+    painted = request.paints() ? painted(catalogue, request.seed()) : null;
+    if (painted != null) {
+      worlds.watch(0, painted);
+      worlds.reset(request.seed(), true);
+    }
+  }
+
+  private Painted painted(Catalogue catalogue, long seed) {
+    World world = new World(setup.scenario(), catalogue.movements(), seed);
+    return new Painted(
+        org.hificamsim.presentation.replay.Setup.of(world, setup.detection(), "played", seed),
+        setup.detection());
+  }
+
+  /** What there is to know of the worlds, as JSON, see {@link Description}. */
+  public String description() {
+    return Description.of(worlds, setup).json();
+  }
+
+  /** The memory that is shared. */
+  public ByteBuffer memory() {
+    return worlds.memory();
+  }
+
+  /**
+   * Steps all worlds.
+   *
+   * @throws InputException when an action is none, or an episode is over
+   */
+  public void step() {
+    worlds.step();
+  }
+
+  /** Begins an episode in all worlds: with new seeds from this one on, or each its next one. */
+  public void reset(long seed, boolean fresh) {
+    worlds.reset(seed, fresh);
+  }
+
+  /** Writes the states. */
+  public void state() {
+    worlds.state();
+  }
+
+  /** The seed of the episode that the first world is in. */
+  public long seed() {
+    return worlds.seed(0);
+  }
+
+  /**
+   * A picture of the first world.
+   *
+   * @throws InputException when pictures were not asked for at first
+   */
+  public byte[] picture(int width) {
+    if (painted == null) {
+      throw new InputException("no pictures were asked for, expected render_mode='rgb_array'");
+    }
+    if (width < 1 || width > MAX_WIDTH) {
+      throw new InputException("a picture " + width + " wide, expected 1 to " + MAX_WIDTH);
+    }
+    return painted.picture(worlds.network(0), worlds.seed(0), width);
+  }
+
+  /** Ends the threads. */
+  @Override
+  public void close() {
+    worlds.close();
+  }
+}

@@ -1,0 +1,100 @@
+package org.hificamsim.worlds;
+
+import java.util.Arrays;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * How an action says what a camera is to do. A camera that is on its way goes on, whatever it is
+ * told, and so does one that is told what its mask forbids.
+ */
+public enum ActionKind {
+  /** The number of a view. */
+  VIEW(1) {
+    @Override
+    int[] choices(NetworkView network) {
+      int most = 1;
+      for (int camera = 0; camera < network.cameras(); camera++) {
+        most = Math.max(most, network.views(camera));
+      }
+      return new int[] {most};
+    }
+
+    @Override
+    int view(NetworkView network, int camera, int[] actions, int at) {
+      return actions[at] < network.views(camera) ? actions[at] : network.view(camera);
+    }
+
+    @Override
+    void mask(NetworkView network, int camera, byte[] out, int from, int to) {
+      Arrays.fill(out, from, Math.min(to, from + network.views(camera)), (byte) 1);
+    }
+
+    @Override
+    void maskOnItsWay(NetworkView network, int camera, byte[] out, int from) {
+      out[from + network.view(camera)] = 1;
+    }
+  },
+
+  /** Two numbers, 0 to 2: one pan angle to the left, none, to the right; narrower, as is, wider. */
+  STEPS(2) {
+    @Override
+    int[] choices(NetworkView network) {
+      return new int[] {3, 3};
+    }
+
+    @Override
+    int view(NetworkView network, int camera, int[] actions, int at) {
+      int zooms = network.zooms(camera);
+      int pan = network.view(camera) / zooms + actions[at] - 1;
+      int zoom = network.view(camera) % zooms + actions[at + 1] - 1;
+      int stays = network.view(camera);
+      pan = isOneOf(network.views(camera) / zooms, pan) ? pan : stays / zooms;
+      zoom = isOneOf(zooms, zoom) ? zoom : stays % zooms;
+      return pan * zooms + zoom;
+    }
+
+    @Override
+    void mask(NetworkView network, int camera, byte[] out, int from, int to) {
+      int zooms = network.zooms(camera);
+      for (int step = 0; step < 3; step++) {
+        int pan = network.view(camera) / zooms + step - 1;
+        int zoom = network.view(camera) % zooms + step - 1;
+        out[from + step] = (byte) (isOneOf(network.views(camera) / zooms, pan) ? 1 : 0);
+        out[from + 3 + step] = (byte) (isOneOf(zooms, zoom) ? 1 : 0);
+      }
+    }
+
+    @Override
+    void maskOnItsWay(NetworkView network, int camera, byte[] out, int from) {
+      out[from + 1] = 1;
+      out[from + 4] = 1;
+    }
+  };
+
+  private final int numbers;
+
+  ActionKind(int numbers) {
+    this.numbers = numbers;
+  }
+
+  private static boolean isOneOf(int count, int number) {
+    return number >= 0 && number < count;
+  }
+
+  /** How many numbers an action has. */
+  public int numbers() {
+    return numbers;
+  }
+
+  /** Of how many each number of an action is one, counted from 0; the same for all cameras. */
+  abstract int[] choices(NetworkView network);
+
+  /** The view that an action sends a camera to that is not on its way. */
+  abstract int view(NetworkView network, int camera, int[] actions, int at);
+
+  /** Writes 1 for what a camera may be told that is where it went, over zeros. */
+  abstract void mask(NetworkView network, int camera, byte[] out, int from, int to);
+
+  /** Writes 1 for what says that a camera goes on. */
+  abstract void maskOnItsWay(NetworkView network, int camera, byte[] out, int from);
+}

@@ -1,0 +1,76 @@
+package org.hificamsim.worlds;
+
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.InputException;
+
+/** How the shared block of memory is divided. */
+public record Block(List<Section> sections) {
+  private static final int LINE = 64; // bytes of a cache line, where each section begins
+
+  /** Copies what could change. */
+  public Block {
+    sections = List.copyOf(sections);
+  }
+
+  /**
+   * The block of some worlds.
+   *
+   * @param of one of them
+   */
+  static Block of(int worlds, OneWorld of, Setup setup) {
+    int cameras = of.network().cameras();
+    int size = setup.layout().size();
+    Builder builder = new Builder(worlds);
+    builder.add("actions", "i4", cameras, setup.actions().numbers());
+    builder.add("observations", "f4", cameras, size);
+    builder.add("finals", "f4", cameras, size);
+    builder.add("rewards", "f4", cameras);
+    builder.add("masks", "u1", cameras, Masks.width(of.network(), setup.actions()));
+    builder.add("ends", "u1");
+    builder.add("measures", "f4", OneWorld.MEASURES);
+    builder.add("states", "f4", StateLayout.size(cameras, of.network().targets()));
+    return new Block(builder.sections);
+  }
+
+  /** How long it is, in bytes. */
+  public int bytes() {
+    Section last = sections.get(sections.size() - 1);
+    return last.offset() + last.bytes();
+  }
+
+  /** A section of a block, in the machine's byte order. */
+  ByteBuffer part(ByteBuffer block, String name) {
+    Section section =
+        sections.stream().filter(one -> one.name().equals(name)).findFirst().orElseThrow();
+    return block.slice(section.offset(), section.bytes()).order(ByteOrder.nativeOrder());
+  }
+
+  private static final class Builder {
+    private final int worlds;
+    private final List<Section> sections = new ArrayList<>();
+    private int end;
+
+    Builder(int worlds) {
+      this.worlds = worlds;
+    }
+
+    void add(String name, String type, int... each) {
+      List<Integer> shape = new ArrayList<>();
+      shape.add(worlds);
+      for (int length : each) {
+        shape.add(length);
+      }
+      try {
+        Section section = new Section(name, type, shape, end);
+        end = Math.multiplyExact(Math.addExact(end, section.bytes() + LINE - 1) / LINE, LINE);
+        sections.add(section);
+      } catch (ArithmeticException e) {
+        throw new InputException(
+            worlds + " worlds take more than 2 GB of shared memory, expected fewer", e);
+      }
+    }
+  }
+}

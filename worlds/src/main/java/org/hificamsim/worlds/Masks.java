@@ -1,0 +1,41 @@
+package org.hificamsim.worlds;
+
+import java.util.Arrays;
+import java.util.stream.IntStream;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * What each camera may be told: 1 for each choice of each number of its action. One on its way may
+ * only go on, and one that is off may be told anything: nobody listens.
+ */
+final class Masks {
+  private final ActionKind kind;
+  private final int width;
+  private final byte[] masks;
+
+  Masks(NetworkView network, ActionKind kind) {
+    this.kind = kind;
+    this.width = width(network, kind);
+    this.masks = new byte[width * network.cameras()];
+  }
+
+  static int width(NetworkView network, ActionKind kind) {
+    return IntStream.of(kind.choices(network)).sum();
+  }
+
+  /** The masks of all cameras where the network is before a decision. */
+  byte[] of(NetworkView network) {
+    Arrays.fill(masks, (byte) 0);
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      int from = camera * width;
+      if (!network.online(camera)) {
+        Arrays.fill(masks, from, from + width, (byte) 1);
+      } else if (network.moving(camera)) {
+        kind.maskOnItsWay(network, camera, masks, from);
+      } else {
+        kind.mask(network, camera, masks, from, from + width);
+      }
+    }
+    return masks;
+  }
+}

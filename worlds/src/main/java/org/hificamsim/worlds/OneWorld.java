@@ -1,0 +1,157 @@
+package org.hificamsim.worlds;
+
+import java.util.List;
+import java.util.SplittableRandom;
+import org.hificamsim.agents.observation.CameraObserver;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.world.World;
+
+/**
+ * One simulation that waits for actions: between two calls its step is half done, and cameras have
+ * seen what they decide from.
+ *
+ * <p>The first episode after a reset has the seed that it was given, so that it is the run of that
+ * seed; those after it have seeds drawn from it.
+ */
+final class OneWorld implements StepListener {
+  /** How many numbers {@link #measures} has. */
+  static final int MEASURES = 3;
+
+  private final Setup setup;
+  private final World world;
+  private final PlayedPolicy policy;
+  private final Reward reward;
+  private final float[] observations;
+  private final float[] rewards;
+  private final float[] measures = new float[MEASURES];
+  private final int[] actions;
+  private StepListener watcher = (network, coverage) -> {};
+  private Simulation simulation;
+  private CameraObserver observer;
+  private Masks masks;
+  private long seed;
+  private long episode;
+  private int step;
+
+  OneWorld(Setup setup, long seed) {
+    this.setup = setup;
+    world = new World(setup.scenario(), setup.movements(), seed);
+    policy = new PlayedPolicy(setup.actions());
+    reward = setup.reward().get();
+    int cameras = world.cameras().count();
+    observations = new float[cameras * setup.layout().size()];
+    rewards = new float[cameras];
+    actions = new int[cameras * setup.actions().numbers()];
+    reset(seed);
+    masks = new Masks(network(), setup.actions());
+  }
+
+  /** Begins the first episode of a seed. */
+  void reset(long newSeed) {
+    seed = newSeed;
+    episode = 0;
+    begin();
+  }
+
+  /** Begins the next episode. */
+  void next() {
+    episode++;
+    begin();
+  }
+
+  private void begin() {
+    long ofEpisode = episodeSeed(seed, episode);
+    world.restart(ofEpisode);
+    reward.begin();
+    simulation =
+        new Simulation(world, setup.detection(), policy, ofEpisode, List.of(this, watcher));
+    step = 0;
+    simulation.untilDecision();
+    observer = new CameraObserver(network(), setup.layout());
+    observer.observe(network(), observations);
+  }
+
+  /** The seed of an episode: the first one has the world's. */
+  static long episodeSeed(long seed, long episode) {
+    return episode == 0
+        ? seed
+        : new SplittableRandom(seed + episode * 0x9E3779B97F4A7C15L).nextLong();
+  }
+
+  /** The seed of the episode. */
+  long seed() {
+    return episodeSeed(seed, episode);
+  }
+
+  /** Does what {@link #actions} say, up to the next decision. */
+  void step() {
+    policy.play(actions);
+    simulation.fromDecision();
+    simulation.untilDecision();
+    observer.observe(network(), observations);
+    step++;
+  }
+
+  @Override
+  public void stepped(NetworkView network, StepCoverage coverage) {
+    reward.pay(network, coverage, rewards);
+    measures[0] = (float) Rewards.covered(coverage);
+    measures[1] = coverage.kMin();
+    measures[2] = (float) coverage.score();
+  }
+
+  /** Adds a listener to the episodes that begin from now on. */
+  void watch(StepListener newWatcher) {
+    watcher = newWatcher;
+  }
+
+  /** Whether the episode is over. */
+  boolean over() {
+    return step == setup.steps();
+  }
+
+  NetworkView network() {
+    return simulation.network();
+  }
+
+  /** Filled in by the caller before a {@link #step}. */
+  int[] actions() {
+    return actions;
+  }
+
+  float[] observations() {
+    return observations;
+  }
+
+  float[] rewards() {
+    return rewards;
+  }
+
+  /** Of the last step: share of targets covered, k_min, and the score by the objective. */
+  float[] measures() {
+    return measures;
+  }
+
+  byte[] masks() {
+    return masks.of(network());
+  }
+
+  /** The number of steps of the episode that are done. */
+  int done() {
+    return step;
+  }
+
+  void writeState(float[] out) {
+    double over = (double) step / setup.steps();
+    StateLayout.write(
+        network().oracle(),
+        setup.scenario().field(),
+        over,
+        observations,
+        setup.layout().size(),
+        out);
+  }
+}

@@ -1,0 +1,247 @@
+package org.hificamsim.worlds;
+
+import java.nio.ByteBuffer;
+import java.nio.FloatBuffer;
+import java.nio.IntBuffer;
+import java.util.Arrays;
+import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * Simulations side by side, stepped by one call and shared out among threads. Actions are read from
+ * a block of memory, and what follows from them is written there; see {@link Block}.
+ *
+ * <p>World i begins with the seed of the reset plus i. What comes out depends on seeds and actions
+ * alone, not on how many worlds or threads there are. After an error of a policy or model the
+ * worlds have to be reset. One thread may call at a time.
+ */
+public final class Worlds implements AutoCloseable {
+  private final Setup setup;
+  private final OneWorld[] worlds;
+  private final Workers workers;
+  private final Block block;
+  private final ByteBuffer memory;
+  private final IntBuffer actions;
+  private final FloatBuffer observations;
+  private final FloatBuffer finals;
+  private final FloatBuffer rewards;
+  private final ByteBuffer masks;
+  private final ByteBuffer ends;
+  private final FloatBuffer measures;
+  private final FloatBuffer states;
+  private final int[] choices;
+  private final int[] maskedRevision;
+  private final boolean maskOften;
+  private final float[][] state; // of each worker
+  private final Workers.Share stepping = this::stepShare;
+  private final Workers.Share resetting = this::resetShare;
+  private final Workers.Share telling = this::stateShare;
+  private long seed;
+  private boolean anew;
+
+  /**
+   * Worlds at the beginning of their first episode.
+   *
+   * @param count 1 or more
+   * @param threads that share the worlds, 1 or more
+   */
+  public static Worlds of(Setup setup, int count, int threads, long seed, Memory memory) {
+    check("worlds", count);
+    check("threads", threads);
+    return new Worlds(setup, count, Math.min(threads, count), seed, memory);
+  }
+
+  /** Where the shared block of memory comes from. */
+  @FunctionalInterface
+  public interface Memory {
+    /** A buffer of that many bytes. */
+    ByteBuffer of(int bytes);
+  }
+
+  private static void check(String what, int number) {
+    if (number < 1) {
+      throw new InputException(number + " " + what + ", expected 1 or more");
+    }
+  }
+
+  private Worlds(Setup setup, int count, int threads, long seed, Memory source) {
+    this.setup = setup;
+    this.seed = seed;
+    worlds = new OneWorld[count];
+    Arrays.setAll(worlds, i -> new OneWorld(setup, seed + i));
+    NetworkView network = worlds[0].network();
+    block = Block.of(count, worlds[0], setup);
+    memory = source.of(block.bytes());
+    actions = block.part(memory, "actions").asIntBuffer();
+    observations = block.part(memory, "observations").asFloatBuffer();
+    finals = block.part(memory, "finals").asFloatBuffer();
+    rewards = block.part(memory, "rewards").asFloatBuffer();
+    masks = block.part(memory, "masks");
+    ends = block.part(memory, "ends");
+    measures = block.part(memory, "measures").asFloatBuffer();
+    states = block.part(memory, "states").asFloatBuffer();
+    choices = setup.actions().choices(network);
+    maskedRevision = new int[count];
+    maskOften = setup.actions() == ActionKind.STEPS || takesTime();
+    workers = Workers.of(threads);
+    state = new float[threads][StateLayout.size(network.cameras(), network.targets())];
+    reset(seed, true);
+  }
+
+  private boolean takesTime() {
+    return setup
+        .scenario()
+        .everyCamera()
+        .anyMatch(camera -> camera.optics().filter(optics -> optics.takesTime()).isPresent());
+  }
+
+  /** The memory that all sections are in. */
+  public ByteBuffer memory() {
+    return memory;
+  }
+
+  /** How the memory is divided. */
+  public Block block() {
+    return block;
+  }
+
+  /** Of how many each number of an action is one, counted from 0. */
+  public List<Integer> choices() {
+    return Arrays.stream(choices).boxed().toList();
+  }
+
+  /** A world's network as it is now. */
+  public NetworkView network(int world) {
+    return worlds[world].network();
+  }
+
+  /** Has one listener told of the steps of a world, from its next episode on. */
+  public void watch(int world, StepListener listener) {
+    worlds[world].watch(listener);
+  }
+
+  /** The seed of the episode that a world is in. */
+  public long seed(int world) {
+    return worlds[world].seed();
+  }
+
+  /**
+   * Begins an episode in every world, and writes observations and masks.
+   *
+   * @param newSeed of the first world
+   * @param fresh whether the seed counts; otherwise each world goes on to its next episode
+   */
+  public void reset(long newSeed, boolean fresh) {
+    seed = newSeed;
+    anew = fresh;
+    workers.run(resetting);
+  }
+
+  private void resetShare(int worker) {
+    int end = workers.first(worker + 1, worlds.length);
+    for (int i = workers.first(worker, worlds.length); i < end; i++) {
+      if (anew) {
+        worlds[i].reset(seed + i);
+      } else {
+        worlds[i].next();
+      }
+      writeObservation(i);
+      writeMasks(i);
+    }
+  }
+
+  /**
+   * Plays the actions in every world, and writes what follows.
+   *
+   * @throws InputException when an action is none, or an episode is over; nothing is stepped then
+   */
+  public void step() {
+    checkActions();
+    workers.run(stepping);
+  }
+
+  private void stepShare(int worker) {
+    int end = workers.first(worker + 1, worlds.length);
+    for (int i = workers.first(worker, worlds.length); i < end; i++) {
+      step(i);
+    }
+  }
+
+  private void step(int i) {
+    OneWorld world = worlds[i];
+    actions.get(i * world.actions().length, world.actions());
+    world.step();
+    rewards.put(i * world.rewards().length, world.rewards());
+    measures.put(i * OneWorld.MEASURES, world.measures());
+    ends.put(i, (byte) (world.over() ? 1 : 0));
+    if (world.over() && setup.autoReset()) {
+      finals.put(i * world.observations().length, world.observations());
+      world.next();
+    }
+    writeObservation(i);
+    if (maskOften || world.network().revision() != maskedRevision[i]) {
+      writeMasks(i);
+    }
+  }
+
+  private void writeObservation(int i) {
+    float[] of = worlds[i].observations();
+    observations.put(i * of.length, of);
+  }
+
+  private void writeMasks(int i) {
+    byte[] of = worlds[i].masks();
+    masks.put(i * of.length, of);
+    maskedRevision[i] = worlds[i].network().revision();
+  }
+
+  private void checkActions() {
+    int each = worlds[0].actions().length;
+    for (int i = 0; i < worlds.length; i++) {
+      if (!setup.autoReset() && worlds[i].over()) {
+        throw new InputException(
+            "the episode of " + setup.steps() + " steps is over, expected a reset");
+      }
+      for (int at = 0; at < each; at++) {
+        int action = actions.get(i * each + at);
+        if (action < 0 || action >= choices[at % choices.length]) {
+          refuse(i, at, action);
+        }
+      }
+    }
+  }
+
+  private void refuse(int world, int at, int action) {
+    throw new InputException(
+        "action "
+            + action
+            + " of camera "
+            + worlds[world].network().cameraName(at / choices.length)
+            + " in world "
+            + world
+            + ", expected 0 to "
+            + (choices[at % choices.length] - 1));
+  }
+
+  /** Writes the state of every world. */
+  public void state() {
+    workers.run(telling);
+  }
+
+  private void stateShare(int worker) {
+    int end = workers.first(worker + 1, worlds.length);
+    for (int i = workers.first(worker, worlds.length); i < end; i++) {
+      worlds[i].writeState(state[worker]);
+      states.put(i * state[worker].length, state[worker]);
+    }
+  }
+
+  /** Ends the threads. */
+  @Override
+  public void close() {
+    workers.close();
+  }
+}
