@@ -7,6 +7,8 @@ import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
+import org.hificamsim.profiling.lab.Texture;
+import org.hificamsim.profiling.opencv.OpenCv;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -45,10 +47,17 @@ final class LabCommand implements Callable<Integer> {
   private int objects;
 
   @Option(
+      names = "--texture",
+      paramLabel = "photos|painted",
+      description = "What is on the objects and behind them: photographs, or painted shapes.")
+  private Texture texture;
+
+  @Option(
       names = "--aperture",
-      paramLabel = "N",
-      description = "f-number: blur by distance, and diffraction; 0 for none.")
-  private double aperture;
+      paramLabel = "N,N",
+      split = ",",
+      description = "f-number: blur by distance, and diffraction; 0 for none; one of several.")
+  private List<Double> aperture;
 
   @Option(
       names = "--focus-error",
@@ -70,9 +79,10 @@ final class LabCommand implements Callable<Integer> {
 
   @Option(
       names = "--distortion",
-      paramLabel = "X",
-      description = "Factor on the radial distortion; 0 for none.")
-  private double distortion;
+      paramLabel = "X,X",
+      split = ",",
+      description = "Factor on the radial distortion; 0 for none; one of several.")
+  private List<Double> distortion;
 
   @Option(
       names = "--pose",
@@ -119,8 +129,8 @@ final class LabCommand implements Callable<Integer> {
     screen
         .out()
         .printf(
-            "%s photos in %s; %s dropped, whose object is larger than the frame%n",
-            outcome.taken(), out, outcome.dropped());
+            "%s photos by OpenCV %s in %s; %s dropped, whose object is larger than the frame%n",
+            outcome.taken(), OpenCv.version(), out, outcome.dropped());
     return 0;
   }
 
@@ -130,11 +140,11 @@ final class LabCommand implements Callable<Integer> {
     focalLengths.forEach(z -> Numbers.within("--focal-lengths", z, 0.001, 1));
     distances.forEach(d -> Numbers.within("--distances", d, 0.2, 11));
     Numbers.inRange("--objects", objects, 1, MAX_OBJECTS);
-    Numbers.within("--aperture", aperture, 0, 64);
+    aperture.forEach(n -> Numbers.within("--aperture", n, 0, 64));
     Numbers.within("--focus-error", focusError, 0, 0.2);
     Numbers.within("--iso", iso, 0, 1e6);
     Numbers.within("--vignetting", vignetting, 0, 1);
-    Numbers.within("--distortion", distortion, -3, 3);
+    distortion.forEach(x -> Numbers.within("--distortion", x, -3, 3));
     Numbers.within("--pose", pose, 0, 20);
     Numbers.within("--offset", offset, 0, 0.4);
     Numbers.within("--lighting", lighting, 0, 0.3);
@@ -142,6 +152,7 @@ final class LabCommand implements Callable<Integer> {
     return LabSettings.thesis(seed.value())
         .withScale(scale)
         .withGrid(focalLengths, distances, objects)
+        .with(texture)
         .with(
             new LabSettings.Optics(aperture, focusError, iso, vignetting, distortion),
             new LabSettings.Scene(pose, offset, lighting, clutter));

@@ -1,6 +1,7 @@
 package org.hificamsim.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -8,15 +9,21 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
 import org.hificamsim.profiling.detector.DescriptorDistance;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.RatioTest;
+import org.hificamsim.profiling.measure.MatchPictures;
 import org.hificamsim.profiling.measure.MeasureSettings;
+import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.Measurer;
+import org.hificamsim.profiling.measure.Outcome;
 import org.hificamsim.profiling.measure.PipReading;
+import org.hificamsim.profiling.measure.Watcher;
+import org.hificamsim.profiling.opencv.OpenCv;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -54,7 +61,8 @@ final class MeasureCommand implements Callable<Integer> {
   @Option(
       names = "--picture",
       paramLabel = "IMAGE",
-      description = "Draw this image's matches into matches/; may be repeated.")
+      description =
+          "Draw this image's matches into matches/, and measure nothing again; may be repeated.")
   private Set<String> pictures = new LinkedHashSet<>();
 
   @Mixin private ThreadsOption threads;
@@ -83,30 +91,63 @@ final class MeasureCommand implements Callable<Integer> {
             "--picture is '" + picture + "', expected an image of " + Dataset.TABLE);
       }
     }
-    int resumed;
-    int photos = dataset.samples().size();
-    try (Progress progress = screen.progress("", " photos", photos)) {
-      resumed = new Measurer(dataset, settings).measure(count, progress::advance);
+    if (pictures.isEmpty() || !Files.exists(folder.resolve(MeasurementsFile.NAME))) {
+      measureAll(dataset, settings, count);
     }
+    if (!pictures.isEmpty()) {
+      int drawn = new MatchPictures(dataset, settings).draw(pictures);
+      screen.out().printf("%s drawn: %s%n", drawn, folder.resolve(MatchPictures.FOLDER));
+    }
+  }
+
+  private void measureAll(Dataset dataset, MeasureSettings settings, int count) {
+    int photos = dataset.samples().size();
+    Outcome outcome;
+    try (Progress progress = screen.progress("", " photos", photos)) {
+      outcome = new Measurer(dataset, settings).measure(count, watcher(progress));
+    }
+    if (outcome.threads() < count) {
+      screen
+          .err()
+          .printf(
+              "%s of %s threads: photos of this size fill the memory%n", outcome.threads(), count);
+    }
+    outcome.warnings().forEach(line -> screen.err().println("warning: " + Place.printable(line)));
     screen
         .out()
         .printf(
-            "%s photos measured%s: %s%n",
+            "%s photos measured%s by OpenCV %s: %s%n",
             photos,
-            resumed > 0 ? ", " + resumed + " of them by an earlier call" : "",
-            folder.resolve("measurements.csv"));
+            outcome.resumed() > 0 ? ", " + outcome.resumed() + " of them by an earlier call" : "",
+            OpenCv.version(),
+            folder.resolve(MeasurementsFile.NAME));
+  }
+
+  private static Watcher watcher(Progress progress) {
+    return new Watcher() {
+      @Override
+      public void measured() {
+        progress.advance();
+      }
+
+      @Override
+      public void resumed(int photos) {
+        progress.resume(photos);
+      }
+    };
   }
 
   private MeasureSettings settings() {
     Numbers.within("--ratio", ratio, Double.MIN_NORMAL, 1);
-    List<String> names =
-        detectors.stream().map(name -> name.strip().toLowerCase(Locale.ROOT)).distinct().toList();
-    for (String name : names) {
-      if (!Detectors.names().contains(name)) {
-        throw new InputException(
-            "--detectors has '" + name + "', expected some of " + Detectors.names());
-      }
-    }
-    return new MeasureSettings(names, new RatioTest(metric, ratio), pip, pictures);
+    List<String> names = detectors.stream().map(MeasureCommand::name).distinct().toList();
+    names.forEach(Detectors::column);
+    return new MeasureSettings(names, new RatioTest(metric, ratio), pip);
+  }
+
+  /** A detector's name in small letters; a file behind a colon keeps its own. */
+  private static String name(String text) {
+    String[] parts = text.strip().split(":", 2);
+    parts[0] = parts[0].toLowerCase(Locale.ROOT);
+    return String.join(":", parts);
   }
 }

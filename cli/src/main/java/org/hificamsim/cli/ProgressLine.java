@@ -15,15 +15,26 @@ final class ProgressLine {
   private final String task;
   private final String unit;
   private final long total;
+  private final long already;
 
   /**
    * @param unit what is counted, as in {@code "steps"}
    * @param total 1 or more
    */
   ProgressLine(String task, String unit, long total) {
+    this(task, unit, total, 0);
+  }
+
+  private ProgressLine(String task, String unit, long total, long already) {
     this.task = task;
     this.unit = unit;
     this.total = total;
+    this.already = already;
+  }
+
+  /** The line of a run of which so many units were done before it began. */
+  ProgressLine after(long units) {
+    return new ProgressLine(task, unit, total, units);
   }
 
   /**
@@ -76,7 +87,7 @@ final class ProgressLine {
   }
 
   private String left(long done, long elapsed) {
-    if (done == 0) {
+    if (done == already) {
       return "? left";
     }
     long seconds = (long) Math.ceil((total - done) / perSecond(done, elapsed));
@@ -84,7 +95,7 @@ final class ProgressLine {
         Locale.ROOT, "%d:%02d:%02d left", seconds / 3600, seconds / 60 % 60, seconds % 60);
   }
 
-  private static double perSecond(long done, long elapsed) {
-    return done * (double) TimeUnit.SECONDS.toNanos(1) / elapsed;
+  private double perSecond(long done, long elapsed) {
+    return (done - already) * (double) TimeUnit.SECONDS.toNanos(1) / elapsed;
   }
 }

@@ -35,6 +35,15 @@ class ProgressLineTest {
     assertTrue(bar.endsWith("] 2000000 of 8000000 steps, 200000 steps/s, 0:00:30 left"), bar);
   }
 
+  @Test
+  void whatWasDoneBeforeSaysNothingOfTheSpeed() {
+    ProgressLine resumed = new ProgressLine("measure", "photos", 60).after(40);
+    assertEquals(
+        "measure: 50 of 60 photos (83%), 1.0 photos/s, 0:00:10 left",
+        resumed.plain(50, TEN_SECONDS));
+    assertTrue(resumed.plain(40, TEN_SECONDS).endsWith("? left"));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

@@ -61,12 +61,13 @@ final class CocoPatches {
     return candidates.size() == 1 ? Optional.of(candidates.get(0).patch()) : Optional.empty();
   }
 
+  /** A box to whole pixels: its edges are rounded, so that none moves out of the picture. */
   private static Patch patch(double[] box) {
-    return new Patch(
-        (int) Math.round(box[0]),
-        (int) Math.round(box[1]),
-        (int) Math.round(box[2]),
-        (int) Math.round(box[3]));
+    int left = (int) Math.round(box[0]);
+    int top = (int) Math.round(box[1]);
+    int right = (int) Math.round(box[0] + box[2]);
+    int bottom = (int) Math.round(box[1] + box[3]);
+    return new Patch(left, top, right - left, bottom - top);
   }
 
   private static long id(JsonObject json, String key) {

@@ -6,7 +6,6 @@ import com.fasterxml.jackson.dataformat.csv.CsvFactory;
 import com.fasterxml.jackson.dataformat.csv.CsvParser;
 import com.fasterxml.jackson.dataformat.csv.CsvSchema;
 import java.io.IOException;
-import java.io.Reader;
 import java.io.UncheckedIOException;
 import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
@@ -20,16 +19,23 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
 /**
- * A CSV table whose cells know their place.
+ * A CSV table whose cells know their place: between commas, or as spreadsheets write it, between
+ * semicolons and with a byte order mark.
  *
  * @param columns of the header line
  * @param rows by column name
  */
 public record CsvRows(String file, List<String> columns, List<Map<String, Cell>> rows) {
   private static final long MAX_BYTES = 256L << 20;
+  private static final String BYTE_ORDER_MARK = "\uFEFF";
+  private static final char SEMICOLON = ';';
 
-  /** A cell's text without surrounding blanks, and where it stands. */
-  public record Cell(Place place, String text) {
+  /**
+   * A cell's text without surrounding blanks, and where it stands.
+   *
+   * @param decimalComma whether numbers may have a comma, as in tables with semicolons
+   */
+  public record Cell(Place place, String text, boolean decimalComma) {
     private boolean isEmpty() {
       return text.isEmpty();
     }
@@ -43,7 +49,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
     /** The number it holds, finite and in [least, most]. */
     public double number(String column, double least, double most, String expected) {
       try {
-        double value = Double.parseDouble(text);
+        double value = Double.parseDouble(decimalComma ? text.replace(',', '.') : text);
         if (value >= least && value <= most) {
           return value;
         }
@@ -97,12 +103,14 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
       if (Files.size(file) > MAX_BYTES) {
         throw new Place(name, 1, 1).error("the table is too big, expected at most 256 MiB");
       }
-      try (Reader reader = Files.newBufferedReader(file);
-          CsvParser parser = new CsvFactory().createParser(reader)) {
+      String text = Files.readString(file);
+      text = text.startsWith(BYTE_ORDER_MARK) ? text.substring(1) : text;
+      char separator = separator(text);
+      try (CsvParser parser = new CsvFactory().createParser(text)) {
         parser.enable(CsvParser.Feature.WRAP_AS_ARRAY);
         parser.enable(CsvParser.Feature.SKIP_EMPTY_LINES);
-        parser.setSchema(CsvSchema.emptySchema());
-        return lines(parser, name);
+        parser.setSchema(CsvSchema.emptySchema().withColumnSeparator(separator));
+        return lines(parser, name, separator == SEMICOLON);
       }
     } catch (NoSuchFileException e) {
       throw new InputException(name + ": no such file, expected a data set's table", e);
@@ -116,7 +124,14 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
     }
   }
 
-  private static List<List<Cell>> lines(CsvParser parser, String name) throws IOException {
+  /** What stands between the cells of the header: a semicolon where a spreadsheet put some. */
+  private static char separator(String text) {
+    String header = text.lines().findFirst().orElse("");
+    return header.indexOf(',') < 0 && header.indexOf(SEMICOLON) >= 0 ? SEMICOLON : ',';
+  }
+
+  private static List<List<Cell>> lines(CsvParser parser, String name, boolean decimalComma)
+      throws IOException {
     List<List<Cell>> lines = new ArrayList<>();
     List<Cell> line = List.of();
     for (JsonToken token = parser.nextToken(); token != null; token = parser.nextToken()) {
@@ -126,7 +141,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
       } else if (token == JsonToken.VALUE_STRING) {
         int row = parser.currentTokenLocation().getLineNr();
         int column = Math.max(1, parser.currentTokenLocation().getColumnNr());
-        line.add(new Cell(new Place(name, row, column), parser.getText().strip()));
+        line.add(new Cell(new Place(name, row, column), parser.getText().strip(), decimalComma));
       }
     }
     lines.removeIf(cells -> cells.size() <= 1 && cells.stream().allMatch(Cell::isEmpty));

@@ -9,9 +9,14 @@ import java.util.Map;
  *
  * @param samples in the order of the table
  * @param templates the close-up of each object, by the object's name
+ * @param negatives photos without any of the objects
  */
 public record Dataset(
-    Path folder, PhotoCamera camera, List<Sample> samples, Map<String, Path> templates) {
+    Path folder,
+    PhotoCamera camera,
+    List<Sample> samples,
+    Map<String, Path> templates,
+    List<Path> negatives) {
   /** The table's file name. */
   public static final String TABLE = "dataset.csv";
 
@@ -21,7 +26,18 @@ public record Dataset(
   /** The file name of patches in COCO's format, which fill in for empty patch columns. */
   public static final String COCO = "coco.json";
 
+  /** The folder with photos without any of the objects. */
+  public static final String NEGATIVES = "negatives";
+
   public Dataset {
     samples = List.copyOf(samples);
+    negatives = List.copyOf(negatives);
+  }
+
+  /** The pixels of its largest picture. */
+  public long largestPicture() {
+    return Math.max(
+        camera.pixels(),
+        templates.values().stream().mapToLong(ImageHeader::pixels).max().orElse(0));
   }
 }

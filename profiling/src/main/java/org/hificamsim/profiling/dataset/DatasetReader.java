@@ -66,7 +66,8 @@ public final class DatasetReader {
       new SampleReader(folder, camera, coco, row, problems).read().ifPresent(samples::add);
       addTemplate(row.get("object"), templates);
     }
-    return Optional.of(new Dataset(folder, camera, samples, templates));
+    List<Path> negatives = new Negatives(folder.resolve(Dataset.NEGATIVES), camera).read(problems);
+    return Optional.of(new Dataset(folder, camera, samples, templates, negatives));
   }
 
   private void checkOnce(Map<String, Cell> row, Map<String, Integer> lines) {

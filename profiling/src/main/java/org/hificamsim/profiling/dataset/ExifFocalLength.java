@@ -13,7 +13,7 @@ final class ExifFocalLength {
 
   private ExifFocalLength() {}
 
-  /** Metres; empty where the photo does not say, or says nothing above 0. */
+  /** Metres, as the photo has it: perhaps infinite; empty where it says nothing above 0. */
   static OptionalDouble of(Path photo) {
     try {
       for (ExifSubIFDDirectory directory :

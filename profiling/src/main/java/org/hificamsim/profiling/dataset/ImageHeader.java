@@ -2,6 +2,7 @@ package org.hificamsim.profiling.dataset;
 
 import java.io.IOException;
 import java.io.RandomAccessFile;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
@@ -10,7 +11,7 @@ import javax.imageio.ImageIO;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 
-/** What a PNG or JPEG file says of itself. */
+/** How large a PNG or JPEG is when it is shown: turned as its EXIF says. */
 record ImageHeader(int width, int height) {
   private static final byte[] PNG_END = {'I', 'E', 'N', 'D'};
   private static final byte[] JPEG_END = {(byte) 0xFF, (byte) 0xD9};
@@ -34,11 +35,26 @@ record ImageHeader(int width, int height) {
       try {
         reader.setInput(in, true, true);
         checkEnd(file, reader.getFormatName());
-        return new ImageHeader(reader.getWidth(0), reader.getHeight(0));
+        ImageHeader stored = new ImageHeader(reader.getWidth(0), reader.getHeight(0));
+        return ExifOrientation.isUpright(file) ? stored.turned() : stored;
       } finally {
         reader.dispose();
       }
     }
+  }
+
+  /** The pixels of a picture that has been read before. */
+  static long pixels(Path file) {
+    try {
+      ImageHeader header = read(file);
+      return (long) header.width * header.height;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private ImageHeader turned() {
+    return new ImageHeader(/* width= */ height, /* height= */ width);
   }
 
   private static void checkEnd(Path file, String format) throws IOException {

@@ -7,6 +7,11 @@ public record Patch(int x, int y, int width, int height) {
     return (long) width * height;
   }
 
+  /** Whether a point of the picture is on it. */
+  public boolean has(double right, double down) {
+    return right >= x && down >= y && right < x + width && down < y + height;
+  }
+
   boolean within(int imageWidth, int imageHeight) {
     return x >= 0 && y >= 0 && (long) x + width <= imageWidth && (long) y + height <= imageHeight;
   }

@@ -1,6 +1,9 @@
 package org.hificamsim.profiling.dataset;
 
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.EnumMap;
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -14,6 +17,7 @@ import java.util.Optional;
  * @param focalLength z, metres
  * @param patch where the object is
  * @param mask a picture that is not 0 where the object is
+ * @param covariates what else is known of the photo
  */
 public record Sample(
     String image,
@@ -23,4 +27,17 @@ public record Sample(
     double distance,
     double focalLength,
     Patch patch,
-    Optional<Path> mask) {}
+    Optional<Path> mask,
+    Map<Covariate, Double> covariates) {
+  public Sample {
+    Map<Covariate, Double> sorted = new EnumMap<>(Covariate.class);
+    sorted.putAll(covariates);
+    covariates = Collections.unmodifiableMap(sorted);
+  }
+
+  /** The same without a mask. */
+  public Sample unmasked() {
+    return new Sample(
+        image, file, object, size, distance, focalLength, patch, Optional.empty(), covariates);
+  }
+}

@@ -2,6 +2,7 @@ package org.hificamsim.profiling.dataset;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -12,6 +13,9 @@ import org.hificamsim.profiling.dataset.CsvRows.Cell;
 /** Checks the cells of one row and turns them into a {@link Sample}. */
 final class SampleReader {
   static final List<String> PATCH = List.of("patch_x", "patch_y", "patch_width", "patch_height");
+
+  /** A picture's file and what it says of itself. */
+  private record Picture(Path file, ImageHeader header) {}
 
   private static final double MAX_SIZE = 1e3;
   private static final double FARTHEST = 1e5;
@@ -40,18 +44,28 @@ final class SampleReader {
   /** The row's sample, or empty after telling every problem it has. */
   Optional<Sample> read() {
     int before = problems.size();
-    Path image = check(this::image);
+    Picture image = check(this::image);
     String object = check(this::object);
     Double size = check(() -> length("size_m", MAX_SIZE));
     Double distance = check(() -> length("distance_m", FARTHEST));
-    Double focalLength = image == null ? null : check(() -> focalLength(image));
-    Patch patch = object == null ? null : check(() -> patch(object));
-    Optional<Path> mask = Optional.ofNullable(check(this::mask));
+    Double focalLength = image == null ? null : check(() -> focalLength(image.file()));
+    Patch patch =
+        object == null || image == null ? null : check(() -> patch(object, image.header()));
+    Optional<Path> mask = Optional.ofNullable(image == null ? null : check(() -> mask(image)));
+    Map<Covariate, Double> covariates = check(this::covariates);
     return problems.size() > before
         ? Optional.empty()
         : Optional.of(
             new Sample(
-                row.get("image").text(), image, object, size, distance, focalLength, patch, mask));
+                row.get("image").text(),
+                image.file(),
+                object,
+                size,
+                distance,
+                focalLength,
+                patch,
+                mask,
+                covariates));
   }
 
   private <T> T check(Supplier<T> part) {
@@ -63,17 +77,36 @@ final class SampleReader {
     }
   }
 
-  private Path image() {
+  private Picture image() {
     return picture("image");
   }
 
-  private Path mask() {
+  /** The mask, which is of its picture's size. */
+  private Path mask(Picture image) {
     Cell cell = row.get("mask");
-    return cell == null || cell.text().isEmpty() ? null : picture("mask");
+    if (cell == null || cell.text().isEmpty()) {
+      return null;
+    }
+    Picture mask = picture("mask");
+    if (!mask.header().equals(image.header())) {
+      throw cell.error("mask", "a picture that is as wide and high as its image");
+    }
+    return mask.file();
+  }
+
+  private Map<Covariate, Double> covariates() {
+    Map<Covariate, Double> values = new EnumMap<>(Covariate.class);
+    for (Covariate covariate : Covariate.given()) {
+      Cell cell = row.get(covariate.column());
+      if (cell != null && !cell.text().isEmpty()) {
+        values.put(covariate, covariate.read(cell));
+      }
+    }
+    return values;
   }
 
   /** A picture in the folder, of the camera's size. */
-  private Path picture(String column) {
+  private Picture picture(String column) {
     Cell cell = row.get(column);
     Path file = inside(cell, column);
     ImageHeader header;
@@ -82,13 +115,13 @@ final class SampleReader {
     } catch (IOException | RuntimeException e) {
       throw cell.error(column, "a whole PNG or JPEG in the folder (" + e.getMessage() + ")");
     }
-    if (header.width() != camera.width() || header.height() != camera.height()) {
+    if (!camera.takes(header.width(), header.height())) {
       throw cell.error(
           column,
-          "%s x %s pixels as camera.json says, not %s x %s"
+          "%s x %s pixels as camera.json says, or upright, not %s x %s"
               .formatted(camera.width(), camera.height(), header.width(), header.height()));
     }
-    return file;
+    return new Picture(file, header);
   }
 
   private Path inside(Cell cell, String column) {
@@ -119,31 +152,45 @@ final class SampleReader {
   private double focalLength(Path image) {
     Cell cell = row.get("focal_length_m");
     if (cell.text().isEmpty()) {
-      return ExifFocalLength.of(image)
-          .orElseThrow(() -> cell.error("focal_length_m", "metres, or a photo whose EXIF has it"));
+      return exifFocalLength(
+          cell,
+          ExifFocalLength.of(image)
+              .orElseThrow(
+                  () -> cell.error("focal_length_m", "metres, or a photo whose EXIF has it")));
     }
     return length("focal_length_m", MAX);
   }
 
-  private Patch patch(String object) {
+  private static double exifFocalLength(Cell cell, double metres) {
+    if (metres <= MAX) {
+      return metres;
+    }
+    throw cell.error(
+        "focal_length_m",
+        "metres, since the photo's EXIF has %s m, which is no lens's (at most %s)"
+            .formatted(metres, (long) MAX));
+  }
+
+  private Patch patch(String object, ImageHeader image) {
     if (PATCH.stream().allMatch(column -> row.get(column).text().isEmpty())) {
-      return within(coco.patch(row.get("image").text(), object).orElseThrow(this::noPatch));
+      return within(coco.patch(row.get("image").text(), object).orElseThrow(this::noPatch), image);
     }
     return within(
         new Patch(
             pixels("patch_x", 0),
             pixels("patch_y", 0),
             pixels("patch_width", 1),
-            pixels("patch_height", 1)));
+            pixels("patch_height", 1)),
+        image);
   }
 
-  private Patch within(Patch patch) {
-    if (patch.width() < 1 || patch.height() < 1 || !patch.within(camera.width(), camera.height())) {
+  private Patch within(Patch patch, ImageHeader image) {
+    if (patch.width() < 1 || patch.height() < 1 || !patch.within(image.width(), image.height())) {
       throw row.get("patch_x")
           .place()
           .error(
               "the patch is %s, expected one within the image's %s x %s pixels"
-                  .formatted(patch, camera.width(), camera.height()));
+                  .formatted(patch, image.width(), image.height()));
     }
     return patch;
   }

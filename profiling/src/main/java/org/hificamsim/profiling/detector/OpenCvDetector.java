@@ -12,27 +12,39 @@ import org.opencv.features2d.SIFT;
  * 5.5).
  */
 public final class OpenCvDetector implements FeatureDetector {
+  /** Both pyramids of a picture that is enlarged twice, in 32 bits. */
+  private static final Appetite SIFT_NEEDS = new Appetite(250, 0);
+
+  private static final Appetite ORB_NEEDS = new Appetite(20, 0);
+
   private final String name;
   private final Feature2D detector;
+  private final Appetite appetite;
 
-  private OpenCvDetector(String name, Feature2D detector) {
+  private OpenCvDetector(String name, Feature2D detector, Appetite appetite) {
     this.name = name;
     this.detector = detector;
+    this.appetite = appetite;
   }
 
   /** Oriented FAST and rotated BRIEF. */
   public static FeatureDetector orb() {
-    return new OpenCvDetector("orb", ORB.create());
+    return new OpenCvDetector("orb", ORB.create(), ORB_NEEDS);
   }
 
   /** The scale-invariant feature transform. */
   public static FeatureDetector sift() {
-    return new OpenCvDetector("sift", SIFT.create());
+    return new OpenCvDetector("sift", SIFT.create(), SIFT_NEEDS);
   }
 
   @Override
   public String name() {
     return name;
+  }
+
+  @Override
+  public Appetite appetite() {
+    return appetite;
   }
 
   @Override

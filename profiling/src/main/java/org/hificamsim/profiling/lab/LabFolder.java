@@ -28,7 +28,8 @@ import org.opencv.imgcodecs.Imgcodecs;
 final class LabFolder {
   private static final int JPEG_QUALITY = 95;
   private static final String HEADER =
-      "image,object,size_m,distance_m,focal_length_m,patch_x,patch_y,patch_width,patch_height,mask";
+      "image,object,size_m,distance_m,focal_length_m,patch_x,patch_y,patch_width,patch_height,mask"
+          + ",aperture,distortion,light";
 
   private static final ObjectWriter JSON = new ObjectMapper().writer(printer());
 
@@ -51,7 +52,7 @@ final class LabFolder {
     String mask = "masks/" + shot.name() + ".png";
     encode(image, photo.image());
     encode(mask, photo.mask());
-    return new LabRow(shot, image, mask, patch);
+    return new LabRow(shot, image, mask, patch, photo.conditions());
   }
 
   /** Writes the tables last: a folder with a {@code dataset.csv} is complete. */
@@ -70,17 +71,20 @@ final class LabFolder {
     Rect patch = row.patch();
     return String.format(
         Locale.ROOT,
-        "%s,%s,%s,%s,%s,%d,%d,%d,%d,%s",
+        "%s,%s,%s,%s,%s,%d,%d,%d,%d,%s,%s,%s,%s",
         row.image(),
         shot.object().name(),
-        shot.object().size(),
+        shot.object().q(),
         shot.distance(),
         shot.focalLength(),
         patch.x,
         patch.y,
         patch.width,
         patch.height,
-        row.mask());
+        row.mask(),
+        row.conditions().aperture(),
+        row.conditions().distortion(),
+        row.conditions().light());
   }
 
   private void encode(String name, Mat picture) {

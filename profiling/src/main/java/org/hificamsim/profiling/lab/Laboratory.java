@@ -44,8 +44,10 @@ public final class Laboratory {
     OpenCv.load();
     SplittableRandom random = new SplittableRandom(settings.seed());
     try (Mats mats = new Mats();
-        Room room = Room.furnished(settings.scene().clutter(), random.split())) {
-      Photographer photographer = new Photographer(settings, room, textures(mats, random));
+        Surfaces surfaces = settings.texture().surfaces();
+        Room room = Room.furnished(surfaces, settings.scene().clutter(), random.split())) {
+      Photographer photographer =
+          new Photographer(settings, room, textures(surfaces, mats, random));
       LabFolder files = new LabFolder(folder);
       Parallel.map(
           LabObject.ALL.subList(0, settings.objects()),
@@ -67,11 +69,11 @@ public final class Laboratory {
     }
   }
 
-  private Map<LabObject, Mat> textures(Mats mats, SplittableRandom random) {
+  private Map<LabObject, Mat> textures(Surfaces surfaces, Mats mats, SplittableRandom random) {
     int side = (int) Math.max(64, 1.2 * Sensor.scaled(settings.scale()).height());
     Map<LabObject, Mat> textures = new LinkedHashMap<>();
     for (LabObject object : LabObject.ALL.subList(0, settings.objects())) {
-      textures.put(object, mats.own(TexturePainter.paint(object.pattern(), side, random.split())));
+      textures.put(object, mats.own(surfaces.target(object, side, random.split())));
     }
     return textures;
   }

@@ -7,8 +7,9 @@ import org.opencv.core.Mat;
  *
  * @param image 8 bits, BGR
  * @param mask 255 where the object is, before blur
+ * @param conditions what it was taken under
  */
-record Photo(Mat image, Mat mask) implements AutoCloseable {
+record Photo(Mat image, Mat mask, Conditions conditions) implements AutoCloseable {
   @Override
   public void close() {
     image.release();

@@ -26,7 +26,7 @@ record RadialDistortion(double k) {
   static RadialDistortion at(double focalLength, double factor) {
     double log = StrictMath.log(NEUTRAL / focalLength) / StrictMath.log(NEUTRAL / WIDE);
     double k = log > 0 ? BARREL_AT_WIDE * log : -PINCUSHION_AT_LONG * Math.max(log, -1);
-    return new RadialDistortion(factor * k);
+    return new RadialDistortion(factor * k + 0.0); // never -0
   }
 
   /** The frame of a canvas as this lens shows it; the margin is cut off. */

@@ -25,21 +25,23 @@ final class Room implements AutoCloseable {
     this.things = things;
   }
 
-  /** A room with this many things. */
-  static Room furnished(int things, RandomGenerator random) {
+  /** A room with this many things; without any, its wall is bare. */
+  static Room furnished(Surfaces surfaces, int things, RandomGenerator random) {
     Backdrop wall = new Backdrop(WALL, random.nextLong());
     List<Board> boards = new ArrayList<>();
     for (int i = 0; i < things; i++) {
-      boards.add(thing(i, random));
+      boards.add(thing(surfaces, i, random));
+    }
+    if (things > 0) {
+      boards.addAll(surfaces.wall(WALL, random));
     }
     boards.sort(Comparator.comparingDouble(Board::distance).reversed());
     return new Room(wall, boards);
   }
 
   /** Every other thing hangs on the wall; the rest stand about, off the middle. */
-  private static Board thing(int index, RandomGenerator random) {
-    Pattern pattern = Pattern.ALL.get(index % Pattern.ALL.size());
-    Mat texture = TexturePainter.paint(pattern, TEXTURE_SIDE, random);
+  private static Board thing(Surfaces surfaces, int index, RandomGenerator random) {
+    Mat texture = surfaces.thing(index, TEXTURE_SIDE, random);
     boolean hangs = index % 2 == 0;
     double distance = hangs ? WALL - 0.05 : random.nextDouble(2, WALL - 0.5);
     double reach = distance * TANGENT_OF_WIDEST_VIEW;

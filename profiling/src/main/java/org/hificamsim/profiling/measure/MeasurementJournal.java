@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,8 +19,10 @@ import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.detector.Detectors;
 
 /**
  * What an unfinished measurement has already found: a hidden file in the data set's folder, one
@@ -29,25 +32,43 @@ final class MeasurementJournal implements Closeable {
   private static final int KEY_LENGTH = 16;
 
   private final Path file;
+  private final Columns columns;
   private final Writer out;
   private final Map<Integer, Measurement> done;
 
-  private MeasurementJournal(Path file, Map<Integer, Measurement> done, Writer out) {
+  private MeasurementJournal(
+      Path file, Columns columns, Map<Integer, Measurement> done, Writer out) {
     this.file = file;
+    this.columns = columns;
     this.done = done;
     this.out = out;
   }
 
   static MeasurementJournal open(Dataset dataset, MeasureSettings settings) throws IOException {
     Path file = dataset.folder().resolve(".measurements-" + key(dataset, settings) + ".part");
-    Map<Integer, Measurement> done = settings.pictures().isEmpty() ? read(file, dataset) : Map.of();
-    StringBuilder kept = new StringBuilder(MeasurementsFile.header(settings));
-    done.values().forEach(row -> kept.append(MeasurementsFile.line(row)));
+    Columns columns = columns(dataset, settings);
+    Map<Integer, Measurement> done = read(file, dataset);
+    StringBuilder kept = new StringBuilder(columns.header());
+    done.values().forEach(row -> kept.append(columns.line(row)));
     new OutputFile(file).write(kept.toString());
     Writer out =
         Files.newBufferedWriter(
             file, StandardCharsets.UTF_8, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);
-    return new MeasurementJournal(file, new LinkedHashMap<>(done), out);
+    return new MeasurementJournal(file, columns, new LinkedHashMap<>(done), out);
+  }
+
+  /** The columns that are filled photo by photo. */
+  static Columns columns(Dataset dataset, MeasureSettings settings) {
+    List<Covariate> covariates =
+        Arrays.stream(Covariate.values())
+            .filter(c -> c == Covariate.DISTINCTIVENESS || isGiven(c, dataset.samples()))
+            .toList();
+    List<String> detectors = settings.detectors().stream().map(Detectors::column).toList();
+    return new Columns(settings.pip(), covariates, detectors);
+  }
+
+  private static boolean isGiven(Covariate covariate, List<Sample> samples) {
+    return samples.stream().anyMatch(sample -> sample.covariates().containsKey(covariate));
   }
 
   /** How many photos have been measured. */
@@ -63,7 +84,7 @@ final class MeasurementJournal implements Closeable {
   synchronized Measurement add(int index, Measurement row) {
     try {
       done.put(index, row);
-      out.write(MeasurementsFile.line(row));
+      out.write(columns.line(row));
       out.flush();
       return row;
     } catch (IOException e) {

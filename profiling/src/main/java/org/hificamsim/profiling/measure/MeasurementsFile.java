@@ -4,14 +4,15 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.dataset.CsvRows.Cell;
 
@@ -22,8 +23,6 @@ public final class MeasurementsFile {
   /** The file's name. */
   public static final String NAME = "measurements.csv";
 
-  private static final List<String> PHYSICAL =
-      List.of("image", "object", "size_m", "distance_m", "focal_length_m");
   private static final Set<String> PIP =
       Arrays.stream(PipReading.values()).map(PipReading::column).collect(Collectors.toSet());
   private static final double MAX = 1e5;
@@ -31,10 +30,9 @@ public final class MeasurementsFile {
   private MeasurementsFile() {}
 
   /** Writes the table whole or not at all. */
-  public static void write(Path file, MeasureSettings settings, List<Measurement> rows)
-      throws IOException {
-    StringBuilder table = new StringBuilder(header(settings));
-    rows.forEach(row -> table.append(line(row)));
+  static void write(Path file, Columns columns, List<Measurement> rows) throws IOException {
+    StringBuilder table = new StringBuilder(columns.header());
+    rows.forEach(row -> table.append(columns.line(row)));
     new OutputFile(file).write(table.toString());
   }
 
@@ -45,7 +43,7 @@ public final class MeasurementsFile {
    */
   public static List<Measurement> read(Path file) {
     PipReading pip = PipReading.of(file);
-    CsvRows table = CsvRows.read(file, fixed(pip));
+    CsvRows table = CsvRows.read(file, Columns.required(pip));
     List<String> detectors = table.columns().stream().filter(MeasurementsFile::isDetector).toList();
     if (detectors.isEmpty()) {
       throw new InputException(file + ":1:1: no detector's column, expected one such as orb");
@@ -60,37 +58,10 @@ public final class MeasurementsFile {
     return rows;
   }
 
-  static String header(MeasureSettings settings) {
-    return String.join(",", fixed(settings.pip()))
-        + ","
-        + String.join(",", settings.detectors())
-        + "\n";
-  }
-
-  private static List<String> fixed(PipReading pip) {
-    return Stream.concat(PHYSICAL.stream(), Stream.of(pip.column())).toList();
-  }
-
   private static boolean isDetector(String column) {
-    return !PHYSICAL.contains(column) && !PIP.contains(column);
-  }
-
-  static String line(Measurement row) {
-    String confidences =
-        row.confidences().values().stream().map(String::valueOf).collect(Collectors.joining(","));
-    return "%s,%s,%s,%s,%s,%s,%s\n"
-        .formatted(
-            quoted(row.image()),
-            quoted(row.object()),
-            row.size(),
-            row.distance(),
-            row.focalLength(),
-            row.pip(),
-            confidences);
-  }
-
-  private static String quoted(String text) {
-    return text.matches("[^,\"\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
+    return !Columns.PHYSICAL.contains(column)
+        && !PIP.contains(column)
+        && !Covariate.isColumn(column);
   }
 
   private static Measurement measurement(
@@ -107,7 +78,19 @@ public final class MeasurementsFile {
         length(row, "distance_m"),
         length(row, "focal_length_m"),
         row.get(pip).number(pip, Double.MIN_NORMAL, 1, "a share above 0, at most 1"),
-        confidences);
+        confidences,
+        covariates(row));
+  }
+
+  private static Map<Covariate, Double> covariates(Map<String, Cell> row) {
+    Map<Covariate, Double> values = new EnumMap<>(Covariate.class);
+    for (Covariate covariate : Covariate.values()) {
+      Cell cell = row.get(covariate.column());
+      if (cell != null && !cell.text().isEmpty()) {
+        values.put(covariate, covariate.read(cell));
+      }
+    }
+    return values;
   }
 
   private static double length(Map<String, Cell> row, String column) {

@@ -32,6 +32,11 @@ public final class OpenCv {
     return Loaded.RESULT.origin();
   }
 
+  /** Which OpenCV this is, as in {@code 4.6.0 (org.openpnp:opencv)}. */
+  public static String version() {
+    return Core.VERSION + " (" + origin() + ")";
+  }
+
   /** One way to load the library. */
   interface Way {
     void load() throws Exception;

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -76,14 +77,93 @@ class DatasetReaderTest {
   }
 
   @ParameterizedTest
+  @CsvSource({"50, 0", "50000, 1"})
+  void focalLengthOfNoLensInThePhotoIsRefused(int millimetres, int over) throws IOException {
+    Photos.writeWithFocalLength(folder.resolve("images/exif.jpg"), 60, 40, millimetres, over);
+    List<String> problems = problems("images/exif.jpg,ball,0.22,1,,10,10,20,30,");
+    assertEquals(1, problems.size(), problems.toString());
+    assertTrue(problems.get(0).contains("dataset.csv:2:29: focal_length_m is ''"), problems.get(0));
+    assertTrue(problems.get(0).contains("which is no lens's"), problems.get(0));
+  }
+
+  @Test
+  void boxThatIsRoundedApartStaysWithinThePicture() throws IOException {
+    Files.writeString(
+        folder.resolve("coco.json"),
+        """
+{"images": [{"id": 7, "file_name": "images/a.jpg"}], "categories": [],
+ "annotations": [{"id": 1, "image_id": 7, "category_id": 2, "bbox": [10.5, 9.5, 49.5, 30.5]}]}
+""");
+    assertEquals(new Patch(11, 10, 49, 30), sample("images/a.jpg,ball,0.22,1,0.085,,,,,").patch());
+  }
+
+  @Test
+  void tablesOfSpreadsheetsAreRead() throws IOException {
+    String row = "images/a.jpg;ball;0,22;1;0,085;10;10;20;30;";
+    Files.writeString(
+        folder.resolve("dataset.csv"), "\uFEFF" + HEADER.replace(',', ';') + "\r\n" + row + "\r\n");
+    DatasetReading reading = DatasetReader.read(folder);
+    assertEquals(List.of(), reading.problems());
+    assertEquals(0.22, reading.dataset().orElseThrow().samples().get(0).size());
+  }
+
+  @Test
+  void photosMayBeUprightAmongLevelOnes() throws IOException {
+    Photos.write(folder.resolve("images/upright.png"), 40, 60);
+    assertEquals(
+        new Patch(5, 25, 30, 35),
+        sample("images/upright.png,ball,0.22,1,0.085,5,25,30,35,").patch());
+    List<String> problems = problems("images/upright.png,ball,0.22,1,0.085,25,5,30,35,");
+    assertTrue(problems.get(0).contains("within the image's 40 x 60 pixels"), problems.get(0));
+    problems = problems("images/upright.png,ball,0.22,1,0.085,5,25,30,35,masks/a.png");
+    assertTrue(problems.get(0).contains("as wide and high as its image"), problems.get(0));
+  }
+
+  @Test
+  void photoThatItsCameraTurnedIsReadAsItIsShown() throws IOException {
+    Photos.writeTurned(folder.resolve("images/turned.jpg"), 60, 40);
+    assertEquals(
+        new Patch(5, 25, 30, 35),
+        sample("images/turned.jpg,ball,0.22,1,0.085,5,25,30,35,").patch());
+  }
+
+  @Test
+  void covariatesAreReadWhereThereAreSome() throws IOException {
+    String header = HEADER + ",aperture,distortion,light";
+    table(header, ROW + ",5.6,-0.01,", ROW.replace("a.jpg", "b.png") + ",,,800");
+    List<Sample> samples = DatasetReader.read(folder).dataset().orElseThrow().samples();
+    assertEquals(
+        Map.of(Covariate.APERTURE, 5.6, Covariate.DISTORTION, -0.01), samples.get(0).covariates());
+    assertEquals(Map.of(Covariate.LIGHT, 800.0), samples.get(1).covariates());
+    table(header, ROW + ",f/8,,");
+    String problem = DatasetReader.read(folder).problems().get(0);
+    assertTrue(problem.contains("aperture is 'f/8', expected an f-number"), problem);
+  }
+
+  @Test
+  void photosWithoutTheObjectsAreOfTheCamerasSize() throws IOException {
+    Photos.write(folder.resolve("negatives/b.png"), 40, 60);
+    Photos.write(folder.resolve("negatives/a.jpg"), 60, 40);
+    Files.writeString(folder.resolve("negatives/notes.txt"), "not a photo");
+    table(HEADER, ROW);
+    Dataset dataset = DatasetReader.read(folder).dataset().orElseThrow();
+    assertEquals(
+        List.of(folder.resolve("negatives/a.jpg"), folder.resolve("negatives/b.png")),
+        dataset.negatives());
+    Photos.write(folder.resolve("negatives/c.png"), 50, 50);
+    String problem = DatasetReader.read(folder).problems().get(0);
+    assertTrue(problem.contains("c.png: is 50 x 50 pixels, expected 60 x 40"), problem);
+  }
+
+  @ParameterizedTest
   @CsvSource(
       delimiter = '|',
       value = {
         "images/none.jpg,ball,0.22,1,0.085,10,10,20,30, | 2:1: image is 'images/none.jpg'",
         "images/text.jpg,ball,0.22,1,0.085,10,10,20,30, | (no PNG or JPEG)",
         "images/cut.jpg,ball,0.22,1,0.085,10,10,20,30, | cut short",
-        "images/wide.png,ball,0.22,1,0.085,10,10,20,30, | 60 x 40 pixels as camera.json says, not"
-            + " 80",
+        "images/wide.png,ball,0.22,1,0.085,10,10,20,30, | 60 x 40 pixels as camera.json says, or"
+            + " upright, not 80",
         "../a.jpg,ball,0.22,1,0.085,10,10,20,30, | expected the name of a picture in the folder",
         "images/a.jpg,,0.22,1,0.085,10,10,20,30, | object is ''",
         "images/a.jpg,cat,0.22,1,0.085,10,10,20,30, | templates/cat.png",

@@ -21,8 +21,27 @@ public final class Photos {
   /** Writes a JPEG whose EXIF has a focal length. */
   public static void writeWithFocalLength(Path file, int width, int height, int millimetres)
       throws IOException {
+    writeWithFocalLength(file, width, height, millimetres, 1);
+  }
+
+  /** The same with any denominator. */
+  public static void writeWithFocalLength(
+      Path file, int width, int height, int millimetres, int over) throws IOException {
+    writeWithExif(file, width, height, exif(millimetres, over));
+  }
+
+  /** Writes a JPEG that is to be shown turned by a quarter. */
+  public static void writeTurned(Path file, int width, int height) throws IOException {
+    ByteBuffer tiff = ByteBuffer.allocate(26);
+    tiff.put(new byte[] {'M', 'M', 0, 42}).putInt(8);
+    tiff.putShort((short) 1).putShort((short) 0x0112).putShort((short) 3).putInt(1);
+    tiff.putShort((short) 6).putShort((short) 0).putInt(0);
+    writeWithExif(file, width, height, segment(tiff.array()));
+  }
+
+  private static void writeWithExif(Path file, int width, int height, byte[] exif)
+      throws IOException {
     byte[] jpeg = bytes(width, height, "jpg");
-    byte[] exif = exif(millimetres);
     ByteBuffer all = ByteBuffer.allocate(jpeg.length + exif.length);
     all.put(jpeg, 0, 2).put(exif).put(jpeg, 2, jpeg.length - 2);
     Files.write(file, all.array());
@@ -36,17 +55,21 @@ public final class Photos {
   }
 
   /** An APP1 segment: a TIFF header, one directory that points at the EXIF directory, and that. */
-  private static byte[] exif(int millimetres) {
+  private static byte[] exif(int millimetres, int over) {
     ByteBuffer tiff = ByteBuffer.allocate(52);
     tiff.put(new byte[] {'M', 'M', 0, 42}).putInt(8);
     tiff.putShort((short) 1).putShort((short) 0x8769).putShort((short) 4).putInt(1).putInt(26);
     tiff.putInt(0);
     tiff.putShort((short) 1).putShort((short) 0x920A).putShort((short) 5).putInt(1).putInt(44);
     tiff.putInt(0);
-    tiff.putInt(millimetres).putInt(1);
-    ByteBuffer segment = ByteBuffer.allocate(4 + 6 + 52);
-    segment.put((byte) 0xFF).put((byte) 0xE1).putShort((short) (2 + 6 + 52));
-    segment.put(new byte[] {'E', 'x', 'i', 'f', 0, 0}).put(tiff.array());
+    tiff.putInt(millimetres).putInt(over);
+    return segment(tiff.array());
+  }
+
+  private static byte[] segment(byte[] tiff) {
+    ByteBuffer segment = ByteBuffer.allocate(4 + 6 + tiff.length);
+    segment.put((byte) 0xFF).put((byte) 0xE1).putShort((short) (2 + 6 + tiff.length));
+    segment.put(new byte[] {'E', 'x', 'i', 'f', 0, 0}).put(tiff);
     return segment.array();
   }
 }

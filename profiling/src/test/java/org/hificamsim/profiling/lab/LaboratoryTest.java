@@ -6,12 +6,19 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
+import java.util.Set;
+import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
@@ -20,6 +27,7 @@ import org.hificamsim.profiling.opencv.Mats;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.opencv.core.Core;
+import org.opencv.core.Mat;
 import org.opencv.imgcodecs.Imgcodecs;
 
 class LaboratoryTest {
@@ -30,7 +38,9 @@ class LaboratoryTest {
   private static final LabSettings IDEAL =
       SMALL
           .withScale(0.25)
-          .with(new LabSettings.Optics(0, 0, 0, 0, 0), new LabSettings.Scene(0, 0, 0, 0));
+          .with(
+              new LabSettings.Optics(List.of(0.0), 0, 0, 0, List.of(0.0)),
+              new LabSettings.Scene(0, 0, 0, 0));
 
   @TempDir Path folder;
 
@@ -51,6 +61,93 @@ class LaboratoryTest {
           file::toString);
     }
     assertTrue(files.size() >= 3 + 4 + 2 * 16 - 2, files.toString());
+  }
+
+  @Test
+  void sizeIsTheRootOfWidthTimesHeight() {
+    Sample matchbox = rendered(SMALL).samples().get(0);
+    assertEquals("matchbox", matchbox.object());
+    assertEquals(Math.sqrt(0.10 * 0.09), matchbox.size(), 1e-12);
+  }
+
+  @Test
+  void tableHasWhatEachPictureWasTakenUnder() {
+    LabSettings settings =
+        SMALL.with(
+            new LabSettings.Optics(List.of(2.8, 5.6, 11.0), 0.02, 1600, 0.5, List.of(0.0, 3.0)),
+            new LabSettings.Scene(4, 0.08, 0.2, 8));
+    List<Sample> samples = rendered(settings).samples();
+    assertEquals(Set.of(2.8, 5.6, 11.0), seen(samples, Covariate.APERTURE));
+    // Barrel at 15 mm, pincushion at 50 mm, none where the factor is 0.
+    assertEquals(3, seen(samples, Covariate.DISTORTION).size());
+    assertTrue(seen(samples, Covariate.DISTORTION).contains(0.0));
+    assertEquals(samples.size(), seen(samples, Covariate.LIGHT).size());
+  }
+
+  @Test
+  void lightIsTheBrightnessOfThePicture() {
+    LabSettings settings =
+        LabSettings.thesis(5)
+            .withScale(0.05)
+            .withGrid(List.of(0.050), List.of(3.0), 8)
+            .with(
+                new LabSettings.Optics(List.of(0.0), 0, 0, 0, List.of(0.0)),
+                new LabSettings.Scene(0, 0, 0.3, 0));
+    List<Sample> samples = rendered(settings).samples();
+    Sample darkest = Collections.min(samples, Comparator.comparingDouble(LaboratoryTest::light));
+    Sample brightest = Collections.max(samples, Comparator.comparingDouble(LaboratoryTest::light));
+    // The corner shows the bare wall; display gamma is 2.2.
+    double ratio = corner(brightest) / corner(darkest);
+    assertEquals(Math.pow(light(brightest) / light(darkest), 1 / 2.2), ratio, 0.08);
+    assertTrue(ratio > 1.1, "ratio " + ratio);
+  }
+
+  @Test
+  void photographsAndPaintedShapesDiffer() throws IOException {
+    LabSettings one = SMALL.withGrid(List.of(0.050), List.of(4.0), 1);
+    new Laboratory(one.with(Texture.PHOTOS)).render(folder.resolve("photos"), 1, () -> {});
+    new Laboratory(one.with(Texture.PAINTED)).render(folder.resolve("painted"), 1, () -> {});
+    Path image = Path.of("images", "matchbox-50mm-04.0m.jpg");
+    assertFalse(
+        java.util.Arrays.equals(
+            Files.readAllBytes(folder.resolve("photos").resolve(image)),
+            Files.readAllBytes(folder.resolve("painted").resolve(image))));
+    String settings = Files.readString(folder.resolve("painted/lab.json"));
+    assertTrue(settings.contains("\"texture\": \"painted\""), settings);
+  }
+
+  @Test
+  void everyPhotographIsNamedWithItsSourceAndLicence() throws IOException {
+    String sources =
+        new String(
+            LaboratoryTest.class.getResourceAsStream("photos/SOURCES.md").readAllBytes(),
+            StandardCharsets.UTF_8);
+    for (LabObject object : LabObject.ALL) {
+      assertTrue(sources.contains("| " + object.photo() + ".jpg | "), object.photo());
+    }
+    try (Mats mats = new Mats();
+        Surfaces photos = Texture.PHOTOS.surfaces()) {
+      for (int i = 0; i < 7; i++) {
+        Mat thing = mats.own(photos.thing(i, 64, new SplittableRandom(i)));
+        assertEquals(64, thing.cols());
+      }
+    }
+  }
+
+  private static Set<Double> seen(List<Sample> samples, Covariate covariate) {
+    return samples.stream().map(s -> s.covariates().get(covariate)).collect(Collectors.toSet());
+  }
+
+  private static double light(Sample sample) {
+    return sample.covariates().get(Covariate.LIGHT);
+  }
+
+  private static double corner(Sample sample) {
+    try (Mats mats = new Mats()) {
+      String file = sample.file().toString();
+      Mat picture = mats.own(Imgcodecs.imread(file, Imgcodecs.IMREAD_GRAYSCALE));
+      return Core.mean(mats.own(picture.submat(0, 16, 0, 16))).val[0];
+    }
   }
 
   @Test

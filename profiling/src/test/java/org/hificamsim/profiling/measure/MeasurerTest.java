@@ -7,24 +7,34 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.SmallLab;
+import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.Dataset;
+import org.hificamsim.profiling.dataset.Photos;
 import org.hificamsim.profiling.dataset.Sample;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class MeasurerTest {
   private static final List<String> ALL = List.of("orb", "sift", "surf");
+  private static final MeasureSettings ORB =
+      new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE);
   private static final MeasureSettings PLAIN =
-      new MeasureSettings(ALL, RatioTest.THESIS, PipReading.SILHOUETTE, Set.of());
+      new MeasureSettings(ALL, RatioTest.THESIS, PipReading.SILHOUETTE);
 
   @TempDir static Path folder;
   private static Dataset dataset;
@@ -61,7 +71,7 @@ class MeasurerTest {
                     }));
     Path part = part().orElseThrow();
     Files.writeString(part, Files.readString(part) + "images/half,a li");
-    int resumed = new Measurer(dataset, PLAIN).measure(2, () -> {});
+    int resumed = new Measurer(dataset, PLAIN).measure(2, () -> {}).resumed();
     assertEquals(10, resumed);
     assertEquals(whole, table());
     assertTrue(part().isEmpty());
@@ -70,8 +80,6 @@ class MeasurerTest {
   @Test
   void otherSettingsDoNotResumeIt() throws IOException {
     AtomicInteger seen = new AtomicInteger();
-    MeasureSettings orb =
-        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE, Set.of());
     assertThrows(
         IllegalStateException.class,
         () ->
@@ -83,7 +91,7 @@ class MeasurerTest {
                         throw new IllegalStateException("killed");
                       }
                     }));
-    assertEquals(0, new Measurer(dataset, orb).measure(2, () -> {}));
+    assertEquals(0, new Measurer(dataset, ORB).measure(2, () -> {}).resumed());
     Files.delete(part().orElseThrow());
   }
 
@@ -91,24 +99,9 @@ class MeasurerTest {
   void pipIsTheMasksShareAndElseThePatchs() {
     new Measurer(dataset, PLAIN).measure(2, () -> {});
     List<Measurement> masked = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
-    List<Sample> bare =
-        dataset.samples().stream()
-            .map(
-                s ->
-                    new Sample(
-                        s.image(),
-                        s.file(),
-                        s.object(),
-                        s.size(),
-                        s.distance(),
-                        s.focalLength(),
-                        s.patch(),
-                        Optional.empty()))
-            .toList();
-    Dataset unmasked = new Dataset(folder, dataset.camera(), bare, dataset.templates());
-    MeasureSettings orb =
-        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE, Set.of());
-    new Measurer(unmasked, orb).measure(2, () -> {});
+    List<Sample> bare = dataset.samples().stream().map(Sample::unmasked).toList();
+    Dataset unmasked = new Dataset(folder, dataset.camera(), bare, dataset.templates(), List.of());
+    new Measurer(unmasked, ORB).measure(2, () -> {});
     List<Measurement> patched = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
     for (int i = 0; i < bare.size(); i++) {
@@ -121,10 +114,12 @@ class MeasurerTest {
   @Test
   void pipOfRectanglesIsThePatchsShareAndSaysSoInTheTable() throws IOException {
     MeasureSettings rectangles =
-        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.RECTANGLE, Set.of());
+        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.RECTANGLE);
     new Measurer(dataset, rectangles).measure(2, () -> {});
     assertTrue(
-        table().startsWith("image,object,size_m,distance_m,focal_length_m,pip_rectangle,orb\n"));
+        table()
+            .startsWith(
+                "image,object,size_m,distance_m,focal_length_m,pip_rectangle,distinctiveness,orb\n"));
     assertEquals(PipReading.RECTANGLE, PipReading.ofDataset(folder));
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
     List<Measurement> rows = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
@@ -147,15 +142,131 @@ class MeasurerTest {
   }
 
   @Test
-  void drawsMatchesOnRequest() {
+  void drawsMatchesAndMeasuresNothingAgain() throws IOException {
+    Files.writeString(folder.resolve(MeasurementsFile.NAME), "kept");
     String image = dataset.samples().get(0).image();
-    new Measurer(
-            dataset,
-            new MeasureSettings(
-                List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE, Set.of(image)))
-        .measure(2, () -> {});
+    assertEquals(1, new MatchPictures(dataset, ORB).draw(List.of(image)));
     Path picture = folder.resolve("matches/orb-images_matchbox-10mm-01.0m.jpg");
     assertTrue(Files.exists(picture), picture.toString());
+    assertEquals("kept", table());
+  }
+
+  @Test
+  void countsWhatAnEarlierCallHasMeasuredOnceAndBefore() {
+    List<String> told = new ArrayList<>();
+    Watcher watcher =
+        new Watcher() {
+          @Override
+          public void measured() {
+            told.add("one");
+            if (told.size() == 6) {
+              throw new IllegalStateException("killed");
+            }
+          }
+
+          @Override
+          public void resumed(int photos) {
+            told.add("resumed " + photos);
+          }
+        };
+    Measurer measurer = new Measurer(dataset, ORB);
+    assertThrows(IllegalStateException.class, () -> measurer.measure(1, watcher));
+    told.clear();
+    told.addAll(Collections.nCopies(10, "earlier"));
+    measurer.measure(1, watcher);
+    assertEquals("resumed 5", told.get(10));
+    assertEquals(dataset.samples().size() - 5, told.size() - 11);
+  }
+
+  @Test
+  void templateWithoutFeaturesIsWarnedOf() throws IOException {
+    Path blank = folder.resolve("blank.png");
+    Photos.write(blank, 60, 60);
+    Map<String, Path> templates = new LinkedHashMap<>(dataset.templates());
+    templates.put("matchbox", blank);
+    Dataset plain = new Dataset(folder, dataset.camera(), dataset.samples(), templates, List.of());
+    List<String> warnings = new Measurer(plain, ORB).measure(2, () -> {}).warnings();
+    assertEquals(1, warnings.size(), warnings.toString());
+    assertTrue(warnings.get(0).startsWith(blank + ": orb finds no feature"), warnings.get(0));
+    Measurement row = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME)).get(0);
+    assertEquals(0, row.covariates().get(Covariate.DISTINCTIVENESS));
+    assertEquals(0, row.confidence("orb"));
+  }
+
+  @Test
+  void distinctivenessIsTheTemplatesShareOfCellsWithACorner() {
+    new Measurer(dataset, ORB).measure(2, () -> {});
+    List<Measurement> rows = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
+    Map<String, Double> of = new LinkedHashMap<>();
+    rows.forEach(row -> of.put(row.object(), row.covariates().get(Covariate.DISTINCTIVENESS)));
+    assertEquals(4, of.size());
+    of.values().forEach(value -> assertTrue(value > 0.1 && value <= 1, of.toString()));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"100, 100 times smaller", "0.01, 100 times larger"})
+  void aWrongUnitOfAllPhotosIsWarnedOfInOneLine(double factor, String words) {
+    List<Sample> wrong = dataset.samples().stream().map(s -> scaled(s, factor)).toList();
+    List<String> warnings = measured(wrong).warnings();
+    assertEquals(1, warnings.size(), warnings.toString());
+    assertTrue(warnings.get(0).contains("photos show their object"), warnings.get(0));
+    assertTrue(
+        warnings.get(0).matches(".*\\b(9\\d|1\\d\\d)(\\.\\d)? times " + words.substring(10) + ".*"),
+        warnings.get(0));
+  }
+
+  @Test
+  void aWrongUnitOfOnePhotoIsWarnedOfByItsName() {
+    List<Sample> wrong = new ArrayList<>(dataset.samples());
+    wrong.set(3, scaled(wrong.get(3), 100));
+    List<String> warnings = measured(wrong).warnings();
+    assertEquals(1, warnings.size(), warnings.toString());
+    assertTrue(warnings.get(0).contains(wrong.get(3).image()), warnings.get(0));
+    assertEquals(List.of(), measured(dataset.samples()).warnings());
+  }
+
+  @Test
+  void pictureThatIsCutShortInsideIsRefusedByName() throws IOException {
+    Path cut = folder.resolve("images/cut.jpg");
+    byte[] whole = Files.readAllBytes(dataset.samples().get(0).file());
+    byte[] half = Arrays.copyOf(whole, whole.length / 2);
+    half[half.length - 2] = (byte) 0xFF;
+    half[half.length - 1] = (byte) 0xD9;
+    Files.write(cut, half);
+    Sample first = dataset.samples().get(0);
+    Sample sample =
+        new Sample(
+            "images/cut.jpg",
+            cut,
+            first.object(),
+            first.size(),
+            first.distance(),
+            first.focalLength(),
+            first.patch(),
+            first.mask(),
+            Map.of());
+    String message =
+        assertThrows(InputException.class, () -> measured(List.of(sample))).getMessage();
+    assertTrue(message.startsWith(cut + ": the picture is cut short"), message);
+  }
+
+  private static Sample scaled(Sample sample, double factor) {
+    return new Sample(
+        sample.image(),
+        sample.file(),
+        sample.object(),
+        sample.size() * factor,
+        sample.distance(),
+        sample.focalLength(),
+        sample.patch(),
+        sample.mask(),
+        sample.covariates());
+  }
+
+  private static Outcome measured(List<Sample> samples) {
+    Dataset changed =
+        new Dataset(folder, dataset.camera(), samples, dataset.templates(), List.of());
+    return new Measurer(changed, ORB).measure(2, () -> {});
   }
 
   @Test

@@ -1,0 +1,108 @@
+package org.hificamsim.profiling.lab;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.random.RandomGenerator;
+import org.hificamsim.profiling.opencv.Mats;
+import org.opencv.core.Core;
+import org.opencv.core.Mat;
+import org.opencv.core.MatOfByte;
+import org.opencv.core.Rect;
+import org.opencv.core.Size;
+import org.opencv.imgcodecs.Imgcodecs;
+import org.opencv.imgproc.Imgproc;
+
+/**
+ * Photographs (their sources are named beside them). Each object has one of its own; things and the
+ * wall have random parts of others, so that nothing behind an object is a part of it.
+ */
+final class PhotoSurfaces implements Surfaces {
+  private static final List<String> BACKGROUNDS =
+      List.of("ascent", "brick", "camera", "flower", "grass", "gravel", "retina");
+  private static final double TILE_WIDTH = 5.2;
+  private static final double TILE_HEIGHT = 4;
+  private static final int HALF_ACROSS = 3;
+  private static final int HALF_DOWN = 2;
+  private static final int WALL_PARTS = 24;
+  private static final int WALL_SIDE = 512;
+
+  private final Mats mats = new Mats();
+  private final List<Mat> backgrounds = new ArrayList<>();
+
+  PhotoSurfaces() {
+    BACKGROUNDS.forEach(name -> backgrounds.add(mats.own(read("backgrounds/" + name))));
+  }
+
+  @Override
+  public Mat target(LabObject object, int side, RandomGenerator random) {
+    try (Mats whole = new Mats()) {
+      return resized(whole.own(read("targets/" + object.photo())), side);
+    }
+  }
+
+  @Override
+  public Mat thing(int index, int side, RandomGenerator random) {
+    return part(backgrounds.get(index % backgrounds.size()), side, random);
+  }
+
+  /** Parts of photographs side by side, from corner to corner of the widest view. */
+  @Override
+  public List<Board> wall(double distance, RandomGenerator random) {
+    List<Mat> parts = new ArrayList<>();
+    for (int i = 0; i < WALL_PARTS; i++) {
+      parts.add(mats.own(thing(i, WALL_SIDE, random)));
+    }
+    List<Board> tiles = new ArrayList<>();
+    for (int down = -HALF_DOWN; down <= HALF_DOWN; down++) {
+      for (int across = -HALF_ACROSS; across <= HALF_ACROSS; across++) {
+        Mat part = parts.get(random.nextInt(WALL_PARTS));
+        tiles.add(tile(part, across * TILE_WIDTH, down * TILE_HEIGHT, distance));
+      }
+    }
+    return tiles;
+  }
+
+  private static Board tile(Mat part, double x, double y, double distance) {
+    return new Board(part, false, TILE_WIDTH, TILE_HEIGHT, x, y, distance, Board.Pose.FRONTAL);
+  }
+
+  /** A random square of a photograph, perhaps mirrored. */
+  private static Mat part(Mat photo, int side, RandomGenerator random) {
+    int length = (int) (photo.cols() * random.nextDouble(0.35, 1));
+    int x = random.nextInt(photo.cols() - length + 1);
+    int y = random.nextInt(photo.rows() - length + 1);
+    boolean mirrored = random.nextBoolean();
+    try (Mats cut = new Mats()) {
+      Mat part = resized(cut.own(photo.submat(new Rect(x, y, length, length))), side);
+      if (mirrored) {
+        Core.flip(part, part, 1);
+      }
+      return part;
+    }
+  }
+
+  private static Mat resized(Mat picture, int side) {
+    Mat resized = new Mat();
+    int method = picture.cols() > side ? Imgproc.INTER_AREA : Imgproc.INTER_CUBIC;
+    Imgproc.resize(picture, resized, new Size(side, side), 0, 0, method);
+    return resized;
+  }
+
+  private static Mat read(String name) {
+    try (InputStream in = PhotoSurfaces.class.getResourceAsStream("photos/" + name + ".jpg");
+        Mats bytes = new Mats()) {
+      return Imgcodecs.imdecode(
+          bytes.own(new MatOfByte(in.readAllBytes())), Imgcodecs.IMREAD_COLOR);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @Override
+  public void close() {
+    mats.close();
+  }
+}

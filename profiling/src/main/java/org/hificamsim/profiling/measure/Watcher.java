@@ -1,0 +1,11 @@
+package org.hificamsim.profiling.measure;
+
+/** Is told how far a measurement is, by any thread. */
+@FunctionalInterface
+public interface Watcher {
+  /** One photo more has been measured. */
+  void measured();
+
+  /** So many photos had been measured before, by an earlier call. */
+  default void resumed(int photos) {}
+}
