@@ -118,7 +118,6 @@ class BoxDetectorsTest {
   @ValueSource(
       strings = {
         "yolo",
-        "haar",
         "haar:nix",
         "onnx:FILE:class=x",
         "onnx:FILE:size=4",
