@@ -5,15 +5,20 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.PhotoCamera;
+import org.hificamsim.profiling.fit.Counted;
+import org.hificamsim.profiling.fit.DetectorShapes;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
+import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Fitting;
-import org.hificamsim.profiling.fit.LineFit;
 import org.hificamsim.profiling.fit.ModelFolder;
+import org.hificamsim.profiling.fit.Recommendation;
+import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
@@ -32,6 +37,8 @@ import picocli.CommandLine.Spec;
     name = "fit",
     description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
+  private static final String BEST = "best";
+
   @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
   private Path folder;
 
@@ -55,6 +62,20 @@ final class FitCommand implements Callable<Integer> {
       paramLabel = "N",
       description = "Generations of symbolic regression.")
   private int generations;
+
+  @Option(
+      names = "--restarts",
+      paramLabel = "N",
+      description = "Runs of symbolic regression; the best on rows it has not seen is taken.")
+  private int restarts;
+
+  @Option(
+      names = "--g",
+      paramLabel = "SHAPE",
+      description =
+          "Shape of g: best, line (the thesis's), logistic, saturating-exponential, hill,"
+              + " isotonic.")
+  private String shape;
 
   @Option(
       names = "--parsimony",
@@ -96,25 +117,39 @@ final class FitCommand implements Callable<Integer> {
 
   private void print(FitResult result, int models) {
     PrintWriter out = spec.commandLine().getOut();
-    out.printf("%-16s %7s %8s  g%n", "model", "R2", "RMSE");
-    for (String detector : result.detectors()) {
-      result
-          .features()
-          .forEach(
-              f -> {
-                LineFit line = result.line(detector, f.name());
-                out.printf(
-                    Locale.ROOT,
-                    "%-16s %7.3f %8.4f  %.3f * PIP %+.3f%n",
-                    detector + "-" + f.name(),
-                    line.r2(),
-                    line.rmse(),
-                    line.slope().value(),
-                    line.intercept().value());
-              });
-    }
-    out.printf("%s models in %s%n", models, folder.resolve("models"));
+    List<FittedModel> all = FittedModel.all(result);
+    PrintWriter err = spec.commandLine().getErr();
+    all.stream()
+        .filter(model -> model.fit().refused())
+        .forEach(model -> err.println("warning: " + model.refusal()));
+    out.printf("%-16s %7s %7s %8s  g%n", "model", "R2", "unseen", "RMSE");
+    all.stream()
+        .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
+        .forEach(model -> out.println(row(model)));
+    Recommendation.all(result).forEach(one -> out.println(one.sentence()));
+    out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve("models"));
     out.printf("report: %s%n", folder.resolve("report.html"));
+    if (models == 0) {
+      throw new InputException(
+          folder.resolve(MeasurementsFile.NAME)
+              + ": no confidence surely rises with PIP, expected one at least");
+    }
+  }
+
+  private static String row(FittedModel model) {
+    ShapeFit g = model.fit().chosen();
+    return String.format(
+        Locale.ROOT,
+        "%-16s %7.3f %7.3f %8.4f  %s",
+        model.name(),
+        g.scores().r2(),
+        g.unseen().r2(),
+        g.unseen().rmse(),
+        g.shape());
+  }
+
+  private Optional<String> shape() {
+    return shape.equals(BEST) ? Optional.empty() : Optional.of(DetectorShapes.of(shape).name());
   }
 
   private FitSettings settings() {
@@ -125,13 +160,15 @@ final class FitCommand implements Callable<Integer> {
     Numbers.inRange("--folds", folds, 2, 100);
     Numbers.inRange("--population", population, 50, 1_000_000);
     Numbers.inRange("--generations", generations, 1, 100_000);
+    Numbers.inRange("--restarts", restarts, 1, 1000);
     Numbers.within("--parsimony", parsimony, 0, 1);
     Numbers.within("--epsilon", epsilon, 0, 10);
     Numbers.within("--penalty", penalty, 1e-6, 1e6);
     return new FitSettings(
         folds,
         seed.value(),
-        new SymbolicSettings(population, generations, parsimony, seed.value()),
-        new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()));
+        new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
+        new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
+        shape());
   }
 }

@@ -4,13 +4,13 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.hifi.detector.DetectorLine;
+import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.optics.Optics;
 
 /**
  * The high-fidelity detection model: confidence {@code g(f(q, d, z))} (thesis 3.4, Table 6.1), with
- * any feature abstraction f and any detector line g. It looks at size, distance and zoom, and not
+ * any feature abstraction f and any detector model g. It looks at size, distance and zoom, and not
  * at the bearing.
  *
  * @param name the name on the command line and in result files
@@ -19,22 +19,36 @@ import org.hificamsim.hifi.optics.Optics;
  * @param optics gives the zoom level's focal length
  * @param defaultThreshold the confidence from which a target counts as detected
  * @param rmse root mean squared error of the confidences about g, above 0, where it is known
+ * @param fitted what the numbers were fitted on, where it is known
  * @param provenance where the numbers come from
  */
 public record HiFiDetection(
     String name,
     FeatureAbstraction f,
-    DetectorLine g,
+    DetectorModel g,
     Optics optics,
     double defaultThreshold,
     OptionalDouble rmse,
+    Optional<FittedOn> fitted,
     Provenance provenance)
     implements OpticalDetection {
+  /** A model of which it is not known what it was fitted on. */
+  public HiFiDetection(
+      String name,
+      FeatureAbstraction f,
+      DetectorModel g,
+      Optics optics,
+      double defaultThreshold,
+      OptionalDouble rmse,
+      Provenance provenance) {
+    this(name, f, g, optics, defaultThreshold, rmse, Optional.empty(), provenance);
+  }
+
   /** A model of whose fit no scatter is known. */
   public HiFiDetection(
       String name,
       FeatureAbstraction f,
-      DetectorLine g,
+      DetectorModel g,
       Optics optics,
       double defaultThreshold,
       Provenance provenance) {

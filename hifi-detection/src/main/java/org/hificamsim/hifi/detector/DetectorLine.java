@@ -7,13 +7,14 @@ package org.hificamsim.hifi.detector;
  * @param slope confidence gained from an empty to a full image
  * @param intercept confidence where the target fills nothing of the image
  */
-public record DetectorLine(double slope, double intercept) {
-  /** The confidence at a PIP in [0, 1], not clamped. */
+public record DetectorLine(double slope, double intercept) implements DetectorModel {
+  @Override
   public double confidence(double pip) {
     return slope * pip + intercept;
   }
 
   /** The PIP at which the line takes this confidence; not finite for a level line. */
+  @Override
   public double pip(double confidence) {
     return (confidence - intercept) / slope;
   }

@@ -1,2 +1,2 @@
-/** Detector models g: the confidence of a feature detector from the patch's share of the image. */
+/** Detector models g: the confidence of a detector from the patch's share of the image. */
 package org.hificamsim.hifi.detector;

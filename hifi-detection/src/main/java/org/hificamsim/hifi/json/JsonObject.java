@@ -1,12 +1,14 @@
 package org.hificamsim.hifi.json;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
@@ -56,12 +58,27 @@ public final class JsonObject implements JsonValue {
     throw wrong(key, expected);
   }
 
-  /** Checks that the property is this whole number. */
-  public void exactly(String key, int value) {
-    if (!(take(key, Integer.toString(value)) instanceof Numeral numeral)
-        || numeral.value() != value) {
-      throw wrong(key, Integer.toString(value));
+  /** A whole number that is one of {@code values}. */
+  public int exactly(String key, int... values) {
+    String expected =
+        Arrays.stream(values).mapToObj(Integer::toString).collect(Collectors.joining(" or "));
+    if (take(key, expected) instanceof Numeral numeral) {
+      for (int value : values) {
+        if (numeral.value() == value) {
+          return value;
+        }
+      }
     }
+    throw wrong(key, expected);
+  }
+
+  /** A whole number from 1 to {@code most}. */
+  public int count(String key, int most) {
+    double value = number(key, 1, most);
+    if (value != Math.rint(value)) {
+      throw wrong(key, "a whole number from 1 to " + most);
+    }
+    return (int) value;
   }
 
   /** A text. */

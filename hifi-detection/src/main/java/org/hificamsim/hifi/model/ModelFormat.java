@@ -1,11 +1,14 @@
 package org.hificamsim.hifi.model;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
+import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.detector.DetectorLine;
+import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.json.JsonObject;
 import org.hificamsim.hifi.optics.Optics;
@@ -14,9 +17,12 @@ import org.hificamsim.hifi.optics.Optics;
 final class ModelFormat {
   static final String SCHEMA = "hificamsim-model";
 
-  static final int VERSION = 1;
+  /** The version in which every g is a line. */
+  static final int LINES_ALONE = 1;
+
+  private static final int NEWEST = 2;
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9:._-]{0,99}");
-  private static final double STEEPEST = 1000;
+  static final double STEEPEST = 1000;
   private static final double MIN_RMSE = 1e-9;
   static final List<String> LENGTHS = List.of("q", "d", "z");
 
@@ -27,38 +33,41 @@ final class ModelFormat {
   }
 
   private static HiFiDetection model(JsonObject json) {
-    checkSchema(json, SCHEMA);
+    int version = version(json, SCHEMA, LINES_ALONE, NEWEST);
     String name = name(json);
     FeatureAbstraction f = FeatureFormats.read(json.object("f"));
-    FittedLine g = json.object("g").whole(ModelFormat::fittedLine);
+    Fitted g = json.object("g").whole(one -> fitted(one, version));
     Optics optics = json.has("optics") ? optics(json) : PublishedModels.published().optics();
     double threshold =
-        json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g.line());
+        json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g.model());
     checkUnits(json);
-    return new HiFiDetection(name, f, g.line(), optics, threshold, g.rmse(), provenance(json));
+    Optional<FittedOn> on = version > LINES_ALONE ? FittedOnFormat.read(json) : Optional.empty();
+    return new HiFiDetection(name, f, g.model(), optics, threshold, g.rmse(), on, provenance(json));
   }
 
-  static void checkSchema(JsonObject json, String schema) {
+  /** The oldest version that can hold a model: what needs no newer one keeps its bytes. */
+  static int version(HiFiDetection model) {
+    return model.g() instanceof DetectorLine && model.fitted().isEmpty() ? LINES_ALONE : NEWEST;
+  }
+
+  static int version(JsonObject json, String schema, int... versions) {
     json.text("schema", List.of(schema));
-    json.exactly("version", VERSION);
+    return json.exactly("version", versions);
   }
 
-  /** A line, and how the confidences scatter about it where that is known. */
-  record FittedLine(DetectorLine line, OptionalDouble rmse) {}
+  /** A detector model, and how the confidences scatter about it where that is known. */
+  private record Fitted(DetectorModel model, OptionalDouble rmse) {}
 
-  static FittedLine fittedLine(JsonObject json) {
-    return new FittedLine(detectorLine(json), rmse(json));
+  private static Fitted fitted(JsonObject json, int version) {
+    DetectorModel model =
+        version == LINES_ALONE ? DetectorFormats.line(json) : DetectorFormats.read(json);
+    return new Fitted(model, rmse(json));
   }
 
   static OptionalDouble rmse(JsonObject json) {
     return json.has("rmse")
         ? OptionalDouble.of(json.number("rmse", MIN_RMSE, STEEPEST))
         : OptionalDouble.empty();
-  }
-
-  static DetectorLine detectorLine(JsonObject json) {
-    return new DetectorLine(
-        json.number("slope", -STEEPEST, STEEPEST), json.number("intercept", -STEEPEST, STEEPEST));
   }
 
   static Optics optics(JsonObject json) {

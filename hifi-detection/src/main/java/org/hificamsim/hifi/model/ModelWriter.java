@@ -27,13 +27,15 @@ final class ModelWriter {
 
   private static ObjectNode json(HiFiDetection model) {
     ObjectNode json = MAPPER.createObjectNode();
-    json.put("schema", ModelFormat.SCHEMA).put("version", ModelFormat.VERSION);
+    int version = ModelFormat.version(model);
+    json.put("schema", ModelFormat.SCHEMA).put("version", version);
     json.put("name", model.name());
     json.set("f", FeatureFormats.json(model.f()));
-    ObjectNode g = json.putObject("g").setAll(MAPPER.<ObjectNode>valueToTree(model.g()));
+    ObjectNode g = json.putObject("g").setAll(DetectorFormats.json(model.g(), version));
     model.rmse().ifPresent(rmse -> g.put("rmse", rmse));
     json.putPOJO("optics", model.optics());
     json.put("threshold", model.defaultThreshold());
+    model.fitted().ifPresent(on -> json.putPOJO("fitted", on));
     ObjectNode units = json.putObject("units");
     ModelFormat.LENGTHS.forEach(length -> units.put(length, "m"));
     return json.putPOJO("provenance", model.provenance().remarks());

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.detector.DetectorLine;
+import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.json.JsonFile;
@@ -62,10 +63,10 @@ public record PublishedModels(
   }
 
   /**
-   * The default threshold of a model with this line: the confidence at the PIP at which the
-   * reference line reaches its threshold, so that models differ by their f and g alone.
+   * The default threshold of a model with this g: the confidence at the PIP at which the reference
+   * line reaches its threshold, so that models differ by their f and g alone.
    */
-  public double threshold(DetectorLine g) {
+  public double threshold(DetectorModel g) {
     DetectorLine line = line(reference.detector(), reference.f()).orElseThrow().g();
     return g.equals(line) ? reference.threshold() : g.confidence(line.pip(reference.threshold()));
   }

@@ -12,7 +12,7 @@ final class PublishedModelsFormat {
   }
 
   private static PublishedModels catalogue(JsonObject json) {
-    ModelFormat.checkSchema(json, "hificamsim-catalogue");
+    ModelFormat.version(json, "hificamsim-catalogue", 1);
     return new PublishedModels(
         ModelFormat.optics(json),
         json.object("reference").whole(PublishedModelsFormat::reference),
@@ -46,7 +46,7 @@ final class PublishedModelsFormat {
     return new PublishedModels.Line(
         json.text("detector"),
         json.text("f"),
-        ModelFormat.detectorLine(json),
+        DetectorFormats.line(json),
         ModelFormat.rmse(json),
         json.text("source"));
   }

@@ -1,20 +1,21 @@
 package org.hificamsim.profiling.fit;
 
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 
 /**
- * K-fold cross-validation (thesis 4.4): every observation is predicted by a fit that has not seen
- * it.
+ * A validation of f: every observation is predicted by a fit that has not seen it, nor the others
+ * of its group (thesis 4.4 with folds for groups).
  *
- * @param folds the R2 of each fold
+ * @param fits the fit that has not seen each group
+ * @param folds the R2 within each group
  * @param predicted the held-out prediction of each observation's {@code -log10(PIP)}
+ * @param r2 of all these predictions together
  */
-public record CrossValidation(double[] folds, double[] predicted) {
+public record CrossValidation(
+    List<FittedFeature> fits, double[] folds, double[] predicted, double r2) {
   /**
    * Fits {@code k} times.
    *
@@ -23,17 +24,37 @@ public record CrossValidation(double[] folds, double[] predicted) {
    */
   public static CrossValidation of(
       FeatureRegression regression, List<Observation> observations, int k, long seed) {
-    if (observations.size() < 2 * k) {
+    Groups groups = folds(observations.size(), k, seed);
+    List<FittedFeature> fits =
+        IntStream.range(0, k)
+            .mapToObj(fold -> regression.fit(Groups.at(groups.others(fold), observations)))
+            .toList();
+    return of(groups, fits, observations);
+  }
+
+  /** K folds, each of which has two observations or more. */
+  static Groups folds(int observations, int k, long seed) {
+    if (observations < 2 * k) {
       throw new InputException(
-          "%s rows, expected at least %s for %s folds".formatted(observations.size(), 2 * k, k));
+          "%s rows, expected at least %s for %s folds".formatted(observations, 2 * k, k));
     }
-    int[] order = shuffled(observations.size(), seed);
-    double[] folds = new double[k];
-    double[] predicted = new double[order.length];
-    for (int fold = 0; fold < k; fold++) {
-      folds[fold] = fold(regression, observations, order, fold, k, predicted);
+    return Groups.folds(observations, k, seed);
+  }
+
+  /** What the fits say of the groups that they have not seen. */
+  static CrossValidation of(
+      Groups groups, List<FittedFeature> fits, List<Observation> observations) {
+    double[] observed = observations.stream().mapToDouble(Observation::response).toArray();
+    double[] predicted = new double[observed.length];
+    double[] folds = new double[groups.count()];
+    for (int group = 0; group < folds.length; group++) {
+      int[] held = groups.rows().get(group);
+      for (int row : held) {
+        predicted[row] = fits.get(group).response(observations.get(row));
+      }
+      folds[group] = Scores.of(Groups.at(held, observed), Groups.at(held, predicted)).r2();
     }
-    return new CrossValidation(folds, predicted);
+    return new CrossValidation(fits, folds, predicted, Scores.of(observed, predicted).r2());
   }
 
   /** The mean of the folds' R2. */
@@ -49,45 +70,5 @@ public record CrossValidation(double[] folds, double[] predicted) {
       sum += (fold - mean) * (fold - mean);
     }
     return Math.sqrt(sum / (folds.length - 1));
-  }
-
-  private static double fold(
-      FeatureRegression regression,
-      List<Observation> observations,
-      int[] order,
-      int fold,
-      int k,
-      double[] predicted) {
-    List<Observation> training = new ArrayList<>();
-    List<Integer> held = new ArrayList<>();
-    for (int i = 0; i < order.length; i++) {
-      if (i % k == fold) {
-        held.add(order[i]);
-      } else {
-        training.add(observations.get(order[i]));
-      }
-    }
-    FittedFeature fit = regression.fit(training);
-    double[] truth = new double[held.size()];
-    double[] guess = new double[held.size()];
-    for (int i = 0; i < truth.length; i++) {
-      Observation o = observations.get(held.get(i));
-      truth[i] = o.response();
-      guess[i] = fit.response(o);
-      predicted[held.get(i)] = guess[i];
-    }
-    return Scores.of(truth, guess).r2();
-  }
-
-  private static int[] shuffled(int size, long seed) {
-    int[] order = IntStream.range(0, size).toArray();
-    SplittableRandom random = new SplittableRandom(seed);
-    for (int i = size - 1; i > 0; i--) {
-      int j = random.nextInt(i + 1);
-      int swapped = order[i];
-      order[i] = order[j];
-      order[j] = swapped;
-    }
-    return order;
   }
 }

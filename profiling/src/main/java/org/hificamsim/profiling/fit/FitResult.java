@@ -10,19 +10,25 @@ import org.hificamsim.profiling.measure.Measurement;
  *
  * @param detectors by name, in the order of the measurements' columns
  * @param features every f, in the order of the report
- * @param lines every g: by detector, then by the name of what it was fitted on, an f, {@link
+ * @param unseen what was left out together to see how g does on what it has not seen: objects, or
+ *     folds where there is one object
+ * @param lines the thesis's g: by detector, then by the name of what it was fitted on, an f, {@link
  *     #GROUND_TRUTH} or {@link #CAMSIM}
+ * @param models every g: by detector, then by the name of what it was fitted on, an f or {@link
+ *     #GROUND_TRUTH}
  */
 public record FitResult(
     PhotoCamera camera,
     List<Measurement> measurements,
     List<String> detectors,
     List<FeatureResult> features,
-    Map<String, Map<String, LineFit>> lines) {
-  /** A line on measured PIP. */
+    Groups unseen,
+    Map<String, Map<String, LineFit>> lines,
+    Map<String, Map<String, DetectorFit>> models) {
+  /** On measured PIP. */
   public static final String GROUND_TRUTH = "ground-truth";
 
-  /** A line on CamSim's standard confidence. */
+  /** On CamSim's standard confidence. */
   public static final String CAMSIM = "camsim-standard";
 
   /** One f. */
@@ -31,6 +37,11 @@ public record FitResult(
   }
 
   /** One g. */
+  public DetectorFit model(String detector, String on) {
+    return models.get(detector).get(on);
+  }
+
+  /** One of the thesis's lines. */
   public LineFit line(String detector, String on) {
     return lines.get(detector).get(on);
   }
@@ -47,7 +58,11 @@ public record FitResult(
 
   /** The PIP that an f predicts for each measurement. */
   public double[] predictedPip(String f) {
-    FittedFeature fit = feature(f).fit();
+    return predictedPip(feature(f).fit());
+  }
+
+  /** The same of one fit of an f. */
+  double[] predictedPip(FittedFeature fit) {
     return observations().stream().mapToDouble(fit::pip).toArray();
   }
 

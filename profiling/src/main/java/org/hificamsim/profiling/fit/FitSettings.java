@@ -1,15 +1,28 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.Optional;
+
 /**
  * How models are fitted.
  *
  * @param folds of the cross-validation
- * @param seed of the shuffle and of the genetic programming
+ * @param seed of the shuffle, of the bootstrap and of the genetic programming
  * @param symbolic how symbolic regression runs
  * @param vectors how support vectors are trained
+ * @param shape the name of the shape of g that is taken; without one it is chosen
  */
 public record FitSettings(
-    int folds, long seed, SymbolicSettings symbolic, SupportVectorSettings vectors) {
+    int folds,
+    long seed,
+    SymbolicSettings symbolic,
+    SupportVectorSettings vectors,
+    Optional<String> shape) {
+  /** With the shape of g that does best on objects that it has not seen. */
+  public FitSettings(
+      int folds, long seed, SymbolicSettings symbolic, SupportVectorSettings vectors) {
+    this(folds, seed, symbolic, vectors, Optional.empty());
+  }
+
   /** The thesis's: five folds (thesis 4.4). */
   public static FitSettings thesis(long seed) {
     return new FitSettings(5, seed, SymbolicSettings.thesis(seed), SupportVectorSettings.THESIS);

@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -21,36 +23,31 @@ public final class Fitting {
    * @throws org.hificamsim.core.InputException when the measurements do not determine a fit
    */
   public FitResult fit(PhotoCamera camera, List<Measurement> measurements, int threads) {
+    Groups objects = Groups.byObject(measurements);
+    Groups folds = CrossValidation.folds(measurements.size(), settings.folds(), settings.seed());
+    Groups unseen = objects.count() > 1 ? objects : folds;
     List<Observation> observations = FitResult.observations(measurements);
     List<FeatureResult> features =
-        Parallel.map(regressions(camera), threads, regression -> result(regression, observations));
+        new FeatureFitting(observations, folds, objects, Groups.byLens(measurements))
+            .all(regressions(camera), threads);
     List<String> detectors = List.copyOf(measurements.get(0).confidences().keySet());
-    FitResult result = new FitResult(camera, measurements, detectors, features, Map.of());
+    FitResult plain =
+        new FitResult(camera, measurements, detectors, features, unseen, Map.of(), Map.of());
     Map<String, Map<String, LineFit>> lines = new LinkedHashMap<>();
-    detectors.forEach(detector -> lines.put(detector, lines(result, detector)));
-    return new FitResult(camera, measurements, detectors, features, lines);
+    detectors.forEach(detector -> lines.put(detector, lines(plain, detector)));
+    return new FitResult(
+        camera, measurements, detectors, features, unseen, lines, models(plain, objects, threads));
   }
 
-  /** Every way to fit f. */
+  /** Every way to fit f, the simplest first. */
   private List<FeatureRegression> regressions(PhotoCamera camera) {
     return List.of(
+        new PinholeLaw(camera.sensorWidth(), camera.sensorHeight()),
+        new PowerRegression(),
         new LinearRegression(),
         new LinearSupportVectors(settings.vectors()),
-        new RbfSupportVectors(settings.vectors()),
         new SymbolicRegression(settings.symbolic()),
-        new PowerRegression(),
-        new PinholeLaw(camera.sensorWidth(), camera.sensorHeight()));
-  }
-
-  private FeatureResult result(FeatureRegression regression, List<Observation> observations) {
-    FittedFeature fit = regression.fit(observations);
-    double[] observed = observations.stream().mapToDouble(Observation::response).toArray();
-    double[] predicted = observations.stream().mapToDouble(fit::response).toArray();
-    return new FeatureResult(
-        regression.name(),
-        fit,
-        Scores.of(observed, predicted),
-        CrossValidation.of(regression, observations, settings.folds(), settings.seed()));
+        new RbfSupportVectors(settings.vectors()));
   }
 
   private static Map<String, LineFit> lines(FitResult result, String detector) {
@@ -62,5 +59,41 @@ public final class Fitting {
     }
     lines.put(FitResult.CAMSIM, LineFit.of(CamSimConfidence.of(result.measurements()), y));
     return lines;
+  }
+
+  /** One g that has to be fitted. */
+  private record Job(String detector, String on, double[] x, double[][] unseenX) {}
+
+  private Map<String, Map<String, DetectorFit>> models(
+      FitResult result, Groups objects, int threads) {
+    DetectorFitting fitting =
+        new DetectorFitting(objects, result.unseen(), settings.shape(), settings.seed());
+    List<Job> jobs = new ArrayList<>();
+    result.detectors().forEach(detector -> jobs.addAll(jobs(result, detector)));
+    List<DetectorFit> fits =
+        Parallel.map(
+            jobs,
+            threads,
+            job -> fitting.fit(job.x(), job.unseenX(), result.confidences(job.detector())));
+    Map<String, Map<String, DetectorFit>> models = new LinkedHashMap<>();
+    for (int i = 0; i < jobs.size(); i++) {
+      models
+          .computeIfAbsent(jobs.get(i).detector(), any -> new LinkedHashMap<>())
+          .put(jobs.get(i).on(), fits.get(i));
+    }
+    return models;
+  }
+
+  private static List<Job> jobs(FitResult result, String detector) {
+    List<Job> jobs = new ArrayList<>();
+    double[][] measured = new double[result.unseen().count()][];
+    Arrays.fill(measured, result.measuredPip());
+    jobs.add(new Job(detector, FitResult.GROUND_TRUTH, result.measuredPip(), measured));
+    for (FeatureResult f : result.features()) {
+      double[][] unseen =
+          f.unseen().fits().stream().map(result::predictedPip).toArray(double[][]::new);
+      jobs.add(new Job(detector, f.name(), result.predictedPip(f.name()), unseen));
+    }
+    return jobs;
   }
 }

@@ -1,25 +1,53 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.exception.MathIllegalArgumentException;
 import org.apache.commons.math3.stat.regression.OLSMultipleLinearRegression;
 import org.hificamsim.core.InputException;
 
 /** Ordinary least squares (Eqs 4.1 and 4.2) with standard errors and Student intervals. */
-final class LeastSquares {
+public final class LeastSquares {
   private static final double UPPER_QUANTILE = 0.975;
 
   private LeastSquares() {}
 
   /**
-   * The intercept, then one coefficient per column of {@code x}.
+   * The intercept, then one coefficient per column of {@code x}; 0 for a column that never varies.
    *
-   * @throws InputException when there are too few rows, or a column follows from the others
+   * @throws InputException when there are too few rows, a column follows from the others, or none
+   *     varies
    */
-  static List<Coefficient> fit(double[][] x, double[] y, List<String> names) {
+  public static List<Coefficient> fit(double[][] x, double[] y, List<String> names) {
+    int[] varying = varying(x, names.size());
+    if (varying.length == 0) {
+      throw undetermined(y.length, names, null);
+    }
+    double[][] columns =
+        Arrays.stream(x).map(row -> Groups.at(varying, row)).toArray(double[][]::new);
+    List<Coefficient> found = regression(columns, y, Groups.at(varying, names), names);
+    List<Coefficient> all = new ArrayList<>();
+    names.forEach(name -> all.add(Coefficient.plain(name, 0)));
+    all.add(0, found.get(0));
+    for (int i = 0; i < varying.length; i++) {
+      all.set(1 + varying[i], found.get(1 + i));
+    }
+    return all;
+  }
+
+  /** The columns that vary. */
+  static int[] varying(double[][] x, int columns) {
+    return IntStream.range(0, columns)
+        .filter(k -> Arrays.stream(x).anyMatch(row -> row[k] != x[0][k]))
+        .toArray();
+  }
+
+  private static List<Coefficient> regression(
+      double[][] x, double[] y, List<String> names, List<String> asked) {
     try {
       OLSMultipleLinearRegression regression = new OLSMultipleLinearRegression();
       regression.newSampleData(y, x);
@@ -40,11 +68,15 @@ final class LeastSquares {
       }
       return coefficients;
     } catch (MathIllegalArgumentException e) {
-      throw new InputException(
-          "%s rows do not determine a fit, expected several values of each of %s"
-              .formatted(y.length, String.join(", ", names)),
-          e);
+      throw undetermined(y.length, asked, e);
     }
+  }
+
+  private static InputException undetermined(int rows, List<String> names, Exception cause) {
+    return new InputException(
+        "%s rows do not determine a fit, expected several values of %s"
+            .formatted(rows, String.join(" or ", names)),
+        cause);
   }
 
   /** Four significant digits. */

@@ -1,11 +1,19 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
 
-/** The power law {@code PIP = c z^a q^b d^-e} by least squares of the logarithms. */
+/**
+ * The power law {@code PIP = c z^a q^b d^-e} by least squares of the logarithms. The exponent of a
+ * variable that never varies, as with one object or one lens, is the pinhole camera's, 2.
+ */
 public final class PowerRegression implements FeatureRegression {
+  private static final double[] PINHOLE = {2, -2, 2};
+  private static final List<String> NAMES = List.of("log10 q", "log10 d", "log10 z");
+
   @Override
   public String name() {
     return "power";
@@ -15,7 +23,11 @@ public final class PowerRegression implements FeatureRegression {
   public FittedFeature fit(List<Observation> observations) {
     double[][] x = observations.stream().map(PowerRegression::logarithms).toArray(double[][]::new);
     double[] y = observations.stream().mapToDouble(o -> -o.response()).toArray();
-    List<Coefficient> fit = LeastSquares.fit(x, y, List.of("log10 q", "log10 d", "log10 z"));
+    double[] fixed = fixed(x);
+    for (int i = 0; i < y.length; i++) {
+      y[i] -= MathArrays.linearCombination(fixed, x[i]);
+    }
+    List<Coefficient> fit = withFixed(LeastSquares.fit(x, y, NAMES), fixed);
     double c = StrictMath.pow(10, fit.get(0).value());
     PowerLawAbstraction f =
         new PowerLawAbstraction(c, fit.get(3).value(), fit.get(1).value(), -fit.get(2).value());
@@ -28,6 +40,25 @@ public final class PowerRegression implements FeatureRegression {
             f.b(),
             -f.e());
     return new FittedFeature(f, equation, fit);
+  }
+
+  /** The pinhole camera's exponent of each column that never varies; 0 of the others. */
+  private static double[] fixed(double[][] x) {
+    double[] fixed = PINHOLE.clone();
+    for (int varying : LeastSquares.varying(x, fixed.length)) {
+      fixed[varying] = 0;
+    }
+    return fixed;
+  }
+
+  private static List<Coefficient> withFixed(List<Coefficient> fit, double[] fixed) {
+    List<Coefficient> all = new ArrayList<>(fit);
+    for (int i = 0; i < fixed.length; i++) {
+      if (fixed[i] != 0) {
+        all.set(1 + i, Coefficient.plain(NAMES.get(i), fixed[i]));
+      }
+    }
+    return all;
   }
 
   private static double[] logarithms(Observation o) {

@@ -18,6 +18,9 @@ import smile.regression.KernelMachine;
 public record RbfSupportVectors(SupportVectorSettings settings) implements FeatureRegression {
   private static final double GAMMA = 1.0 / 3;
 
+  /** So wide that the kernel does not see the variable: there is nothing to learn about it. */
+  private static final Range NO_EFFECT = new Range(0, 1000);
+
   @Override
   public String name() {
     return "svr-rbf";
@@ -40,15 +43,19 @@ public record RbfSupportVectors(SupportVectorSettings settings) implements Featu
   /** Smile's own machine on the scaled variables. */
   KernelMachine<double[]> machine(List<Observation> observations) {
     double[][] x = scaled(observations);
+    if (LeastSquares.varying(x, 3).length == 0) {
+      throw new InputException(
+          x.length + " rows do not determine a fit, expected several values of q, d or z");
+    }
     double[] y = observations.stream().mapToDouble(Observation::response).toArray();
     return settings.fit(new GaussianKernel(StrictMath.sqrt(1 / (2 * GAMMA))), x, y);
   }
 
   /** The scaled predictors of every observation. */
   static double[][] scaled(List<Observation> observations) {
-    Range q = range("q", observations, Observation::size);
-    Range d = range("d", observations, Observation::distance);
-    Range z = range("z", observations, Observation::focalLength);
+    Range q = range(observations, Observation::size);
+    Range d = range(observations, Observation::distance);
+    Range z = range(observations, Observation::focalLength);
     return observations.stream()
         .map(o -> new double[] {q.scale(o.size()), d.scale(o.distance()), z.scale(o.focalLength())})
         .toArray(double[][]::new);
@@ -67,9 +74,9 @@ public record RbfSupportVectors(SupportVectorSettings settings) implements Featu
     return new SvrRbfAbstraction(
         GAMMA,
         machine.intercept(),
-        range("q", observations, Observation::size),
-        range("d", observations, Observation::distance),
-        range("z", observations, Observation::focalLength),
+        range(observations, Observation::size),
+        range(observations, Observation::distance),
+        range(observations, Observation::focalLength),
         support);
   }
 
@@ -83,12 +90,11 @@ public record RbfSupportVectors(SupportVectorSettings settings) implements Featu
   }
 
   private static Range range(
-      String name, List<Observation> observations, ToDoubleFunction<Observation> variable) {
+      List<Observation> observations, ToDoubleFunction<Observation> variable) {
     double least = observations.stream().mapToDouble(variable).min().orElseThrow();
     double most = observations.stream().mapToDouble(variable).max().orElseThrow();
-    if (!(most > least)) {
-      throw new InputException(
-          "%s is %s in every row, expected two values or more".formatted(name, least));
+    if (most == least) {
+      return NO_EFFECT;
     }
     return new Range(least, most);
   }

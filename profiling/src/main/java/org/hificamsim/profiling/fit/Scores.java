@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.Arrays;
+
 /**
  * How well predictions fit (Eq 4.3).
  *
@@ -23,6 +25,12 @@ public record Scores(double mse, double r2, double rmse, double sse) {
       total += (observed[i] - mean) * (observed[i] - mean);
     }
     double mse = errors / observed.length;
-    return new Scores(mse, total > 0 ? 1 - errors / total : Double.NaN, Math.sqrt(mse), errors);
+    double r2 = vary(observed) ? 1 - errors / total : Double.NaN;
+    return new Scores(mse, r2, Math.sqrt(mse), errors);
+  }
+
+  /** Whether values differ; a mean of equal ones may be rounded, so that their spread is not 0. */
+  static boolean vary(double[] values) {
+    return Arrays.stream(values).anyMatch(value -> value != values[0]);
   }
 }

@@ -20,6 +20,7 @@ import io.jenetics.util.RandomRegistry;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.LongStream;
 import org.hificamsim.hifi.feature.Expression;
 import org.hificamsim.hifi.feature.SymbolicAbstraction;
 
@@ -36,6 +37,8 @@ public record SymbolicRegression(SymbolicSettings settings) implements FeatureRe
   private static final int TOURNAMENT = 10;
   private static final double CROSSOVER = 0.9;
   private static final double MUTATION = 0.01;
+  private static final int JUDGING_FOLDS = 5;
+  private static final long STRIDE = 1_000_003;
 
   private static final ISeq<Op<Double>> OPERATIONS =
       ISeq.of(MathOp.ADD, MathOp.SUB, MathOp.MUL, MathOp.DIV);
@@ -57,9 +60,37 @@ public record SymbolicRegression(SymbolicSettings settings) implements FeatureRe
     return new FittedFeature(f, "-log10(PIP) = " + text, List.of());
   }
 
+  /**
+   * The program of the only run, or of the one whose programs do best on rows they have not seen.
+   */
   private Formula best(double[][] x, double[] y) {
+    long[] seeds =
+        LongStream.range(0, settings.restarts()).map(r -> settings.seed() + r * STRIDE).toArray();
+    if (seeds.length == 1) {
+      return evolved(x, y, seeds[0]);
+    }
+    Groups folds = Groups.folds(y.length, JUDGING_FOLDS, settings.seed());
+    Formula best = null;
+    double least = Double.POSITIVE_INFINITY;
+    for (long seed : seeds) {
+      int[] train = folds.others(0);
+      Formula found = evolved(rows(train, x), Groups.at(train, y), seed);
+      double error = error(found, rows(folds.rows().get(0), x), Groups.at(folds.rows().get(0), y));
+      if (best == null || error < least) {
+        best = found;
+        least = error;
+      }
+    }
+    return best;
+  }
+
+  private static double[][] rows(int[] rows, double[][] x) {
+    return Groups.at(rows, List.of(x)).toArray(double[][]::new);
+  }
+
+  private Formula evolved(double[][] x, double[] y, long seed) {
     return RandomRegistry.with(
-        new Random(settings.seed()),
+        new Random(seed),
         random -> {
           Genotype<ProgramGene<Double>> best =
               engine(x, y).stream()
@@ -100,13 +131,17 @@ public record SymbolicRegression(SymbolicSettings settings) implements FeatureRe
 
   /** The mean squared error plus the charge for size; infinite where the program has no value. */
   private double cost(ProgramGene<Double> program, double[][] x, double[] y) {
-    double[] values = formula(program).values(x);
+    double cost = error(formula(program), x, y) + settings.parsimony() * program.size();
+    return Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost;
+  }
+
+  private static double error(Formula formula, double[][] x, double[] y) {
+    double[] values = formula.values(x);
     double sum = 0;
     for (int i = 0; i < y.length; i++) {
       sum += (values[i] - y[i]) * (values[i] - y[i]);
     }
-    double cost = sum / y.length + settings.parsimony() * program.size();
-    return Double.isNaN(cost) ? Double.POSITIVE_INFINITY : cost;
+    return sum / y.length;
   }
 
   private static Formula formula(Tree<? extends Op<Double>, ?> node) {

@@ -1,0 +1,21 @@
+package org.hificamsim.hifi.detector;
+
+/**
+ * The curve {@code floor + rise * (1 - exp(-PIP / scale))}, steepest at the start.
+ *
+ * @param floor confidence where the target fills nothing of the image
+ * @param rise what is gained in the end, above 0
+ * @param scale PIP at which 63% of that is gained, above 0
+ */
+public record SaturatingExponential(double floor, double rise, double scale)
+    implements DetectorModel {
+  @Override
+  public double confidence(double pip) {
+    return floor - rise * StrictMath.expm1(-pip / scale);
+  }
+
+  @Override
+  public double pip(double confidence) {
+    return confidence <= floor ? 0 : -scale * StrictMath.log1p((floor - confidence) / rise);
+  }
+}

@@ -1,0 +1,105 @@
+package org.hificamsim.hifi.model;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.function.Function;
+import org.hificamsim.hifi.detector.DetectorLine;
+import org.hificamsim.hifi.detector.DetectorModel;
+import org.hificamsim.hifi.detector.HillCurve;
+import org.hificamsim.hifi.detector.IsotonicCurve;
+import org.hificamsim.hifi.detector.LogisticCurve;
+import org.hificamsim.hifi.detector.SaturatingExponential;
+import org.hificamsim.hifi.json.JsonObject;
+
+/** The types of detector model that JSON files may hold, with the range of each number. */
+final class DetectorFormats {
+  private static final double SMALLEST = 1e-12;
+  private static final double LARGEST = 1e9;
+  private static final int MAX_KNOTS = 100_000;
+
+  /** How one type is spelt: the text of its property {@code type}, its class, and its reader. */
+  private record Format(
+      String type, Class<? extends DetectorModel> of, Function<JsonObject, DetectorModel> reader) {}
+
+  private static final List<Format> ALL =
+      List.of(
+          new Format("line", DetectorLine.class, DetectorFormats::line),
+          new Format(
+              "saturating-exponential", SaturatingExponential.class, DetectorFormats::saturating),
+          new Format("hill", HillCurve.class, DetectorFormats::hill),
+          new Format("logistic", LogisticCurve.class, DetectorFormats::logistic),
+          new Format("isotonic", IsotonicCurve.class, DetectorFormats::isotonic));
+
+  private DetectorFormats() {}
+
+  static DetectorModel read(JsonObject json) {
+    String type = json.text("type", ALL.stream().map(Format::type).toList());
+    return ALL.stream()
+        .filter(one -> one.type().equals(type))
+        .findFirst()
+        .orElseThrow()
+        .reader()
+        .apply(json);
+  }
+
+  /** The properties of a model; in the oldest version, whose lines have no type, without it. */
+  static ObjectNode json(DetectorModel g, int version) {
+    ObjectNode json = ModelWriter.MAPPER.createObjectNode();
+    if (version > ModelFormat.LINES_ALONE) {
+      json.put("type", type(g));
+    }
+    return json.setAll(ModelWriter.MAPPER.<ObjectNode>valueToTree(g));
+  }
+
+  private static String type(DetectorModel g) {
+    return ALL.stream()
+        .filter(one -> one.of().isInstance(g))
+        .map(Format::type)
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new IllegalArgumentException(
+                    "no file format for "
+                        + g.getClass().getName()
+                        + ", expected a line in DetectorFormats"));
+  }
+
+  static DetectorLine line(JsonObject json) {
+    return new DetectorLine(any(json, "slope"), any(json, "intercept"));
+  }
+
+  private static SaturatingExponential saturating(JsonObject json) {
+    return new SaturatingExponential(any(json, "floor"), rise(json), positive(json, "scale"));
+  }
+
+  private static HillCurve hill(JsonObject json) {
+    return new HillCurve(
+        any(json, "floor"), rise(json), positive(json, "half"), positive(json, "exponent"));
+  }
+
+  private static LogisticCurve logistic(JsonObject json) {
+    return new LogisticCurve(positive(json, "half"), positive(json, "exponent"));
+  }
+
+  private static IsotonicCurve isotonic(JsonObject json) {
+    double[][] knots =
+        json.rows("knots", 2, MAX_KNOTS, -ModelFormat.STEEPEST, ModelFormat.STEEPEST);
+    try {
+      return new IsotonicCurve(knots);
+    } catch (IllegalArgumentException e) {
+      throw json.error("knots", e.getMessage());
+    }
+  }
+
+  private static double any(JsonObject json, String key) {
+    return json.number(key, -ModelFormat.STEEPEST, ModelFormat.STEEPEST);
+  }
+
+  private static double rise(JsonObject json) {
+    return json.number("rise", SMALLEST, LARGEST);
+  }
+
+  private static double positive(JsonObject json, String key) {
+    return json.number(key, SMALLEST, LARGEST);
+  }
+}

@@ -1,0 +1,109 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.Arrays;
+import java.util.List;
+import org.apache.commons.math3.exception.MathIllegalStateException;
+import org.apache.commons.math3.fitting.leastsquares.LeastSquaresBuilder;
+import org.apache.commons.math3.fitting.leastsquares.LevenbergMarquardtOptimizer;
+import org.apache.commons.math3.fitting.leastsquares.MultivariateJacobianFunction;
+import org.apache.commons.math3.linear.Array2DRowRealMatrix;
+import org.apache.commons.math3.linear.ArrayRealVector;
+import org.apache.commons.math3.linear.RealMatrix;
+import org.apache.commons.math3.linear.RealVector;
+import org.apache.commons.math3.util.Pair;
+
+/**
+ * Least squares of a curve by Levenberg and Marquardt, each parameter within its bounds, from the
+ * best of several starts.
+ */
+final class CurveFit {
+  private static final int MOST_STEPS = 400;
+
+  /** A curve with parameters. */
+  interface Curve {
+    /** Its height at x, and in {@code gradient} the derivative by each parameter. */
+    double at(double x, double[] parameters, double[] gradient);
+  }
+
+  private final Curve curve;
+  private final List<Bounded> bounds;
+  private final double[] x;
+  private final double[] y;
+
+  /**
+   * @param bounds of each parameter; null for one that may be any number
+   */
+  CurveFit(Curve curve, List<Bounded> bounds, double[] x, double[] y) {
+    this.curve = curve;
+    this.bounds = bounds;
+    this.x = x.clone();
+    this.y = y.clone();
+  }
+
+  /** The parameters with the least squared error that is found from the best of the starts. */
+  double[] from(List<double[]> starts) {
+    double[] start = starts.get(0);
+    for (double[] other : starts) {
+      start = error(other) < error(start) ? other : start;
+    }
+    double[] found = optimum(start);
+    return error(found) < error(start) ? found : start;
+  }
+
+  private double[] optimum(double[] start) {
+    try {
+      return parameters(
+          new LevenbergMarquardtOptimizer()
+              .optimize(
+                  new LeastSquaresBuilder()
+                      .start(free(start))
+                      .model((MultivariateJacobianFunction) this::values)
+                      .target(y)
+                      .lazyEvaluation(false)
+                      .maxEvaluations(MOST_STEPS)
+                      .maxIterations(MOST_STEPS)
+                      .build())
+              .getPoint()
+              .toArray());
+    } catch (MathIllegalStateException e) {
+      return start; // no step gains anything, or none is left
+    }
+  }
+
+  private Pair<RealVector, RealMatrix> values(RealVector point) {
+    double[] free = point.toArray();
+    double[] parameters = parameters(free);
+    double[] heights = new double[x.length];
+    double[][] slopes = new double[x.length][free.length];
+    for (int i = 0; i < x.length; i++) {
+      heights[i] = curve.at(x[i], parameters, slopes[i]);
+      for (int k = 0; k < free.length; k++) {
+        slopes[i][k] *= bounds.get(k) == null ? 1 : bounds.get(k).slope(free[k]);
+      }
+    }
+    return new Pair<>(new ArrayRealVector(heights, false), new Array2DRowRealMatrix(slopes, false));
+  }
+
+  private double error(double[] parameters) {
+    double[] gradient = new double[parameters.length];
+    double sum = 0;
+    for (int i = 0; i < x.length; i++) {
+      double error = y[i] - curve.at(x[i], parameters, gradient);
+      sum += error * error;
+    }
+    return sum;
+  }
+
+  private double[] parameters(double[] free) {
+    double[] parameters = free.clone();
+    Arrays.setAll(parameters, k -> bounds.get(k) == null ? free[k] : bounds.get(k).value(free[k]));
+    return parameters;
+  }
+
+  private double[] free(double[] parameters) {
+    double[] free = parameters.clone();
+    Arrays.setAll(
+        free, k -> bounds.get(k) == null ? parameters[k] : bounds.get(k).free(parameters[k]));
+    return free;
+  }
+}

@@ -1,0 +1,129 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+import org.hificamsim.hifi.FittedOn;
+import org.hificamsim.hifi.FittedOn.Span;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.Provenance;
+import org.hificamsim.hifi.detector.DetectorModel;
+import org.hificamsim.hifi.model.PublishedModels;
+import org.hificamsim.hifi.optics.Optics;
+import org.hificamsim.profiling.measure.Measurement;
+
+/**
+ * One combination of a detector, an f and a g, and what becomes of it in a model file.
+ *
+ * @param name {@code <detector>-<f>} with the g on f's own predictions, and {@code -gt} behind it
+ *     with the g on measured PIP
+ * @param on what g was fitted on
+ */
+public record FittedModel(
+    FitResult result, String detector, String name, FeatureResult f, DetectorFit fit, String on) {
+  private static final double NO_SCATTER = 1e-9;
+
+  /** Every combination, by detector. */
+  public static List<FittedModel> all(FitResult result) {
+    return result.detectors().stream().flatMap(detector -> of(result, detector).stream()).toList();
+  }
+
+  /** Every combination of one detector. */
+  public static List<FittedModel> of(FitResult result, String detector) {
+    List<FittedModel> all = new ArrayList<>();
+    for (FeatureResult f : result.features()) {
+      all.add(of(result, detector, f, f.name(), ""));
+      all.add(of(result, detector, f, FitResult.GROUND_TRUTH, "-gt"));
+    }
+    return all;
+  }
+
+  private static FittedModel of(
+      FitResult result, String detector, FeatureResult f, String on, String suffix) {
+    return new FittedModel(
+        result, detector, detector + "-" + f.name() + suffix, f, result.model(detector, on), on);
+  }
+
+  /** Whether g was fitted on measured PIP, and not on what f says. */
+  public boolean onMeasuredPip() {
+    return on.equals(FitResult.GROUND_TRUTH);
+  }
+
+  /** The model, with a prefix and a colon before its name. */
+  HiFiDetection detection(String prefix) {
+    DetectorModel g = fit.chosen().g();
+    double rmse = fit.chosen().unseen().rmse();
+    return new HiFiDetection(
+        prefix + ":" + name,
+        f.fit().f(),
+        g,
+        new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
+        PublishedModels.published().threshold(g),
+        rmse > NO_SCATTER ? OptionalDouble.of(rmse) : OptionalDouble.empty(),
+        Optional.of(fittedOn()),
+        provenance());
+  }
+
+  /** Why there is no file of it. */
+  public String refusal() {
+    return String.format(
+        Locale.ROOT,
+        "%s is no detector: its slope on PIP is %.3g, in [%.3g, %.3g] with 95%% confidence;"
+            + " expected one surely above 0",
+        name,
+        fit.slope().slope(),
+        fit.slope().low(),
+        fit.slope().high());
+  }
+
+  private FittedOn fittedOn() {
+    return new FittedOn(
+        span(Measurement::size),
+        span(Measurement::distance),
+        span(Measurement::focalLength),
+        (int) result.measurements().stream().map(Measurement::object).distinct().count(),
+        fit.scatter().between(),
+        fit.scatter().within());
+  }
+
+  private Span span(ToDoubleFunction<Measurement> length) {
+    return Span.of(result.measurements().stream().mapToDouble(length).toArray());
+  }
+
+  private Provenance provenance() {
+    return Provenance.UNKNOWN
+        .with("source", "profile fit, " + Counted.of(result.measurements().size(), "photo"))
+        .with("equation", f.fit().equation())
+        .with(
+            "f",
+            String.format(
+                Locale.ROOT,
+                "R2 %.3f, %d-fold %.3f +- %.3f%s%s, of -log10(PIP)",
+                f.scores().r2(),
+                f.validation().folds().length,
+                f.validation().mean(),
+                f.validation().deviation(),
+                unseen("objects", f.objects()),
+                unseen("lenses", f.lenses())))
+        .with(
+            "g",
+            String.format(
+                Locale.ROOT,
+                "%s on %s PIP: R2 %.3f, unseen %ss %.3f (RMSE %.4f)",
+                fit.chosen().shape(),
+                onMeasuredPip() ? "measured" : "predicted",
+                fit.chosen().scores().r2(),
+                result.unseen().unit(),
+                fit.chosen().unseen().r2(),
+                fit.chosen().unseen().rmse()));
+  }
+
+  private static String unseen(String what, Optional<CrossValidation> validation) {
+    return validation
+        .map(one -> String.format(Locale.ROOT, ", unseen %s %.3f", what, one.r2()))
+        .orElse("");
+  }
+}

@@ -1,0 +1,76 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.Arrays;
+import java.util.SplittableRandom;
+import org.apache.commons.math3.stat.StatUtils;
+
+/**
+ * Whether confidence surely rises with PIP: the slope of the least squares line and its 95%
+ * intervals, by Student over the rows, and by a bootstrap that draws whole objects, since rows of
+ * one object share its texture.
+ *
+ * @param slope confidence per PIP
+ * @param low lower end of the wider one of the two intervals
+ * @param high its upper end
+ * @param sure whether both intervals lie above 0, on PIP or on its logarithm: what rises at once
+ *     and then no more has next to no slope on PIP
+ */
+public record RisingSlope(double slope, double low, double high, boolean sure) {
+  private static final int DRAWS = 2000;
+  private static final double LOWER = 2.5;
+  private static final double UPPER = 97.5;
+  private static final double SMALLEST = 1e-12;
+
+  /** Of one detector on one PIP. */
+  static RisingSlope of(double[] pip, double[] confidence, Groups objects, long seed) {
+    double[] logarithms =
+        Arrays.stream(pip).map(p -> StrictMath.log10(Math.max(SMALLEST, p))).toArray();
+    RisingSlope plain = on(pip, confidence, objects, seed);
+    boolean sure = plain.sure || on(logarithms, confidence, objects, seed).sure;
+    return new RisingSlope(plain.slope, plain.low, plain.high, sure);
+  }
+
+  private static RisingSlope on(double[] x, double[] y, Groups objects, long seed) {
+    if (!Scores.vary(x) || !Scores.vary(y)) {
+      return new RisingSlope(0, 0, 0, false);
+    }
+    Coefficient rows = LineFit.of(x, y).slope();
+    double[] drawn = objects.count() > 1 ? drawn(x, y, objects, seed) : new double[] {rows.value()};
+    double low = Math.min(rows.low(), StatUtils.percentile(drawn, LOWER));
+    double high = Math.max(rows.high(), StatUtils.percentile(drawn, UPPER));
+    return new RisingSlope(rows.value(), low, high, low > 0);
+  }
+
+  private static double[] drawn(double[] x, double[] y, Groups objects, long seed) {
+    double[][] sums =
+        objects.rows().stream().map(rows -> sums(rows, x, y)).toArray(double[][]::new);
+    SplittableRandom random = new SplittableRandom(seed);
+    double[] slopes = new double[DRAWS];
+    for (int draw = 0; draw < DRAWS; draw++) {
+      double[] total = new double[sums[0].length];
+      for (int i = 0; i < sums.length; i++) {
+        double[] object = sums[random.nextInt(sums.length)];
+        Arrays.setAll(total, k -> total[k] + object[k]);
+      }
+      slopes[draw] = slope(total);
+    }
+    return Arrays.stream(slopes).filter(Double::isFinite).toArray();
+  }
+
+  /** n, and the sums of x, y, x^2 and x y: what a slope needs to know of an object. */
+  private static double[] sums(int[] rows, double[] x, double[] y) {
+    double[] sums = new double[5];
+    for (int row : rows) {
+      sums[0]++;
+      sums[1] += x[row];
+      sums[2] += y[row];
+      sums[3] += x[row] * x[row];
+      sums[4] += x[row] * y[row];
+    }
+    return sums;
+  }
+
+  private static double slope(double[] s) {
+    return (s[0] * s[4] - s[1] * s[2]) / (s[0] * s[3] - s[1] * s[1]);
+  }
+}

@@ -1,0 +1,47 @@
+package org.hificamsim.profiling.fit;
+
+import org.hificamsim.hifi.detector.DetectorModel;
+
+/**
+ * A detector model g of one shape, and how it does on groups of rows that it has not seen.
+ *
+ * @param shape its name
+ * @param g fitted to all rows
+ * @param scores on all rows
+ * @param predicted what a fit without its group says of each row
+ * @param unseen the scores of that
+ * @param groupErrors the mean squared error of that in each group
+ */
+public record ShapeFit(
+    String shape,
+    DetectorModel g,
+    Scores scores,
+    double[] predicted,
+    Scores unseen,
+    double[] groupErrors) {
+  /**
+   * Fits a shape to all rows, and once without each group.
+   *
+   * @param x the PIP of each row
+   * @param unseenX for each group the PIP of each row as an f says it that has not seen the group
+   */
+  public static ShapeFit of(
+      DetectorRegression regression, double[] x, double[][] unseenX, double[] y, Groups groups) {
+    DetectorModel g = regression.fit(x, y);
+    double[] predicted = new double[y.length];
+    double[] errors = new double[groups.count()];
+    for (int group = 0; group < errors.length; group++) {
+      int[] others = groups.others(group);
+      double[] seen = unseenX[group];
+      DetectorModel without = regression.fit(Groups.at(others, seen), Groups.at(others, y));
+      int[] held = groups.rows().get(group);
+      for (int row : held) {
+        predicted[row] = without.confidence(seen[row]);
+      }
+      errors[group] = Scores.of(Groups.at(held, y), Groups.at(held, predicted)).mse();
+    }
+    double[] fitted = java.util.Arrays.stream(x).map(g::confidence).toArray();
+    return new ShapeFit(
+        regression.name(), g, Scores.of(y, fitted), predicted, Scores.of(y, predicted), errors);
+  }
+}
