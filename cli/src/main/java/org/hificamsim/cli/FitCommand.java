@@ -17,6 +17,7 @@ import org.hificamsim.profiling.fit.FitSettings;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Fitting;
 import org.hificamsim.profiling.fit.ModelFolder;
+import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
@@ -123,8 +124,9 @@ final class FitCommand implements Callable<Integer> {
         .forEach(model -> err.println("warning: " + model.refusal()));
     out.printf("%-16s %7s %7s %8s  g%n", "model", "R2", "unseen", "RMSE");
     all.stream()
-        .filter(model -> !model.fit().refused() && !model.name().endsWith("-gt"))
+        .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
         .forEach(model -> out.println(row(model)));
+    Recommendation.all(result).forEach(one -> out.println(one.sentence()));
     out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve("models"));
     out.printf("report: %s%n", folder.resolve("report.html"));
     if (models == 0) {

@@ -37,7 +37,12 @@ final class MeasureCommand implements Callable<Integer> {
   @Parameters(paramLabel = "DIR", description = "The data set's folder.")
   private Path folder;
 
-  @Option(names = "--detectors", paramLabel = "A,B", split = ",", description = "Which detectors.")
+  @Option(
+      names = "--detectors",
+      paramLabel = "A,B",
+      split = ",",
+      description =
+          "orb, sift, surf, each also with -located or -ransac; hog, haar:FILE, onnx:FILE:class=N.")
   private List<String> detectors;
 
   @Option(
@@ -57,6 +62,14 @@ final class MeasureCommand implements Callable<Integer> {
       paramLabel = "silhouette|rectangle",
       description = "The object's pixels: its mask's, or its patch's as in the thesis.")
   private PipReading pip;
+
+  @Option(
+      names = "--false-alarms",
+      paramLabel = "P",
+      description =
+          "The share of the photos in negatives/ that may count as a detection; sets"
+              + " thresholds.csv.")
+  private double falseAlarms;
 
   @Option(
       names = "--picture",
@@ -103,7 +116,7 @@ final class MeasureCommand implements Callable<Integer> {
   private void measureAll(Dataset dataset, MeasureSettings settings, int count) {
     int photos = dataset.samples().size();
     Outcome outcome;
-    try (Progress progress = screen.progress("", " photos", photos)) {
+    try (Progress progress = screen.progress("", " photos", photos + dataset.negatives().size())) {
       outcome = new Measurer(dataset, settings).measure(count, watcher(progress));
     }
     if (outcome.threads() < count) {
@@ -139,9 +152,10 @@ final class MeasureCommand implements Callable<Integer> {
 
   private MeasureSettings settings() {
     Numbers.within("--ratio", ratio, Double.MIN_NORMAL, 1);
+    Numbers.within("--false-alarms", falseAlarms, 0, 0.5);
     List<String> names = detectors.stream().map(MeasureCommand::name).distinct().toList();
     names.forEach(Detectors::column);
-    return new MeasureSettings(names, new RatioTest(metric, ratio), pip);
+    return new MeasureSettings(names, new RatioTest(metric, ratio), pip, falseAlarms);
   }
 
   /** A detector's name in small letters; a file behind a colon keeps its own. */

@@ -69,7 +69,7 @@ final class HaarDetector implements BoxDetector {
       MatOfInt neighbours = mats.own(new MatOfInt());
       cascade.detectMultiScale2(
           photo.grey(), found, neighbours, 1.1, LEAST_NEIGHBOURS, 0, new Size(), new Size());
-      return boxes(found.toArray(), neighbours.toArray());
+      return found.empty() ? List.of() : boxes(found.toArray(), neighbours.toArray());
     }
   }
 

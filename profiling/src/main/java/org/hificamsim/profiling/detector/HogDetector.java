@@ -40,7 +40,7 @@ final class HogDetector implements BoxDetector {
       MatOfRect found = mats.own(new MatOfRect());
       MatOfDouble weights = mats.own(new MatOfDouble());
       people.detectMultiScale(picture, found, weights);
-      return boxes(found.toArray(), weights.toArray());
+      return found.empty() ? List.of() : boxes(found.toArray(), weights.toArray());
     }
   }
 

@@ -23,17 +23,20 @@ import org.hificamsim.profiling.measure.Measurement;
  * @param on what g was fitted on
  */
 public record FittedModel(
-    FitResult result, String name, FeatureResult f, DetectorFit fit, String on) {
+    FitResult result, String detector, String name, FeatureResult f, DetectorFit fit, String on) {
   private static final double NO_SCATTER = 1e-9;
 
   /** Every combination, by detector. */
   public static List<FittedModel> all(FitResult result) {
+    return result.detectors().stream().flatMap(detector -> of(result, detector).stream()).toList();
+  }
+
+  /** Every combination of one detector. */
+  public static List<FittedModel> of(FitResult result, String detector) {
     List<FittedModel> all = new ArrayList<>();
-    for (String detector : result.detectors()) {
-      for (FeatureResult f : result.features()) {
-        all.add(of(result, detector, f, f.name(), ""));
-        all.add(of(result, detector, f, FitResult.GROUND_TRUTH, "-gt"));
-      }
+    for (FeatureResult f : result.features()) {
+      all.add(of(result, detector, f, f.name(), ""));
+      all.add(of(result, detector, f, FitResult.GROUND_TRUTH, "-gt"));
     }
     return all;
   }
@@ -41,7 +44,12 @@ public record FittedModel(
   private static FittedModel of(
       FitResult result, String detector, FeatureResult f, String on, String suffix) {
     return new FittedModel(
-        result, detector + "-" + f.name() + suffix, f, result.model(detector, on), on);
+        result, detector, detector + "-" + f.name() + suffix, f, result.model(detector, on), on);
+  }
+
+  /** Whether g was fitted on measured PIP, and not on what f says. */
+  public boolean onMeasuredPip() {
+    return on.equals(FitResult.GROUND_TRUTH);
   }
 
   /** The model, with a prefix and a colon before its name. */
@@ -106,7 +114,7 @@ public record FittedModel(
                 Locale.ROOT,
                 "%s on %s PIP: R2 %.3f, unseen %ss %.3f (RMSE %.4f)",
                 fit.chosen().shape(),
-                on.equals(FitResult.GROUND_TRUTH) ? "measured" : "predicted",
+                onMeasuredPip() ? "measured" : "predicted",
                 fit.chosen().scores().r2(),
                 result.unseen().unit(),
                 fit.chosen().unseen().r2(),

@@ -20,14 +20,18 @@ final class OneStandardError {
    * @param errors the error in each group, the simplest fit first
    */
   static int simplest(List<double[]> errors) {
-    int best =
-        IntStream.range(0, errors.size())
-            .reduce((a, b) -> mean(errors.get(b)) < mean(errors.get(a)) ? b : a)
-            .orElseThrow();
+    int best = best(errors);
     return IntStream.range(0, errors.size())
         .filter(i -> asGood(errors.get(i), errors.get(best)))
         .findFirst()
         .orElse(best);
+  }
+
+  /** The one with the least mean error. */
+  static int best(List<double[]> errors) {
+    return IntStream.range(0, errors.size())
+        .reduce((a, b) -> mean(errors.get(b)) < mean(errors.get(a)) ? b : a)
+        .orElseThrow();
   }
 
   private static boolean asGood(double[] errors, double[] best) {

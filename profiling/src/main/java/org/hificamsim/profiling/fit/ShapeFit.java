@@ -25,7 +25,7 @@ public record ShapeFit(
    * @param x the PIP of each row
    * @param unseenX for each group the PIP of each row as an f says it that has not seen the group
    */
-  static ShapeFit of(
+  public static ShapeFit of(
       DetectorRegression regression, double[] x, double[][] unseenX, double[] y, Groups groups) {
     DetectorModel g = regression.fit(x, y);
     double[] predicted = new double[y.length];

@@ -9,8 +9,15 @@ import org.hificamsim.profiling.detector.RatioTest;
  * @param detectors as they are asked for, in the order of the columns
  * @param test which matches count
  * @param pip which pixels are the object's
+ * @param falseAlarms the share of the photos without the object that may be taken for it, [0, 1)
  */
-public record MeasureSettings(List<String> detectors, RatioTest test, PipReading pip) {
+public record MeasureSettings(
+    List<String> detectors, RatioTest test, PipReading pip, double falseAlarms) {
+  /** One false alarm in a hundred. */
+  public MeasureSettings(List<String> detectors, RatioTest test, PipReading pip) {
+    this(detectors, test, pip, 0.01);
+  }
+
   public MeasureSettings {
     detectors = List.copyOf(detectors);
   }

@@ -2,8 +2,10 @@ package org.hificamsim.profiling.measure;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -60,9 +62,13 @@ public final class Measurer {
                             watcher.measured();
                             return row;
                           }));
+      List<String> warnings = warnings(templates, rows);
+      if (!dataset.negatives().isEmpty()) {
+        warnings.addAll(writeThresholds(rows, new Gaze(toolboxes), threads, watcher));
+      }
       write(rows);
       done.finish();
-      return new Outcome(resumed, threads, warnings(templates, rows));
+      return new Outcome(resumed, threads, warnings);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -99,6 +105,32 @@ public final class Measurer {
     }
     MeasurementsFile.write(
         dataset.folder().resolve(MeasurementsFile.NAME), Columns.of(settings.pip(), all), all);
+  }
+
+  private List<String> writeThresholds(
+      List<Measurement> rows, Gaze gaze, int threads, Watcher watcher) throws IOException {
+    FalseAlarms alarms = new FalseAlarms(dataset, gaze);
+    Map<String, AlarmThreshold> thresholds = new LinkedHashMap<>();
+    Map<String, List<Double>> without = alarms.confidences(threads, watcher);
+    for (String detector : rows.get(0).confidences().keySet()) {
+      List<Double> with = rows.stream().map(row -> row.confidence(detector)).toList();
+      thresholds.put(
+          detector, AlarmThreshold.of(without.get(detector), with, settings.falseAlarms()));
+    }
+    Path file = dataset.folder().resolve(ThresholdsFile.NAME);
+    ThresholdsFile.write(file, thresholds);
+    return alarms.looks() * settings.falseAlarms() >= 1
+        ? List.of()
+        : List.of(tooFew(file, alarms.looks()));
+  }
+
+  private String tooFew(Path file, int looks) {
+    return "%s: a rate of %s cannot be told from %s looks at photos without the objects, expected %s or more"
+        .formatted(
+            file,
+            settings.falseAlarms(),
+            looks,
+            (long) Math.ceil(1 / Math.max(1e-9, settings.falseAlarms())));
   }
 
   private List<String> warnings(Templates templates, List<Measurement> rows) {

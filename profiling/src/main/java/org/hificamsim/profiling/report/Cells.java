@@ -12,7 +12,11 @@ final class Cells {
 
   /** A number with this many digits behind the point. */
   static String fixed(double value, int digits) {
-    return Double.isFinite(value) ? String.format(Locale.ROOT, "%." + digits + "f", value) : NONE;
+    if (!Double.isFinite(value)) {
+      return NONE;
+    }
+    String text = String.format(Locale.ROOT, "%." + digits + "f", value);
+    return text.matches("-0(\\.0*)?") ? text.substring(1) : text;
   }
 
   /** A number with three significant digits. */
@@ -26,9 +30,10 @@ final class Cells {
     return text.isEmpty() ? NONE : text;
   }
 
-  /** Ours, then the published number in brackets. */
-  static String beside(double ours, int digits, Map<String, String> row, String column) {
-    return fixed(ours, digits) + " (" + published(row, column) + ")";
+  /** Your number, then the published one in brackets where there is one. */
+  static String beside(double yours, int digits, Map<String, String> row, String column) {
+    String theirs = published(row, column);
+    return fixed(yours, digits) + (theirs.equals(NONE) ? "" : " (" + theirs + ")");
   }
 
   /** A coefficient with its 95% interval. */

@@ -7,27 +7,27 @@ import java.util.Locale;
  *
  * @param source section or table of the thesis
  * @param published the number or order that it says
- * @param ours the same here
+ * @param yours the same here
  */
-record Claim(String source, String text, String published, String ours, boolean reproduced) {
-  /** How far from a published share ours may be to count as the same, as in Table 8.1. */
+record Claim(String source, String text, String published, String yours, boolean reproduced) {
+  /** How far from a published share yours may be to count as the same, as in Table 8.1. */
   static final double TOLERANCE = 0.05;
 
   private static final double ROUNDING = 1e-9;
 
   /** That a share has a value. */
-  static Claim share(String source, String text, double published, double ours) {
+  static Claim share(String source, String text, double published, double yours) {
     return new Claim(
         source,
         text,
         number(published),
-        number(ours),
-        Math.abs(ours - published) <= TOLERANCE + ROUNDING);
+        number(yours),
+        Math.abs(yours - published) <= TOLERANCE + ROUNDING);
   }
 
   /** That things stand in an order, each named with its number, highest first. */
-  static Claim order(String source, String text, String published, String ours) {
-    return new Claim(source, text, published, ours, published.equals(ours));
+  static Claim order(String source, String text, String published, String yours) {
+    return new Claim(source, text, published, yours, published.equals(yours));
   }
 
   String verdict() {

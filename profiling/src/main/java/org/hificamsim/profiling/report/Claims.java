@@ -56,7 +56,7 @@ final class Claims {
       table.append(
           "\"%s\",\"%s\",%s,%s,%s\n"
               .formatted(
-                  claim.source(), claim.text(), claim.published(), claim.ours(), claim.verdict()));
+                  claim.source(), claim.text(), claim.published(), claim.yours(), claim.verdict()));
     }
     new OutputFile(folder.resolve(FILE))
         .write(out -> out.write(table.toString().getBytes(StandardCharsets.UTF_8)));
@@ -122,12 +122,12 @@ final class Claims {
   }
 
   private Claim order(
-      String source, String text, List<String> names, ToDoubleFunction<String> ours) {
+      String source, String text, List<String> names, ToDoubleFunction<String> yours) {
     return Claim.order(
         source,
         text,
         inOrder(names, f -> number(PublishedTables.feature(f), "r2_cv_mean")),
-        inOrder(names, ours));
+        inOrder(names, yours));
   }
 
   /** The names, highest first. */

@@ -5,7 +5,10 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import org.apache.commons.math3.util.MathArrays;
+import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.profiling.fit.CamSimConfidence;
+import org.hificamsim.profiling.fit.CurveBand;
+import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
 import org.hificamsim.profiling.fit.Observation;
@@ -16,7 +19,9 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** The figures of chapters 4 to 6, each as a PNG file's bytes. */
 final class Figures {
-  private static final List<String> TABLE_6_1 = List.of("lin", "svr-rbf", "sr");
+  private static final int FIGURES_A_ROW = 3;
+  private static final int MOST_NAMED = 16;
+  private static final int CURVE_POINTS = 60;
 
   private final FitResult result;
   private final double[] responses;
@@ -85,17 +90,17 @@ final class Figures {
   byte[] combinations() {
     List<XYChart> charts = new ArrayList<>();
     for (String detector : result.detectors()) {
-      for (String f : TABLE_6_1) {
+      for (FeatureResult f : result.features()) {
         charts.add(
             fitted(
-                detector + "-" + f,
+                detector + "-" + f.name(),
                 "predicted PIP",
-                result.predictedPip(f),
+                result.predictedPip(f.name()),
                 result.confidences(detector),
-                result.line(detector, f)));
+                result.line(detector, f.name())));
       }
     }
-    return Charts.png(charts, TABLE_6_1.size());
+    return Charts.png(charts, FIGURES_A_ROW);
   }
 
   /** Figure 6.2: each detector on CamSim's standard confidence. */
@@ -113,7 +118,9 @@ final class Figures {
   static byte[] ladder(List<Ladder.Step> steps, String detector) {
     XYChart chart =
         Charts.large(
-            "What each step buys and costs: " + detector, "nanoseconds per evaluation", "R2");
+            "What each step buys and costs: " + detector,
+            "nanoseconds per evaluation of the shipped model",
+            "R2, unseen");
     chart.getStyler().setXAxisLogarithmic(true);
     chart.getStyler().setXAxisMin(0.1);
     chart.getStyler().setXAxisMax(100_000.0);
@@ -121,8 +128,11 @@ final class Figures {
     chart.getStyler().setMarkerSize(11);
     for (int i = 0; i < steps.size(); i++) {
       Ladder.Step step = steps.get(i);
+      if (!Double.isFinite(step.unseen().r2()) || !Double.isFinite(step.nanoseconds())) {
+        continue;
+      }
       double[] x = {step.nanoseconds()};
-      double[] y = {step.line().r2()};
+      double[] y = {step.unseen().r2()};
       float hue = i / (float) steps.size();
       Charts.points(
           chart,
@@ -135,6 +145,40 @@ final class Figures {
     chart.getStyler().setYAxisMin(-0.05);
     chart.getStyler().setYAxisMax(1.0);
     return Charts.png(List.of(chart), 1);
+  }
+
+  /** A detector's confidence by measured PIP, object by object, with the chosen g and its band. */
+  byte[] objects(String detector) {
+    XYChart chart = Charts.large(detector + " by object", "PIP (logarithmic)", "confidence");
+    chart.getStyler().setXAxisLogarithmic(true);
+    List<String> names =
+        result.measurements().stream().map(Measurement::object).distinct().toList();
+    chart.getStyler().setLegendVisible(names.size() <= MOST_NAMED);
+    for (int i = 0; i < names.size(); i++) {
+      String name = names.get(i);
+      List<Measurement> own =
+          result.measurements().stream().filter(m -> m.object().equals(name)).toList();
+      Charts.points(
+          chart,
+          name,
+          own.stream().mapToDouble(Measurement::pip).toArray(),
+          own.stream().mapToDouble(m -> m.confidence(detector)).toArray(),
+          Color.getHSBColor(i / (float) names.size(), 0.7f, 0.8f));
+    }
+    double[] pip = logarithmic(ends(result.measuredPip()));
+    DetectorModel g = result.model(detector, FitResult.GROUND_TRUTH).chosen().g();
+    Charts.line(chart, "g", pip, Arrays.stream(pip).map(g::confidence).toArray(), Color.BLACK);
+    CurveBand band = CurveBand.of(result, detector, pip, 0);
+    Charts.line(chart, "95% low", pip, band.low(), Charts.DOTS);
+    Charts.line(chart, "95% high", pip, band.high(), Charts.DOTS);
+    return Charts.png(List.of(chart), 1);
+  }
+
+  private static double[] logarithmic(double[] ends) {
+    double[] x = new double[CURVE_POINTS];
+    double ratio = ends[1] / ends[0];
+    Arrays.setAll(x, i -> ends[0] * StrictMath.pow(ratio, i / (CURVE_POINTS - 1.0)));
+    return x;
   }
 
   private static XYChart fitted(String title, String label, double[] x, double[] y, LineFit fit) {

@@ -7,9 +7,13 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.measure.PipReading;
 
-/** Writes {@code report.html} and its pictures. */
+/**
+ * Writes {@code report.html}, a page in one file, and its pictures once more as files for papers.
+ * Your numbers come first, the thesis's beside them behind.
+ */
 public final class FitReport {
   private static final Map<String, String> DETECTOR_FIGURES =
       Map.of("orb", "5.3", "sift", "5.5", "surf", "5.7");
@@ -19,6 +23,7 @@ public final class FitReport {
   private final HtmlPage page;
   private final Figures figures;
   private final Tables tables;
+  private final OwnTables own;
   private final HeldOut heldOut;
   private final Remarks remarks;
 
@@ -29,6 +34,7 @@ public final class FitReport {
     this.page = new HtmlPage(title);
     this.figures = new Figures(result);
     this.tables = new Tables(result);
+    this.own = new OwnTables(result);
     this.remarks = new Remarks(result, heldOut);
   }
 
@@ -43,17 +49,81 @@ public final class FitReport {
   }
 
   private void write() throws IOException {
-    page.paragraph(
-        "Every number is ours, with the thesis's in brackets or beside it where there is one.");
-    claims();
+    advice();
+    shapes();
+    ownFeatures();
+    models();
+    ladder();
     data();
+    page.heading("Beside the thesis");
+    page.paragraph(
+        "From here on the thesis's own methods, lines for g and all photos for every fit, on your"
+            + " photos; its numbers stand in brackets or beside yours where it has any.");
+    claims();
+    variables();
     features();
     detectors();
     combinations();
     camSim();
     ball();
-    ladder();
     new OutputFile(folder.resolve("report.html")).write(page.text());
+  }
+
+  private void advice() {
+    page.paragraph(Advice.headline(result));
+    own.recommendations(page);
+    Recommendation.all(result).forEach(one -> page.paragraph(one.sentence()));
+    page.paragraph(Advice.unseen(result));
+  }
+
+  private void shapes() throws IOException {
+    page.heading("g: confidence by the share of the image");
+    own.shapes(page);
+    page.paragraph(Advice.SHAPES);
+    own.slopes(page);
+    page.paragraph(Advice.SLOPES);
+    for (String detector : result.detectors()) {
+      byte[] png = figures.objects(detector);
+      picture("objects-" + detector + ".png", png);
+      page.figure(png, detector + ": every photo, its object by colour; g, and its 95% band.");
+    }
+    page.heading("Objects");
+    own.objects(page);
+    page.paragraph(Advice.OBJECTS);
+    page.heading("Covariates");
+    page.paragraph(own.covariates(page) ? Advice.COVARIATES : Advice.NO_COVARIATES);
+  }
+
+  private void ownFeatures() {
+    page.heading("f: the share of the image by size, distance and focal length");
+    own.features(page);
+    page.paragraph(Advice.FEATURES);
+  }
+
+  private void models() {
+    page.heading("Models g(f)");
+    own.models(page);
+    page.paragraph(Advice.decisions(result));
+  }
+
+  private void ladder() throws IOException {
+    page.heading("The fidelity ladder");
+    Map<String, List<Ladder.Step>> ladders = new LinkedHashMap<>();
+    for (String detector : result.detectors()) {
+      ladders.put(detector, Ladder.of(result, detector, PublishedTables.nanoseconds()));
+    }
+    own.ladder(page, ladders);
+    String first = Advice.first(result).detector();
+    page.paragraph(remarks.ladder(ladders.get(first), first));
+    byte[] png = Figures.ladder(ladders.get(first), first);
+    picture("ladder.png", png);
+    page.figure(png, "The fidelity ladder: what each step costs and buys.");
+  }
+
+  private void data() throws IOException {
+    page.heading("The photos");
+    figure("4.1", figures.variables(), "the distributions of the variables");
+    figure("4.2", figures.transformation(), "the density of PIP before and after -log10");
   }
 
   private void claims() throws IOException {
@@ -66,12 +136,10 @@ public final class FitReport {
     claims.write(folder);
   }
 
-  private void data() throws IOException {
-    page.heading("The photos (Table 4.1, Figures 4.1 and 4.2)");
+  private void variables() {
+    page.heading("The variables (Table 4.1)");
     tables.variables(page);
     page.paragraph(remarks.variables());
-    figure("4.1", figures.variables(), "the distributions of the variables");
-    figure("4.2", figures.transformation(), "the density of PIP before and after -log10");
   }
 
   private void features() throws IOException {
@@ -91,7 +159,7 @@ public final class FitReport {
     tables.detectors(page);
     page.paragraph(remarks.detectors());
     for (String detector : result.detectors()) {
-      String number = DETECTOR_FIGURES.getOrDefault(detector, detector);
+      String number = DETECTOR_FIGURES.getOrDefault(detector, detector + "-line");
       figure(number, figures.detector(detector), detector + " on measured PIP");
     }
   }
@@ -116,23 +184,10 @@ public final class FitReport {
     page.paragraph(remarks.ball());
   }
 
-  private void ladder() throws IOException {
-    page.heading("The fidelity ladder");
-    Map<String, List<Ladder.Step>> ladders = new LinkedHashMap<>();
-    for (String detector : result.detectors()) {
-      ladders.put(detector, Ladder.of(result, detector, PublishedTables.nanoseconds()));
-    }
-    String first = result.detectors().get(0);
-    tables.ladder(page, ladders);
-    page.paragraph(remarks.ladder(ladders.get(first), first));
-    picture("ladder.png", Figures.ladder(ladders.get(first), first));
-    page.figure("ladder.png", "The fidelity ladder: what each step costs and buys.");
-  }
-
   private void figure(String number, byte[] png, String caption) throws IOException {
     String file = "figure-" + number + ".png";
     picture(file, png);
-    page.figure(file, "Figure " + number + ": " + caption + ".");
+    page.figure(png, "Figure " + number + ": " + caption + ".");
   }
 
   private void picture(String file, byte[] png) throws IOException {

@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.report;
 
+import java.util.Base64;
 import java.util.List;
 
 /** A page of headings, paragraphs, tables and pictures; every text is escaped. */
@@ -41,9 +42,10 @@ img { max-width: 100%; border: 1px solid #eee }
     return this;
   }
 
-  HtmlPage figure(String file, String caption) {
-    body.append("<figure><img src=\"")
-        .append(escaped(file))
+  /** A picture that is a part of the page, so that the page is one file. */
+  HtmlPage figure(byte[] png, String caption) {
+    body.append("<figure><img src=\"data:image/png;base64,")
+        .append(Base64.getEncoder().encodeToString(png))
         .append("\" alt=\"")
         .append(escaped(caption))
         .append("\"><figcaption>")

@@ -9,7 +9,7 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
 import org.hificamsim.profiling.measure.PipReading;
 
-/** The report's tables: ours, and in brackets what is published. */
+/** The thesis's tables: yours, and in brackets what is published. */
 final class Tables {
   private static final List<String> LINE =
       List.of("R2", "RMSE", "SSE", "slope [95%]", "published", "intercept [95%]", "published");
@@ -49,8 +49,8 @@ final class Tables {
       Map<String, String> published = PublishedTables.feature(f.name());
       String theirs =
           published.isEmpty()
-              ? "-"
-              : published.get("r2_cv_mean") + " +- " + published.get("r2_cv_sd");
+              ? ""
+              : " (" + published.get("r2_cv_mean") + " +- " + published.get("r2_cv_sd") + ")";
       rows.add(
           List.of(
               f.name(),
@@ -61,14 +61,12 @@ final class Tables {
               Cells.fixed(f.validation().mean(), 3)
                   + " +- "
                   + Cells.fixed(f.validation().deviation(), 3)
-                  + " ("
-                  + theirs
-                  + ")",
+                  + theirs,
               f.fit().equation(),
               Cells.published(published, "equation")));
     }
     page.table(
-        List.of("f", "MSE", "R2", "RMSE", "SSE", "R2 of folds", "ours", "published equation"),
+        List.of("f", "MSE", "R2", "RMSE", "SSE", "R2 of folds", "yours", "published equation"),
         rows);
   }
 
@@ -152,32 +150,12 @@ final class Tables {
   /** What chapters 4 to 6 say, judged. */
   void claims(HtmlPage page, List<Claim> claims) {
     page.table(
-        List.of("statement", "source", "published", "ours", "verdict"),
+        List.of("statement", "source", "published", "yours", "verdict"),
         claims.stream()
             .map(
                 one ->
-                    List.of(one.text(), one.source(), one.published(), one.ours(), one.verdict()))
+                    List.of(one.text(), one.source(), one.published(), one.yours(), one.verdict()))
             .toList());
-  }
-
-  /** The ladder, with every detector. */
-  void ladder(HtmlPage page, Map<String, List<Ladder.Step>> ladders) {
-    List<String> columns = new ArrayList<>(List.of("model", "ns per evaluation"));
-    ladders.keySet().forEach(d -> columns.addAll(List.of(d + " R2", d + " RMSE")));
-    List<List<String>> rows = new ArrayList<>();
-    for (int i = 0; i < Ladder.MODELS.size(); i++) {
-      List<String> row = new ArrayList<>(List.of(Ladder.MODELS.get(i)));
-      for (List<Ladder.Step> steps : ladders.values()) {
-        Ladder.Step step = steps.get(i);
-        if (row.size() == 1) {
-          row.add(Cells.significant(step.nanoseconds()));
-        }
-        row.add(Cells.fixed(step.line().r2(), 3));
-        row.add(Cells.fixed(step.line().rmse(), 4));
-      }
-      rows.add(row);
-    }
-    page.table(columns, rows);
   }
 
   private static List<String> columns(String first) {

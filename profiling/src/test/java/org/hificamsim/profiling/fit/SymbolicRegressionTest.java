@@ -3,6 +3,7 @@ package org.hificamsim.profiling.fit;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.hifi.feature.Expression;
 import org.junit.jupiter.api.Test;
@@ -28,6 +29,39 @@ class SymbolicRegressionTest {
     String first = new SymbolicRegression(few).fit(data).equation();
     assertEquals(first, new SymbolicRegression(few).fit(data).equation());
     assertTrue(!first.equals(new SymbolicRegression(other).fit(data).equation()));
+  }
+
+  /** A pinhole camera's law, which no short formula of + - * / is. */
+  @Test
+  void restartsMakeSeedsMatterLess() {
+    List<Observation> data =
+        Synthetic.of(
+            (q, d, z) -> 2 * (Math.log10(d) - Math.log10(z) - Math.log10(q)) - 3.5, 0.05, 2);
+    double[] once = new double[6];
+    double[] often = new double[6];
+    for (int seed = 0; seed < 6; seed++) {
+      once[seed] = r2(data, new SymbolicSettings(100, 10, 0.001, seed, 1));
+      often[seed] = r2(data, new SymbolicSettings(100, 10, 0.001, seed, 8));
+    }
+    double gained = min(often) - min(once);
+    assertTrue(gained > 0.03, Arrays.toString(once) + " " + Arrays.toString(often));
+    assertTrue(
+        max(often) - min(often) < max(once) - min(once),
+        Arrays.toString(once) + " " + Arrays.toString(often));
+  }
+
+  private static double r2(List<Observation> data, SymbolicSettings settings) {
+    FittedFeature fit = new SymbolicRegression(settings).fit(data);
+    double[] observed = data.stream().mapToDouble(Observation::response).toArray();
+    return Scores.of(observed, data.stream().mapToDouble(fit::response).toArray()).r2();
+  }
+
+  private static double min(double[] values) {
+    return Arrays.stream(values).min().orElseThrow();
+  }
+
+  private static double max(double[] values) {
+    return Arrays.stream(values).max().orElseThrow();
   }
 
   @Test

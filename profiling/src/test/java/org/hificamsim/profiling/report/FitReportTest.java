@@ -26,6 +26,7 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
 import org.hificamsim.profiling.fit.Fitting;
 import org.hificamsim.profiling.fit.ModelFolder;
+import org.hificamsim.profiling.fit.Photos;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
@@ -58,15 +59,114 @@ class FitReportTest {
     }
     for (String figure :
         List.of("4.1", "4.2", "4.3", "4.4", "4.5", "4.7", "5.3", "5.5", "5.7", "6.1", "6.2")) {
-      assertTrue(page.contains("figure-" + figure + ".png"), figure);
+      assertTrue(page.contains(">Figure " + figure + ":"), figure);
       assertTrue(Files.size(folder.resolve("figure-" + figure + ".png")) > 5000, figure);
     }
     assertTrue(Files.exists(folder.resolve("ladder.png")));
-    assertFalse(page.contains("NaN"), "a number is missing");
+    assertFalse(words(page).contains("NaN"), "a number is missing");
   }
 
   @Test
-  void putsThePublishedNumbersBesideOurs() throws IOException {
+  void isOneFileThatAsksForNoOther() throws IOException {
+    String page = Files.readString(folder.resolve("report.html"));
+    assertFalse(page.contains(".png\""), "a picture beside the page");
+    assertFalse(page.contains("http"), "a page elsewhere");
+    long pictures =
+        page.lines().mapToLong(line -> line.split("data:image/png", -1).length - 1).sum();
+    assertEquals(3 + 1 + 11, pictures);
+  }
+
+  @Test
+  void yourNumbersComeBeforeTheThesisAndSayWhatToTake() throws IOException {
+    String page = Files.readString(folder.resolve("report.html"));
+    String first = page.substring(0, page.indexOf("<table>"));
+    assertTrue(first.contains("-pinhole: on objects that it has not seen"), first);
+    assertTrue(page.indexOf("Models g(f)") < page.indexOf("Beside the thesis"));
+    assertTrue(page.indexOf("Table 4.1") > page.indexOf("Beside the thesis"));
+    assertTrue(page.contains("160 photos of 4 objects."), "how many photos");
+    assertFalse(words(page).matches("(?s).*\\b[Oo]urs?\\b.*"), "whose data are these");
+    assertTrue(page.contains("shipped lab models"), "whose nanoseconds are these");
+  }
+
+  @Test
+  void everyFOfTheTableIsInFigure61AndInTheLadder() {
+    for (String f : List.of("pinhole", "power", "lin", "svr-lin", "sr", "svr-rbf")) {
+      assertTrue(result.features().stream().anyMatch(one -> one.name().equals(f)), f);
+      assertTrue(Ladder.MODELS.contains(f), f);
+    }
+    byte[] png = new Figures(result).combinations();
+    // Six f of three detectors, three charts a row: six rows.
+    int height = java.nio.ByteBuffer.wrap(png, 20, 4).getInt();
+    assertEquals(6 * 340, height);
+  }
+
+  @Test
+  void zeroHasNoSignAndOnePhotoIsOne() {
+    assertEquals("0.000", Cells.fixed(-1e-9, 3));
+    assertEquals("-0.001", Cells.fixed(-1e-3, 3));
+    assertEquals("0", Cells.fixed(-0.0, 0));
+    assertEquals("1 photo", org.hificamsim.profiling.fit.Counted.of(1, "photo"));
+    assertEquals("0 lenses", org.hificamsim.profiling.fit.Counted.of(0, "lens"));
+  }
+
+  /** By hand: 3 detected, of which 2 are told; 2 not, of which 1 is. */
+  @Test
+  void decisionsAreJudgedAlikeForBothKinds() {
+    Decisions decisions = new Decisions(0.5);
+    double[] measured = {0.9, 0.5, 0.7, 0.1, 0.2};
+    double[] predicted = {0.6, 0.4, 0.5, 0.9, 0.1};
+    assertEquals((2.0 / 3 + 1.0 / 2) / 2, decisions.accuracy(measured, predicted), 1e-15);
+    assertEquals(0.6, decisions.detected(measured), 1e-15);
+    assertTrue(Double.isNaN(decisions.accuracy(new double[] {0.9}, new double[] {0.9})));
+  }
+
+  @Test
+  void detectorThatTheThesisDoesNotHaveStandsAlone() throws IOException {
+    List<Measurement> rows =
+        new Photos().detector("hog", p -> 0.9 * p / (p + 0.01)).scatter(0.02, 0.02).take(1);
+    FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
+    Path page = Files.createDirectories(folder.resolve("hog"));
+    FitReport.write(own, PipReading.SILHOUETTE, "people", page);
+    String text = Files.readString(page.resolve("report.html"));
+    assertTrue(text.contains("Take hog-pinhole"), text.substring(0, 1500));
+    assertFalse(text.contains("0 of 0"), "a count of nothing");
+    assertFalse(text.contains("(-)"), "brackets around nothing");
+    assertFalse(words(text).contains("NaN"));
+  }
+
+  /** A page without its pictures, whose bytes may spell anything. */
+  private static String words(String page) {
+    return page.replaceAll("base64,[^\"]*", "");
+  }
+
+  @Test
+  void noiseIsSaidToBeNoDetector() throws IOException {
+    List<Measurement> rows = new Photos().detector("noise", p -> 0.2).scatter(0.02, 0.05).take(1);
+    FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
+    Path page = Files.createDirectories(folder.resolve("noise"));
+    Path earlier = Files.createDirectories(page.resolve("models")).resolve("noise-lin.json");
+    Files.writeString(earlier, "of an earlier fit");
+    assertEquals(0, new ModelFolder(page.resolve("models"), "mine").write(own));
+    assertFalse(Files.exists(earlier), "a refused model keeps no file");
+    FitReport.write(own, PipReading.SILHOUETTE, "noise", page);
+    String text = Files.readString(page.resolve("report.html"));
+    assertTrue(text.contains("No model of noise is one"), text.substring(0, 1500));
+  }
+
+  @Test
+  void oneObjectAndOneLensMakeAReport() throws IOException {
+    List<Measurement> rows =
+        new Photos().objects(1).lenses(0.05).detector("orb", p -> 0.1 + 0.5 * p).take(1);
+    FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
+    Path page = Files.createDirectories(folder.resolve("one"));
+    FitReport.write(own, PipReading.SILHOUETTE, "one", page);
+    assertTrue(Files.readString(page.resolve("report.html")).contains("10 photos of 1 object."));
+    assertTrue(new ModelFolder(page.resolve("models"), "mine").write(own) >= 8);
+    assertTrue(Files.exists(page.resolve("models/orb-pinhole.json")));
+  }
+
+  @Test
+  void putsThePublishedNumbersBesideYours() throws IOException {
     String page = Files.readString(folder.resolve("report.html"));
     for (String number : List.of("(0.77)", "(5.97)", "(0.71)", "(8.79)", "0.835", "-18.82*z")) {
       assertTrue(page.contains(number), number);
@@ -110,9 +210,12 @@ class FitReportTest {
   void ladderStartsAtNothingAndFindsTheLaw() {
     List<Ladder.Step> steps = Ladder.of(result, "orb", Map.of("lin", 2.0));
     assertEquals(Ladder.MODELS, steps.stream().map(Ladder.Step::model).toList());
-    assertEquals(0, steps.get(0).line().r2(), 1e-12);
-    assertTrue(steps.get(6).line().r2() > 0.9);
-    assertTrue(steps.get(1).line().r2() < 0.5);
+    assertTrue(steps.get(0).unseen().r2() <= 0, "the mean of the others explains nothing");
+    assertEquals(0.5, steps.get(0).accuracy(), "and guesses");
+    assertTrue(steps.get(2).unseen().r2() > 0.9);
+    assertTrue(steps.get(2).accuracy() > 0.8, "" + steps.get(2));
+    assertTrue(steps.get(1).unseen().r2() < 0.5);
+    assertEquals(2, steps.get(4).nanoseconds());
   }
 
   @Test
@@ -214,7 +317,7 @@ class FitReportTest {
             double noise = 0.01 * random.nextGaussian();
             confidences.put(detector, Math.max(0, Math.min(1, 0.6 * pip + 0.05 + noise)));
           }
-          photos.add(new Measurement(q + "/" + z + "/" + d, "o", q, d, z, pip, confidences));
+          photos.add(new Measurement(q + "/" + z + "/" + d, "o" + q, q, d, z, pip, confidences));
         }
       }
     }

@@ -1,0 +1,73 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/**
+ * Which model of a detector to take: the one with the simplest f among those that are as good as
+ * the best on objects that they have not seen.
+ *
+ * @param detector its name
+ * @param model none where every model is refused
+ * @param best the one with the least error, which the simplest is as good as
+ */
+public record Recommendation(
+    FitResult result, String detector, Optional<FittedModel> model, Optional<FittedModel> best) {
+  /** One for each detector. */
+  public static List<Recommendation> all(FitResult result) {
+    return result.detectors().stream().map(detector -> of(result, detector)).toList();
+  }
+
+  /** The one for a detector. */
+  public static Recommendation of(FitResult result, String detector) {
+    List<FittedModel> models =
+        FittedModel.of(result, detector).stream()
+            .filter(model -> !model.onMeasuredPip() && !model.fit().refused())
+            .toList();
+    if (models.isEmpty()) {
+      return new Recommendation(result, detector, Optional.empty(), Optional.empty());
+    }
+    List<double[]> errors = models.stream().map(m -> m.fit().chosen().groupErrors()).toList();
+    return new Recommendation(
+        result,
+        detector,
+        Optional.of(models.get(OneStandardError.simplest(errors))),
+        Optional.of(models.get(OneStandardError.best(errors))));
+  }
+
+  /** How much of the confidence of what it has not seen the model explains; NaN without one. */
+  public double r2() {
+    return model.map(one -> one.fit().chosen().unseen().r2()).orElse(Double.NaN);
+  }
+
+  /** One sentence: what to take, and why. */
+  public String sentence() {
+    return model
+        .map(one -> "Take " + one.name() + ": " + explains() + ", " + why(one) + ".")
+        .orElse(
+            "No model of "
+                + detector
+                + " is one: its confidence does not surely rise with the share of the image.");
+  }
+
+  private String explains() {
+    return String.format(
+        Locale.ROOT,
+        "on %s that it has not seen it explains %.0f%% of the confidence (R2 %.3f)",
+        result.unseen().unit().equals("object") ? "objects" : "photos",
+        Math.max(0, 100 * r2()),
+        r2());
+  }
+
+  private String why(FittedModel one) {
+    return one.equals(best.orElseThrow())
+        ? "more than any other"
+        : String.format(
+            Locale.ROOT,
+            "and no other is better by more than a standard error (%s: %.3f); its f is the simplest"
+                + " of these",
+            best.orElseThrow().name(),
+            best.orElseThrow().fit().chosen().unseen().r2());
+  }
+}

@@ -1,0 +1,56 @@
+package org.hificamsim.profiling.measure;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.profiling.Parallel;
+import org.hificamsim.profiling.dataset.Dataset;
+import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.detector.ConfidenceSource.Look;
+import org.hificamsim.profiling.detector.Subject;
+
+/**
+ * What the detectors make of photos without any of the objects. Each photo is asked for each
+ * object, at places and in sizes that the object has in the other photos.
+ */
+record FalseAlarms(Dataset dataset, Gaze gaze) {
+  private static final int PLACES = 8;
+
+  /** Every confidence of every photo, object and place, by detector. */
+  Map<String, List<Double>> confidences(int threads, Watcher watcher) {
+    List<Subject> subjects = subjects();
+    Map<String, List<Double>> all = new LinkedHashMap<>();
+    Parallel.map(
+            dataset.negatives(),
+            threads,
+            photo -> {
+              List<Map<String, Double>> seen = gaze.at(photo, subjects, Look::falseConfidences);
+              watcher.measured();
+              return seen;
+            })
+        .forEach(seen -> seen.forEach(row -> row.forEach((k, v) -> list(all, k).add(v))));
+    return all;
+  }
+
+  /** How many photos and objects were looked at; places in one photo are not independent. */
+  int looks() {
+    return dataset.negatives().size() * dataset.templates().size();
+  }
+
+  private List<Subject> subjects() {
+    List<Subject> subjects = new ArrayList<>();
+    for (String object : dataset.templates().keySet()) {
+      List<Sample> of = dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
+      int places = Math.min(PLACES, of.size());
+      for (int i = 0; i < places; i++) {
+        subjects.add(new Subject(object, of.get(i * of.size() / places).patch()));
+      }
+    }
+    return subjects;
+  }
+
+  private static List<Double> list(Map<String, List<Double>> all, String detector) {
+    return all.computeIfAbsent(detector, d -> new ArrayList<>());
+  }
+}

@@ -1,0 +1,46 @@
+package org.hificamsim.profiling.measure;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.dataset.CsvRows;
+
+/** The table {@code thresholds.csv}: from which confidence on each detector detects. */
+public final class ThresholdsFile {
+  /** The file's name. */
+  public static final String NAME = "thresholds.csv";
+
+  private static final List<String> COLUMNS =
+      List.of("detector", "threshold", "false_alarms", "recall");
+
+  private ThresholdsFile() {}
+
+  static void write(Path file, Map<String, AlarmThreshold> thresholds) throws IOException {
+    StringBuilder table = new StringBuilder(String.join(",", COLUMNS)).append('\n');
+    thresholds.forEach(
+        (detector, t) ->
+            table.append(
+                "%s,%s,%s,%s\n".formatted(detector, t.threshold(), t.falseAlarms(), t.recall())));
+    new OutputFile(file).write(table.toString());
+  }
+
+  /** Thresholds by detector; none where a folder has no such table. */
+  public static Map<String, Double> read(Path folder) {
+    Path file = folder.resolve(NAME);
+    Map<String, Double> thresholds = new LinkedHashMap<>();
+    if (Files.exists(file)) {
+      CsvRows.read(file, COLUMNS)
+          .rows()
+          .forEach(
+              row ->
+                  thresholds.put(
+                      row.get("detector").text(),
+                      row.get("threshold").number("threshold", 0, 1, "a confidence from 0 to 1")));
+    }
+    return thresholds;
+  }
+}

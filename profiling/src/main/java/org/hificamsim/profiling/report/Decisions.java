@@ -1,0 +1,49 @@
+package org.hificamsim.profiling.report;
+
+import org.hificamsim.core.detection.Scatter;
+import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.fit.ShapeFit;
+
+/**
+ * Detect or not detect: whether a model puts a photo on the side of a threshold on which the
+ * measured confidence lies.
+ *
+ * @param threshold confidence from which a photo counts as detected
+ */
+record Decisions(double threshold) {
+  /** The rate of false alarms that the threshold is for, as in {@code --detect chance}. */
+  static final double FALSE_ALARMS = 0.05;
+
+  /** By the threshold that {@code --detect chance} would take: g at 0, and the scatter about g. */
+  static Decisions of(FitResult result, String detector) {
+    ShapeFit g = result.model(detector, FitResult.GROUND_TRUTH).chosen();
+    Scatter scatter = new Scatter(g.g().confidence(0), g.unseen().rmse());
+    return new Decisions(scatter.threshold(FALSE_ALARMS));
+  }
+
+  /** The share of the photos that are detected. */
+  double detected(double[] measured) {
+    return share(measured, measured, true) / (double) measured.length;
+  }
+
+  /**
+   * Balanced accuracy: the mean of the shares of the detected and of the undetected that are told
+   * rightly, one half for a guess; NaN where all photos are of one kind.
+   */
+  double accuracy(double[] measured, double[] predicted) {
+    int detected = share(measured, measured, true);
+    int undetected = measured.length - detected;
+    double hits = share(measured, predicted, true) / (double) detected;
+    double rejections = share(measured, predicted, false) / (double) undetected;
+    return (hits + rejections) / 2;
+  }
+
+  /** How many are on this side in both. */
+  private int share(double[] measured, double[] predicted, boolean side) {
+    int count = 0;
+    for (int i = 0; i < measured.length; i++) {
+      count += measured[i] >= threshold == side && predicted[i] >= threshold == side ? 1 : 0;
+    }
+    return count;
+  }
+}
