@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -39,10 +40,13 @@ class ProfileCommandTest {
     Cli measured = assertDone(Cli.run("profile", "measure", lab));
     assertTrue(measured.out().contains("photos measured"), measured.out());
     Cli fitted =
-        assertDone(Cli.run("profile", "fit", lab, "--population", 100, "--generations", 5));
-    assertTrue(fitted.out().contains("36 models"), fitted.out());
+        assertDone(
+            Cli.run(
+                "profile", "fit", lab, "--population", 100, "--generations", 5, "--restarts", 2));
+    assertTrue(fitted.out().contains(" models in "), fitted.out());
+    assertTrue(fitted.out().contains("Take "), fitted.out());
     assertTrue(Files.exists(lab.resolve("report.html")));
-    for (String model : List.of("orb-svr-rbf", "sift-sr", "surf-lin", "orb-power-gt")) {
+    for (String model : List.of("orb-svr-rbf", "sift-pinhole", "surf-lin", "orb-power-gt")) {
       Path file = lab.resolve("models").resolve(model + ".json");
       Path out = folder.resolve(model);
       assertDone(
@@ -57,6 +61,67 @@ class ProfileCommandTest {
               out));
       assertTrue(Files.readString(out.resolve("summary.json")).contains("lab:" + model));
     }
+  }
+
+  /** Twelve photos whose confidence goes up and down with their number. */
+  @Test
+  void noiseIsRefusedByNameAndNothingIsWritten() throws IOException {
+    Cli fitted = fit((row, pip) -> row % 2 == 0 ? 0.1 : 0.3);
+    assertEquals(2, fitted.exit(), fitted.err());
+    assertTrue(
+        fitted.err().contains("warning: own-pinhole is no detector: its slope on PIP is"),
+        fitted.err());
+    assertTrue(fitted.err().contains("no confidence surely rises with PIP"), fitted.err());
+    try (Stream<Path> files = Files.list(folder.resolve("models"))) {
+      assertEquals(0, files.count());
+    }
+    assertTrue(Files.exists(folder.resolve("report.html")));
+  }
+
+  @Test
+  void oneObjectBeforeOneLensIsFittedAndOtherSizesAreWarnedOf() throws IOException {
+    assertDone(fit((row, pip) -> 0.9 * pip / (pip + 0.01)));
+    Cli run =
+        assertDone(
+            Cli.run(
+                "run",
+                Cli.scenario("lattice-random"),
+                "--steps",
+                5,
+                "--detection",
+                folder.resolve("models/own-pinhole.json"),
+                "--out",
+                folder.resolve("run")));
+    assertTrue(run.err().contains("'lab:own-pinhole' was not fitted on what is asked"), run.err());
+    assertTrue(run.err().contains("(fitted on 0.3)"), run.err());
+    Cli shipped =
+        assertDone(
+            Cli.run(
+                "run",
+                Cli.scenario("lattice-random"),
+                "--steps",
+                5,
+                "--detection",
+                "hifi:orb-lin"));
+    assertFalse(shipped.err().contains("not fitted on"), shipped.err());
+  }
+
+  private Cli fit(java.util.function.BiFunction<Integer, Double, Double> confidence)
+      throws IOException {
+    Files.writeString(
+        folder.resolve("camera.json"),
+        "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.015, \"width\": 60, \"height\": 40}");
+    StringBuilder table =
+        new StringBuilder("image,object,size_m,distance_m,focal_length_m,pip,own\n");
+    for (int row = 0; row < 12; row++) {
+      double distance = 1 + row / 2.0;
+      double pip = Math.pow(0.05 * 0.3 / distance, 2) / (0.0224 * 0.015);
+      table.append(
+          "%s.png,ball,0.3,%s,0.05,%s,%s\n"
+              .formatted(row, distance, pip, confidence.apply(row, pip)));
+    }
+    Files.writeString(folder.resolve("measurements.csv"), table.toString());
+    return Cli.run("profile", "fit", folder, "--population", 60, "--generations", 3);
   }
 
   @Test
@@ -171,6 +236,8 @@ class ProfileCommandTest {
         "profile fit DIR | camera.json: no such file",
         "profile fit DIR --name a/b | --name is 'a/b'",
         "profile fit DIR --folds 1 | --folds is 1",
+        "profile fit DIR --restarts 0 | --restarts is 0",
+        "profile fit DIR --g spline | g 'spline' is unknown, expected one of line, logistic",
       })
   void wrongUsageIsToldInOneLine(String command, String words) {
     Cli run = Cli.run((Object[]) command.strip().replace("DIR", folder.toString()).split(" "));

@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
@@ -61,10 +62,14 @@ final class ScenarioOptions {
     return overrides().detection(spec, scenario);
   }
 
-  /** Warns where the cameras' viewing angles and focal lengths contradict each other. */
+  /**
+   * Warns where the cameras' viewing angles and focal lengths contradict each other, or a model is
+   * asked for what it was not fitted on.
+   */
   void warnAboutLens(Path file, Scenario scenario, Detection detection, PrintWriter err) {
-    DetectionHints.lens(scenario, detection)
-        .ifPresent(line -> warnings.on(err).accept(file + ": " + line));
+    Stream.of(DetectionHints.lens(scenario, detection), Extrapolation.warning(scenario, detection))
+        .flatMap(Optional::stream)
+        .forEach(line -> warnings.on(err).accept(file + ": " + line));
   }
 
   /** The rule of detection that was asked for. */

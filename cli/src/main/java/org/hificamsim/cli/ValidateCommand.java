@@ -83,7 +83,10 @@ final class ValidateCommand implements Callable<Integer> {
   private static void warnAboutDetection(
       Path file, Scenario scenario, DetectionSpec model, List<String> warned) {
     Detection used = Overrides.NONE.detection(model, scenario);
-    Stream.of(DetectionHints.smallReach(scenario, used), DetectionHints.lens(scenario, used))
+    Stream.of(
+            DetectionHints.smallReach(scenario, used),
+            DetectionHints.lens(scenario, used),
+            Extrapolation.warning(scenario, used))
         .forEach(hint -> hint.ifPresent(line -> warned.add(file + ": " + line)));
   }
 

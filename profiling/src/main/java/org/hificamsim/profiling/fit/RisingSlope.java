@@ -25,12 +25,13 @@ public record RisingSlope(double slope, double low, double high, boolean sure) {
   static RisingSlope of(double[] pip, double[] confidence, Groups objects, long seed) {
     double[] logarithms =
         Arrays.stream(pip).map(p -> StrictMath.log10(Math.max(SMALLEST, p))).toArray();
-    RisingSlope plain = on(pip, confidence, objects, seed);
-    boolean sure = plain.sure || on(logarithms, confidence, objects, seed).sure;
+    RisingSlope plain = plain(pip, confidence, objects, seed);
+    boolean sure = plain.sure || plain(logarithms, confidence, objects, seed).sure;
     return new RisingSlope(plain.slope, plain.low, plain.high, sure);
   }
 
-  private static RisingSlope on(double[] x, double[] y, Groups objects, long seed) {
+  /** Of y on x, sure where it surely rises with x itself. */
+  static RisingSlope plain(double[] x, double[] y, Groups objects, long seed) {
     if (!Scores.vary(x) || !Scores.vary(y)) {
       return new RisingSlope(0, 0, 0, false);
     }

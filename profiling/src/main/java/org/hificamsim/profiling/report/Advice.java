@@ -23,6 +23,15 @@ final class Advice {
       "How much more confident a detector is of an object than g says, on the mean of its photos:"
           + " texture counts, too. Their standard deviation is the SD between objects above.";
 
+  static final String COVARIATES =
+      "What else is known of every photo, each added alone to g on measured PIP: g + weight (x -"
+          + " mean). It helps where the error on what was not seen is less by more than a standard"
+          + " error. Models hold at the mean: the simulation knows no covariates.";
+
+  static final String NO_COVARIATES =
+      "Nothing else varies that is known of every photo: distinctiveness, aperture, distortion and"
+          + " light are columns of measurements.csv.";
+
   static final String FEATURES =
       "R2 of -log10(PIP); unseen objects and lenses: of photos whose object or focal length the fit"
           + " has not seen. The pinhole camera fits nothing. The power law keeps the pinhole's"

@@ -90,6 +90,8 @@ public final class FitReport {
     page.heading("Objects");
     own.objects(page);
     page.paragraph(Advice.OBJECTS);
+    page.heading("Covariates");
+    page.paragraph(own.covariates(page) ? Advice.COVARIATES : Advice.NO_COVARIATES);
   }
 
   private void ownFeatures() {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.hificamsim.profiling.fit.CovariateFit;
 import org.hificamsim.profiling.fit.CrossValidation;
 import org.hificamsim.profiling.fit.DetectorFit;
 import org.hificamsim.profiling.fit.DetectorShapes;
@@ -170,6 +171,32 @@ final class OwnTables {
       row.add(Cells.fixed(above, 3));
     }
     return row;
+  }
+
+  /** What else counts; false where nothing else is known of the photos. */
+  boolean covariates(HtmlPage page) {
+    List<List<String>> rows = new ArrayList<>();
+    for (String detector : result.detectors()) {
+      for (CovariateFit fit : CovariateFit.all(result, detector)) {
+        rows.add(
+            List.of(
+                detector,
+                fit.covariate().column(),
+                Cells.significant(fit.weight().slope()),
+                Cells.significant(fit.weight().low())
+                    + " to "
+                    + Cells.significant(fit.weight().high()),
+                Cells.fixed(fit.without(), 3),
+                Cells.fixed(fit.with(), 3),
+                fit.helps() ? "helps" : "does not help"));
+      }
+    }
+    if (!rows.isEmpty()) {
+      page.table(
+          List.of("detector", "covariate", "weight", "95% interval", "R2, unseen", "with it", ""),
+          rows);
+    }
+    return !rows.isEmpty();
   }
 
   /** The ladder, with every detector. */
