@@ -43,7 +43,7 @@ class HeatMapTest {
         "<events>"
             + "<event timestep=\"40\" participant=\"object\" event=\"add\" name=\"0.9\" x=\"2\""
             + " y=\"18\" heading=\"90\" speed=\"0.3\""
-            + " fqName=\"epics.movement.Straight\"/>"
+            + " fqName=\"Straight\"/>"
             + "<event timestep=\"80\" participant=\"object\" event=\"error\" name=\"0.9\"/>"
             + "</events>";
     scenario = folder.resolve("hall.xml");
@@ -184,6 +184,29 @@ class HeatMapTest {
         bare, browser.run(FieldScripts.COLOUR, x, y), "it was here at step 60, and is gone");
     browser.find("[name=tracks]").sendKeys(" ");
     assertEquals(bare, browser.run(FieldScripts.COLOUR, x, y));
+  }
+
+  @Test
+  void figuresAreAsLargeAsThereIsRoomForThoseThatAreThereAtTheSameTime() throws IOException {
+    StringBuilder events = new StringBuilder("<events>");
+    for (int i = 0; i < 200; i++) {
+      events.append(
+          ("<event timestep=\"%1$s\" participant=\"object\" event=\"add\" name=\"%2$s\" x=\"2\""
+               + " y=\"18\" heading=\"90\" speed=\"0.3\" fqName=\"Straight\"/><event"
+               + " timestep=\"%3$s\" participant=\"object\" event=\"error\" name=\"%2$s\"/>")
+              .formatted(i, 100 + i, i + 1));
+    }
+    String hall = Files.readString(scenario).replaceFirst("(?s)<events>.*</events>", "");
+    Path passing = folder.resolve("passing.xml");
+    Files.writeString(passing, hall.replace("</objects>", "</objects>" + events + "</events>"));
+    Path out = folder.resolve("passing");
+    done("run", passing, "--record", "--steps", 150, "--out", out);
+    browser.open(out.resolve("report.html").toUri() + "#100");
+    assertEquals(205L, browser.run("return hificamsim.run.setup.targets.length"));
+    assertEquals(6L, browser.run("return hificamsim.run.most"));
+    assertEquals(
+        true,
+        browser.run("const {field} = hificamsim.player; return field.size === field.surface.unit"));
   }
 
   @Test

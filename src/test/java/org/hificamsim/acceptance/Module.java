@@ -14,7 +14,7 @@ enum Module {
   WORLDS("worlds", CATALOGUE),
   NETWORK("camsim-network", RUNS),
   TRACKS("tracks", CORE),
-  PROFILING("profiling", HIFI),
+  PROFILING("profiling", HIFI, TRACKS),
   PRESENTATION("presentation", RUNS),
   REPRODUCTION("reproduction", PRESENTATION, NETWORK),
   CLI("cli", REPRODUCTION, PROFILING, TRACKS),

@@ -1,0 +1,135 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.check.Body;
+import org.hificamsim.profiling.check.CheckFolder;
+import org.hificamsim.profiling.check.CheckResult;
+import org.hificamsim.profiling.check.CheckSettings;
+import org.hificamsim.profiling.check.ErrorSummary;
+import org.hificamsim.profiling.check.ImageSize;
+import org.hificamsim.profiling.check.RealityCheck;
+import org.hificamsim.tracks.format.Unit;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code hificamsim profile check}: predicted sizes of targets against those of a recording. */
+@Command(
+    name = "check",
+    description = {
+      "Compares the box sizes that the simulator's optics predict with those of a MOT file,",
+      "and with those by the full calibration; writes reality.csv, boxes.csv and reality.png."
+    })
+final class CheckCommand implements Callable<Integer> {
+  private static final Pattern SIZE = Pattern.compile("(\\d{1,6})x(\\d{1,6})");
+  private static final double MOST = 100; // metres
+
+  @Parameters(paramLabel = "MOT.txt", description = "Boxes: frame,id,left,top,width,height,...")
+  private Path file;
+
+  @Option(
+      names = "--calibration",
+      required = true,
+      paramLabel = "FILE",
+      description = "Tsai's method as XML, as PETS has it, or a matrix of three rows of four.")
+  private Path calibration;
+
+  @Option(
+      names = "--assumed-height",
+      paramLabel = "M",
+      description = "How high targets are, metres.")
+  private double height;
+
+  @Option(
+      names = "--assumed-width",
+      paramLabel = "M",
+      description = "How wide targets are, metres; for PIP.")
+  private double width;
+
+  @Option(
+      names = "--unit",
+      paramLabel = "m|cm|mm",
+      description = "What the file's positions in the world are measured in.")
+  private Unit unit;
+
+  @Option(
+      names = "--calibration-unit",
+      paramLabel = "m|cm|mm",
+      description = "What the calibration's world is measured in; default: mm of XML, else m.")
+  private Optional<Unit> calibrationUnit;
+
+  @Option(
+      names = "--image",
+      paramLabel = "WxH",
+      description = "The picture's size in pixels, which a matrix does not say.")
+  private Optional<String> image;
+
+  @Option(names = "--out", paramLabel = "DIR", description = "Where the files go.")
+  private Path out;
+
+  @Spec private CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    Numbers.within("--assumed-height", height, Double.MIN_NORMAL, MOST);
+    Numbers.within("--assumed-width", width, Double.MIN_NORMAL, MOST);
+    Optional<ImageSize> size = image.map(CheckCommand::size);
+    requireLength("--unit", unit);
+    calibrationUnit.ifPresent(one -> requireLength("--calibration-unit", one));
+    CheckSettings settings =
+        new CheckSettings(file, unit, calibration, calibrationUnit, size, new Body(height, width));
+    CheckResult result = CheckResult.of(settings);
+    CheckFolder.write(out, result.check(), result.pixels());
+    print(result);
+    return 0;
+  }
+
+  private static void requireLength(String option, Unit unit) {
+    if (Double.isNaN(unit.metres())) {
+      throw new InputException(
+          "%s is %s, expected m, cm or mm".formatted(option, unit.name().toLowerCase(Locale.ROOT)));
+    }
+  }
+
+  private static ImageSize size(String text) {
+    Matcher size = SIZE.matcher(text);
+    if (!size.matches() || text.startsWith("0") || text.contains("x0")) {
+      throw new InputException("--image is '" + text + "', expected pixels such as 1920x1080");
+    }
+    return new ImageSize(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2)));
+  }
+
+  private void print(CheckResult result) {
+    RealityCheck check = result.check();
+    PrintWriter to = spec.commandLine().getOut();
+    to.printf("%s boxes; left out: %s%n", check.boxes(), result.leftOut());
+    to.println(
+        result.inWorld()
+            ? "places: as the file says; half of the boxes stand within "
+                + String.format(Locale.ROOT, "%.1f", check.footError())
+                + " pixels of where the calibration has them"
+            : "places: where boxes stand, by the calibration; the file has none");
+    to.printf("%-12s %-8s %8s %8s %8s%n", "rung", "of", "median", "90 %", "bias");
+    for (ErrorSummary one : check.overall()) {
+      to.printf(
+          Locale.ROOT,
+          "%-12s %-8s %6.1f %% %6.1f %% %+6.1f %%%n",
+          one.rung(),
+          one.quantity(),
+          100 * one.median(),
+          100 * one.ninety(),
+          100 * one.bias());
+    }
+    to.printf("by distance: %s, %s%n", out.resolve(CheckFolder.REALITY), CheckFolder.PICTURE);
+  }
+}

@@ -1,0 +1,92 @@
+package org.hificamsim.profiling.check;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.tracks.format.MotFile;
+import org.hificamsim.tracks.format.MotRow;
+
+/** The boxes of a MOT file that can be compared, and how many cannot. */
+final class MotSightings {
+  private final CalibratedPicture picture;
+  private final double metres;
+  private final List<MotRow> whole = new ArrayList<>();
+  private final List<Sighting> sightings = new ArrayList<>();
+  private boolean inWorld;
+  private int ignored;
+  private int cut;
+  private int nowhere;
+
+  private MotSightings(CalibratedPicture picture, double metres) {
+    this.picture = picture;
+    this.metres = metres;
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @param metres of a unit of its positions in the world
+   * @throws InputException with its place, when something is wrong, or nothing can be compared
+   */
+  static MotSightings read(Path file, CalibratedPicture picture, double metres) {
+    MotSightings read = new MotSightings(picture, metres);
+    MotFile.read(file, read::take);
+    read.locate();
+    if (read.sightings.isEmpty()) {
+      throw new InputException(
+          "%s: no box to compare: %s, expected whole boxes of targets on the ground before the"
+                  .formatted(file, read.leftOut())
+              + " camera");
+    }
+    return read;
+  }
+
+  private void take(MotRow row) {
+    boolean empty = row.width() <= 0 || row.height() <= 0;
+    if (row.confidence() == 0 || empty) {
+      ignored++;
+    } else if (picture.cuts(
+        row.left(), row.top(), row.left() + row.width(), row.top() + row.height())) {
+      cut++;
+    } else {
+      whole.add(row);
+      inWorld |= row.inWorld();
+    }
+  }
+
+  private void locate() {
+    for (MotRow row : whole) {
+      Vector foot = foot(row);
+      if (Double.isNaN(foot.x())) {
+        nowhere++;
+      } else {
+        sightings.add(
+            new Sighting(
+                row.frame(), row.target(), row.left(), row.top(), row.width(), row.height(), foot));
+      }
+    }
+  }
+
+  /** As the file says; where it says it of no target, as the calibration has the box's foot. */
+  private Vector foot(MotRow row) {
+    return inWorld
+        ? new Vector(metres * row.x(), metres * row.y(), 0)
+        : picture.camera().ground(new Pixel(row.footX(), row.footY()));
+  }
+
+  List<Sighting> sightings() {
+    return sightings;
+  }
+
+  /** Whether the file says where targets were. */
+  boolean inWorld() {
+    return inWorld;
+  }
+
+  /** What is not compared, in words. */
+  String leftOut() {
+    return "%s of confidence 0 or without size, %s cut off by the picture's border, %s without a place on the ground"
+        .formatted(ignored, cut, nowhere);
+  }
+}
