@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import atexit
+import gc
 import json
 import mmap
 import os
@@ -82,6 +84,8 @@ class _Jvm:
             library = java.library()
             jpype.startJVM(library, *java.options(), classpath=java.class_path(), interrupt=False)
         cls.process = os.getpid()
+        if hasattr(os, "register_at_fork"):
+            os.register_at_fork(after_in_child=_leave_jvm)
 
     @classmethod
     def check(cls) -> None:
@@ -90,6 +94,20 @@ class _Jvm:
                 f"the JVM was started in process {cls.process} before this one was forked from it:"
                 " use backend='process', or multiprocessing's 'spawn'"
             )
+
+
+def _leave_jvm() -> None:
+    """In a forked process the JVM has no threads: whoever calls it waits for ever, and so nobody may.
+
+    JPype calls it whenever Python collects garbage, and when the process ends.
+    """
+    import jpype
+
+    gc.callbacks[:] = [one for one in gc.callbacks if getattr(one, "__module__", "") != "_jpype"]
+    gc.freeze()
+    terminate = getattr(jpype._core, "_JTerminate", None)
+    if terminate is not None:
+        atexit.unregister(terminate)
 
 
 class JvmBackend:

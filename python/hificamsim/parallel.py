@@ -12,6 +12,7 @@ from pettingzoo import ParallelEnv
 
 from . import spaces
 from .errors import InputError
+from .screen import Screen
 from .worlds import Array, Worlds
 
 
@@ -25,7 +26,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
 
     metadata: dict[str, Any] = {
         "name": "hificamsim_v0",
-        "render_modes": ["rgb_array"],
+        "render_modes": ["human", "rgb_array"],
         "is_parallelizable": True,
         "render_fps": 10,
     }
@@ -38,10 +39,11 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         width: int = 800,
         **settings: Any,
     ) -> None:
-        if render_mode not in (None, "rgb_array"):
-            raise InputError(f"render_mode is {render_mode!r}, expected None or 'rgb_array'")
+        if render_mode not in (None, "human", "rgb_array"):
+            raise InputError(f"render_mode is {render_mode!r}, expected None, 'human' or 'rgb_array'")
         self.worlds = Worlds(scenario, 1, auto_reset=False, paints=render_mode is not None, **settings)
         self.render_mode = render_mode
+        self._screen = Screen(self.worlds.name) if render_mode == "human" else None
         self.width = width
         self.possible_agents = list(self.worlds.cameras)
         self.agents: list[str] = []
@@ -121,8 +123,14 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         return self.worlds.state()[0].copy()
 
     def render(self) -> Array | None:
-        """The last step as a picture, uint8 (height, width, 3); with ``render_mode='rgb_array'``."""
-        return None if self.render_mode is None else self.worlds.picture(self.width)
+        """The last step as a picture, uint8 (height, width, 3), or in a window; as ``render_mode`` says."""
+        if self.render_mode is None:
+            return None
+        picture = self.worlds.picture(self.width)
+        if self._screen is None:
+            return picture
+        self._screen.show(picture)
+        return None
 
     def report(self, folder: str | os.PathLike[str]) -> pathlib.Path:
         """Writes the episode so far into a folder, as ``run --record`` does, and returns its page."""
@@ -137,6 +145,8 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
 
     def close(self) -> None:
         """Ends the environment."""
+        if self._screen is not None:
+            self._screen.close()
         self.worlds.close()
 
 

@@ -1,0 +1,114 @@
+package org.hificamsim.python;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+import static org.junit.jupiter.api.Assumptions.abort;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import javax.xml.parsers.DocumentBuilderFactory;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.api.io.TempDir;
+import org.w3c.dom.Element;
+import org.w3c.dom.NodeList;
+
+/**
+ * The Python package as a user gets it: its wheel is built and installed into a virtual
+ * environment, where pytest runs {@code python/tests}; each of its tests is one here.
+ */
+class PackageTest {
+  private static final Path PYTHON = Path.of(System.getProperty("hificamsim.root"), "python");
+  private static final Path VENV = Path.of(System.getProperty("python.venv"));
+
+  @TempDir private Path folder;
+
+  @TestFactory
+  Stream<DynamicTest> theTestsOfThePackage() throws Exception {
+    assumeTrue(Files.exists(VENV.resolve("requirements.txt")), "no virtual environment");
+    String installed =
+        run(
+            "-m",
+            "pip",
+            "install",
+            "--disable-pip-version-check",
+            "--no-index",
+            "--no-deps",
+            "--no-build-isolation",
+            "--force-reinstall",
+            PYTHON.toString());
+    assertTrue(installed.contains("Successfully installed hificamsim"), installed);
+    Path report = folder.resolve("pytest.xml");
+    String said =
+        run(
+            "-m",
+            "pytest",
+            "-q",
+            "--rootdir",
+            PYTHON.toString(),
+            "-c",
+            PYTHON.resolve("pyproject.toml").toString(),
+            "-p",
+            "no:cacheprovider",
+            "--junit-xml",
+            report.toString(),
+            PYTHON.resolve("tests").toString());
+    assertTrue(Files.exists(report), said);
+    List<Element> cases = cases(report);
+    assertTrue(cases.size() > 50, cases.size() + " tests");
+    return cases.stream().map(PackageTest::test);
+  }
+
+  private static DynamicTest test(Element one) {
+    String name = one.getAttribute("classname") + "." + one.getAttribute("name");
+    return DynamicTest.dynamicTest(name, () -> judge(one));
+  }
+
+  private static void judge(Element one) {
+    for (String kind : List.of("failure", "error")) {
+      NodeList faults = one.getElementsByTagName(kind);
+      if (faults.getLength() > 0) {
+        fail(faults.item(0).getTextContent());
+      }
+    }
+    NodeList skipped = one.getElementsByTagName("skipped");
+    if (skipped.getLength() > 0) {
+      abort(((Element) skipped.item(0)).getAttribute("message"));
+    }
+  }
+
+  private static List<Element> cases(Path report) throws Exception {
+    NodeList found =
+        DocumentBuilderFactory.newInstance()
+            .newDocumentBuilder()
+            .parse(report.toFile())
+            .getElementsByTagName("testcase");
+    return IntStream.range(0, found.getLength()).mapToObj(i -> (Element) found.item(i)).toList();
+  }
+
+  /** What Python says; its working directory is empty, so that the installed package is found. */
+  private String run(String... words) throws IOException, InterruptedException {
+    List<String> command = new ArrayList<>(List.of(VENV.resolve("bin/python").toString()));
+    command.addAll(List.of(words));
+    Path said = Files.createTempFile(folder, "said", ".txt");
+    ProcessBuilder builder =
+        new ProcessBuilder(command)
+            .directory(folder.toFile())
+            .redirectErrorStream(true)
+            .redirectOutput(said.toFile());
+    builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+    builder.environment().remove("PYTHONPATH");
+    if (words[1].equals("pip")) {
+      builder.environment().put("HIFICAMSIM_JARS", System.getProperty("python.jars"));
+    }
+    builder.start().waitFor();
+    return Files.readString(said, StandardCharsets.UTF_8);
+  }
+}

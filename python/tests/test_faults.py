@@ -1,0 +1,269 @@
+"""Nothing hangs, nothing is left behind, and what is wrong is said in a line."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import textwrap
+import time
+
+import pytest
+
+import hificamsim
+
+
+def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    """Runs a program of its own."""
+    return subprocess.run(
+        [sys.executable, "-c", textwrap.dedent(program)],
+        capture_output=True,
+        text=True,
+        timeout=120,
+        env={**os.environ, **environment},
+        check=False,
+    )
+
+
+@pytest.mark.parametrize(
+    ("settings", "line"),
+    [
+        ({"detection": "hifi:orb-line"}, "unknown detection 'hifi:orb-line', expected one of"),
+        ({"reward": "cover"}, "unknown reward 'cover', expected one of coverage"),
+        ({"actions": "zoom"}, "actions is 'zoom', expected one of view, steps"),
+        ({"steps": 0}, "episodes of 0 steps, expected 1 or more"),
+        ({"num_envs": 0}, "0 worlds, expected 1 or more"),
+        ({"targets": -1}, "observed targets is -1, expected 0 to 1000"),
+        ({"objective": "best"}, "unknown objective 'best'"),
+        ({"backend": "cloud"}, "backend is 'cloud', expected 'jvm' or 'process'"),
+    ],
+)
+def test_a_wrong_setting_is_a_line(settings: dict[str, object], line: str, backend: str) -> None:
+    with pytest.raises(hificamsim.InputError) as fault:
+        hificamsim.Worlds("campus", **{"backend": backend, **settings})
+    assert line in str(fault.value)
+    assert "\n" not in str(fault.value)
+
+
+def test_a_scenario_that_is_none_or_wrong(tmp_path: pathlib.Path, backend: str) -> None:
+    with pytest.raises(hificamsim.InputError, match="scenario 'campsu' is no file, and none of .*campus"):
+        hificamsim.Worlds("campsu", backend=backend)
+    file = tmp_path / "broken.xml"
+    file.write_text("<root>\n<simulation/></root>")
+    with pytest.raises(hificamsim.InputError, match=r"broken\.xml:2:"):
+        hificamsim.Worlds(file, backend=backend)
+
+
+def test_an_action_that_is_none_is_refused_and_nothing_moves(backend: str) -> None:
+    env = hificamsim.parallel_env("cluster-random", backend=backend)
+    env.reset(seed=1)
+    with pytest.raises(hificamsim.InputError, match="action 7 of camera Cam_03 in world 0, expected 0 to 4"):
+        env.step({agent: 7 if agent == "Cam_03" else 0 for agent in env.agents})
+    with pytest.raises(hificamsim.InputError, match="no action for camera Cam_14"):
+        env.step(dict.fromkeys(env.agents[:-1], 0))
+    fresh = hificamsim.parallel_env("cluster-random", backend=backend)
+    fresh.reset(seed=1)
+    told = dict.fromkeys(env.agents, 3)
+    assert env.step(told)[1] == fresh.step(told)[1]
+    env.close()
+    fresh.close()
+
+
+def test_two_environments_in_one_process_do_not_touch_each_other() -> None:
+    kept = []
+    for _ in range(2):
+        envs = [hificamsim.Worlds("campus", 2, backend=backend) for backend in ("jvm", "process", "jvm")]
+        for _ in range(100):
+            for one in envs:
+                one.step()
+        envs[0].close()
+        envs[2].step()
+        envs[1].step()
+        assert (envs[1].observations == envs[2].observations).all()
+        kept.append(envs[2].observations.copy())
+        envs[1].close()
+        envs[2].close()
+    assert (kept[0] == kept[1]).all(), "after a close the next environment begins as the first did"
+
+
+def test_what_is_closed_says_so(backend: str) -> None:
+    worlds = hificamsim.Worlds("campus", backend=backend)
+    observations = worlds.observations
+    worlds.close()
+    worlds.close()
+    with pytest.raises(hificamsim.Closed, match="the environment was closed"):
+        worlds.step()
+    assert observations.sum() == observations.sum(), "its memory can still be read"
+
+
+def test_a_killed_worker_is_noticed_at_once() -> None:
+    worlds = hificamsim.Worlds("campus", backend="process")
+    os.kill(worlds._backend._worker.pid, signal.SIGKILL)
+    with pytest.raises(hificamsim.WorkerDied, match="the environment's Java process ended \\(SIGKILL\\)"):
+        worlds.step()
+    with pytest.raises(hificamsim.Closed):
+        worlds.step()
+    hificamsim.Worlds("campus", backend="process").close()
+
+
+def test_a_worker_ends_with_its_python() -> None:
+    done = python(
+        """
+        import os, hificamsim
+        worlds = hificamsim.Worlds("campus", backend="process")
+        print(worlds._backend._worker.pid, flush=True)
+        os._exit(3)  # no one cleans up
+        """
+    )
+    assert done.returncode == 3, done.stderr
+    worker = int(done.stdout)
+    for _ in range(100):
+        if not pathlib.Path(f"/proc/{worker}").exists():
+            break
+        time.sleep(0.1)
+    assert not pathlib.Path(f"/proc/{worker}").exists()
+    assert not list(pathlib.Path("/dev/shm").glob("hificamsim-*"))
+
+
+def test_a_fork_after_the_start_is_refused_and_does_not_hang() -> None:
+    done = python(
+        """
+        import multiprocessing, hificamsim
+
+        def tries(worlds):
+            for attempt in (worlds.step, lambda: hificamsim.Worlds("campus", backend="jvm")):
+                try:
+                    attempt()
+                except hificamsim.Error as e:
+                    print(type(e).__name__, e, flush=True)
+            fresh = hificamsim.Worlds("campus", backend="process")
+            fresh.step()
+            fresh.close()
+            print("a process of its own works", flush=True)
+
+        fork = multiprocessing.get_context("fork")
+        for backend in ("jvm", "process"):
+            worlds = hificamsim.Worlds("campus", backend=backend)
+            child = fork.Process(target=tries, args=(worlds,))
+            child.start()
+            child.join(60)
+            worlds.step()
+            print(child.exitcode, flush=True)
+        """
+    )
+    said = done.stdout.splitlines()
+    assert [line.split()[0] for line in said] == ["JavaError", "JavaError", "a", "0", "Closed", "JavaError", "a", "0"]
+    assert "before this one was forked from it: use backend='process', or multiprocessing's 'spawn'" in said[0]
+    assert "make one here" in said[4]
+
+
+def test_a_fork_that_never_asks_collects_garbage_and_ends() -> None:
+    done = python(
+        """
+        import gc, os, sys, hificamsim
+        worlds = hificamsim.Worlds("campus", backend="jvm")
+        child = os.fork()
+        if not child:
+            gc.collect()
+            sys.exit(5)
+        print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+        worlds.step()
+        """
+    )
+    assert done.stdout == "5\n", done.stderr
+
+
+@pytest.mark.parametrize("backend", ["jvm", "process"])
+def test_ctrl_c_ends_python_and_not_before_it_may_clean_up(backend: str) -> None:
+    program = f"""
+        import hificamsim
+        worlds = hificamsim.Worlds("campus", 8, backend="{backend}")
+        print("ready", flush=True)
+        try:
+            while True:
+                worlds.step()
+        except KeyboardInterrupt:
+            worlds.step()
+            print("interrupted, and goes on", flush=True)
+            worlds.close()
+        """
+    with subprocess.Popen(
+        [sys.executable, "-c", textwrap.dedent(program)], stdout=subprocess.PIPE, text=True
+    ) as running:
+        assert running.stdout is not None
+        assert running.stdout.readline() == "ready\n"
+        time.sleep(0.5)
+        running.send_signal(signal.SIGINT)
+        assert running.communicate(timeout=60)[0] == "interrupted, and goes on\n"
+        assert running.returncode == 0
+
+
+def memory() -> int:
+    """Resident kilobytes of this process."""
+    status = pathlib.Path("/proc/self/status").read_text()
+    return int(status.split("VmRSS:")[1].split()[0])
+
+
+def test_ten_thousand_resets_leave_nothing_behind() -> None:
+    env = hificamsim.parallel_env("campus", backend="jvm", steps=5)
+    for _ in range(2_000):
+        env.reset()
+    before = memory()
+    files = len(os.listdir("/proc/self/fd"))
+    for i in range(10_000):
+        env.reset(seed=i)
+        env.step(dict.fromkeys(env.agents, 0))
+    assert memory() - before < 60_000, "kilobytes"
+    assert len(os.listdir("/proc/self/fd")) == files
+    env.close()
+
+
+def test_environments_that_nobody_keeps_are_gone() -> None:
+    def count() -> tuple[int, int]:
+        return len(os.listdir("/proc/self/fd")), len(os.listdir("/proc/self/task"))
+
+    hificamsim.Worlds("campus", 16, threads=2, backend="jvm").close()
+    before = count()
+    for _ in range(20):
+        hificamsim.Worlds("campus", 16, threads=2, backend="jvm")
+    for _ in range(3):
+        hificamsim.Worlds("campus", 2, backend="process")
+    time.sleep(0.5)
+    assert all(now <= then + 2 for now, then in zip(count(), before)), (count(), before)
+
+
+def test_without_java_there_is_one_line(tmp_path: pathlib.Path) -> None:
+    program = """
+        import pathlib, hificamsim, hificamsim.java
+        hificamsim.java._places = lambda: iter([pathlib.Path("{}")])
+        try:
+            hificamsim.Worlds("campus", backend="{}")
+        except hificamsim.JavaError as e:
+            print(e)
+        """
+    old = tmp_path / "jdk-11"
+    (old / "bin").mkdir(parents=True)
+    (old / "bin" / "java").touch()
+    (old / "release").write_text('JAVA_VERSION="11.0.2"\n')
+    for backend in ("jvm", "process"):
+        none = python(program.format("/none", backend)).stdout.splitlines()
+        assert len(none) == 1 and none[0].startswith("no Java found, expected Java 17 or later")
+        past = python(program.format(old, backend)).stdout.splitlines()
+        assert past == [none[0].replace("no Java found", f"{old} is Java 11")]
+
+
+def test_numpy_is_enough_for_worlds_in_a_process_of_their_own() -> None:
+    done = python(
+        """
+        import sys
+        for name in ("jpype", "gymnasium", "pettingzoo", "pandas"):
+            sys.modules[name] = None
+        import hificamsim
+        with hificamsim.Worlds("campus", 2) as worlds:
+            worlds.step()
+            print(worlds.observations.shape[0])
+        """
+    )
+    assert done.stdout == "2\n", done.stderr
