@@ -18,6 +18,7 @@ enum Module {
   PRESENTATION("presentation", RUNS),
   REPRODUCTION("reproduction", PRESENTATION, NETWORK),
   CLI("cli", REPRODUCTION, PROFILING, TRACKS),
+  ONNX("onnx", WORLDS),
   PYTHON("python", WORLDS, PRESENTATION),
   BRIDGE("camsim-bridge", RUNS),
   SPARK("spark", RUNS),

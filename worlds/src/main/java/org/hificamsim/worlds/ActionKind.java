@@ -11,7 +11,7 @@ public enum ActionKind {
   /** The number of a view. */
   VIEW(1) {
     @Override
-    int[] choices(NetworkView network) {
+    public int[] choices(NetworkView network) {
       int most = 1;
       for (int camera = 0; camera < network.cameras(); camera++) {
         most = Math.max(most, network.views(camera));
@@ -38,7 +38,7 @@ public enum ActionKind {
   /** Two numbers, 0 to 2: one pan angle to the left, none, to the right; narrower, as is, wider. */
   STEPS(2) {
     @Override
-    int[] choices(NetworkView network) {
+    public int[] choices(NetworkView network) {
       return new int[] {3, 3};
     }
 
@@ -87,7 +87,7 @@ public enum ActionKind {
   }
 
   /** Of how many each number of an action is one, counted from 0; the same for all cameras. */
-  abstract int[] choices(NetworkView network);
+  public abstract int[] choices(NetworkView network);
 
   /** The view that an action sends a camera to that is not on its way. */
   abstract int view(NetworkView network, int camera, int[] actions, int at);

@@ -8,23 +8,25 @@ import org.hificamsim.core.policy.NetworkView;
  * What each camera may be told: 1 for each choice of each number of its action. One on its way may
  * only go on, and one that is off may be told anything: nobody listens.
  */
-final class Masks {
+public final class Masks {
   private final ActionKind kind;
   private final int width;
   private final byte[] masks;
 
-  Masks(NetworkView network, ActionKind kind) {
+  /** Of a network whose cameras are told by such actions. */
+  public Masks(NetworkView network, ActionKind kind) {
     this.kind = kind;
     this.width = width(network, kind);
     this.masks = new byte[width * network.cameras()];
   }
 
-  static int width(NetworkView network, ActionKind kind) {
+  /** How many choices a camera has, over all numbers of its action. */
+  public static int width(NetworkView network, ActionKind kind) {
     return IntStream.of(kind.choices(network)).sum();
   }
 
   /** The masks of all cameras where the network is before a decision. */
-  byte[] of(NetworkView network) {
+  public byte[] of(NetworkView network) {
     Arrays.fill(masks, (byte) 0);
     for (int camera = 0; camera < network.cameras(); camera++) {
       int from = camera * width;

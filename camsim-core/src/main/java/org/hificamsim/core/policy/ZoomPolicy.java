@@ -1,5 +1,7 @@
 package org.hificamsim.core.policy;
 
+import java.nio.file.Path;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.core.registry.Options;
 
@@ -22,6 +24,14 @@ public interface ZoomPolicy {
    * @throws org.hificamsim.core.InputException when a value is malformed or out of range
    */
   default void configure(Options options) {}
+
+  /**
+   * Files that it decides by, such as a trained network, after {@link #configure}: results are of
+   * their content, and have a copy.
+   */
+  default List<Path> files() {
+    return List.of();
+  }
 
   /** Called once, before the first step. */
   default void begin(NetworkView network, SplittableRandom random) {}

@@ -128,6 +128,17 @@ public final class Options {
     return text == null ? defaultValue : text;
   }
 
+  /**
+   * Free text that may be given without its key, as {@code onnx:policy.onnx}; with a key it may hold
+   * an equals sign.
+   */
+  public String mainText(String key, String defaultValue, String meaning) {
+    String text = text(key, defaultValue, meaning);
+    return text.equals(defaultValue) && values.containsKey(POSITIONAL)
+        ? values.remove(POSITIONAL)
+        : text;
+  }
+
   /** What the getters called so far declared, in that order. */
   public List<Declared> declared() {
     return List.copyOf(declared.values());

@@ -45,6 +45,16 @@ class OptionsTest {
   }
 
   @Test
+  void theMainTextMayBeGivenWithoutItsKey() {
+    assertEquals("a,b.onnx", Options.parse("policy x", "a,b.onnx").mainText("file", "", ""));
+    assertEquals("a=b.onnx", Options.parse("policy x", "file=a=b.onnx").mainText("file", "", ""));
+    assertEquals("", Options.none("policy x").mainText("file", "", ""));
+    Options both = Options.parse("policy x", "a.onnx,file=b.onnx");
+    assertEquals("b.onnx", both.mainText("file", "", ""));
+    assertThrows(InputException.class, both::rejectUnknown);
+  }
+
+  @Test
   void aListMayBeGivenWithoutItsKey() {
     Options options = Options.parse("policy fixed", "0,1, 2");
     assertEquals(List.of(0, 1, 2), options.integers("levels", List.of(), 0, 9, ""));

@@ -3,6 +3,7 @@ package org.hificamsim.runs.compare;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
@@ -18,13 +19,14 @@ import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.ManifestFile;
+import org.hificamsim.runs.output.PolicyFiles;
 
 /**
  * What a run's result depends on, but for its seed: two runs with the same key give the same
  * result.
  *
  * @param inputs what has a name and a content: this program, the users' classes on the class path,
- *     the scenario, the detection
+ *     the scenario, the detection, the files that a policy decides by
  * @param threshold of the detection
  * @param detect how a value becomes a detection
  * @param policy name and options
@@ -58,14 +60,18 @@ public record RunKey(
   static List<RunKey> of(List<RunPlan> plans) {
     List<Input> program = new ArrayList<>(UserCode.found());
     program.add(program(ManifestFile.version()));
-    return plans.stream().map(plan -> of(program, plan)).toList();
+    PolicyFiles files = new PolicyFiles();
+    return plans.stream().map(plan -> of(program, plan, files)).toList();
   }
 
-  private static RunKey of(List<Input> program, RunPlan plan) {
+  private static RunKey of(List<Input> program, RunPlan plan, PolicyFiles files) {
     String scenario = ScenarioWriter.write(plan.scenario());
     List<Input> inputs = new ArrayList<>(program);
     inputs.add(new Input("scenario", plan.scenario().name(), digest(bytes(scenario))));
     inputs.add(new Input("detection", plan.detection().name(), digest(plan.detection().model())));
+    for (Path file : files.of(plan.policy())) {
+      inputs.add(new Input("file of policy", file.toString(), digest(PolicyFiles.content(file))));
+    }
     Detection detection = plan.detection();
     return new RunKey(
         inputs, detection.threshold(), detection.rule().text(), plan.policy(), plan.steps());

@@ -3,6 +3,7 @@ package org.hificamsim.runs.output;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,17 +17,18 @@ import org.hificamsim.runs.RunPlan;
 
 /**
  * Writes what plans were run on beside their results: each scenario as it was run, overrides and
- * all, and each fitted detection model. They are files that {@code run} and {@code compare} take.
+ * all, each fitted detection model, and what a policy decides by. They are files that {@code run} and {@code compare} take.
  */
 public final class InputFiles {
   private static final String SCENARIO = "scenario-";
   private static final String DETECTION = "detection-";
+  private static final String POLICY = "policy-";
 
   private InputFiles() {}
 
   /** Whether a file is one of these. */
   static boolean isInput(String name) {
-    return name.startsWith(SCENARIO) || name.startsWith(DETECTION);
+    return name.startsWith(SCENARIO) || name.startsWith(DETECTION) || name.startsWith(POLICY);
   }
 
   /** Adds them to a folder's files. */
@@ -34,6 +36,11 @@ public final class InputFiles {
     Map<String, byte[]> files = new LinkedHashMap<>();
     plans.stream().map(RunPlan::scenario).distinct().forEach(one -> add(files, one));
     plans.stream().map(plan -> plan.detection().model()).distinct().forEach(one -> add(files, one));
+    PolicyFiles policies = new PolicyFiles();
+    plans.stream()
+        .flatMap(plan -> policies.of(plan.policy()).stream())
+        .distinct()
+        .forEach(file -> add(files, file));
     for (Map.Entry<String, byte[]> file : files.entrySet()) {
       try (OutputStream out = folder.stream(file.getKey())) {
         out.write(file.getValue());
@@ -53,6 +60,13 @@ public final class InputFiles {
       String name = DETECTION + fitted.name().replaceAll("[^\\w.+-]", "-");
       files.put(free(files, name, ".json"), ModelFiles.bytes(fitted));
     }
+  }
+
+  private static void add(Map<String, byte[]> files, Path policy) {
+    String name = policy.getFileName().toString();
+    int dot = name.lastIndexOf('.') < 0 ? name.length() : name.lastIndexOf('.');
+    String free = free(files, POLICY + name.substring(0, dot), name.substring(dot));
+    files.put(free, PolicyFiles.content(policy));
   }
 
   /** The name, with a number where another content has it: variants may share a name. */

@@ -1,0 +1,203 @@
+package org.hificamsim.onnx;
+
+import ai.onnxruntime.NodeInfo;
+import ai.onnxruntime.OnnxJavaType;
+import ai.onnxruntime.OnnxTensor;
+import ai.onnxruntime.OrtEnvironment;
+import ai.onnxruntime.OrtException;
+import ai.onnxruntime.OrtLoggingLevel;
+import ai.onnxruntime.OrtSession;
+import ai.onnxruntime.TensorInfo;
+import java.io.IOException;
+import java.nio.FloatBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+
+/**
+ * A network in an ONNX file: observations in, one row for each camera, and a value for each choice
+ * out. The same for all runs of a process, and safe to ask from several threads.
+ */
+final class TrainedNetwork {
+  private static final Map<Path, TrainedNetwork> OPENED = new HashMap<>();
+
+  private final Path file;
+  private final byte[] content;
+  private final OrtSession session;
+  private final Conventions conventions;
+  private final NodeInfo input;
+  private final NodeInfo output;
+
+  /**
+   * The network of a file, opened anew when its content has changed.
+   *
+   * @throws InputException when it cannot be read, or is no such network
+   */
+  static TrainedNetwork of(Path file) {
+    byte[] content = read(file);
+    synchronized (OPENED) {
+      TrainedNetwork opened = OPENED.get(file);
+      if (opened == null || !Arrays.equals(opened.content, content)) {
+        opened = new TrainedNetwork(file, content);
+        OPENED.put(file, opened);
+      }
+      return opened;
+    }
+  }
+
+  static void requireReadable(Path file) {
+    if (!Files.isRegularFile(file) || !Files.isReadable(file)) {
+      throw new InputException(file + " cannot be read, expected a trained network in ONNX format");
+    }
+  }
+
+  private static byte[] read(Path file) {
+    requireReadable(file);
+    try {
+      return Files.readAllBytes(file);
+    } catch (IOException e) {
+      throw new InputException(
+          file + " cannot be read (" + e.getMessage() + "), expected a trained network", e);
+    }
+  }
+
+  private TrainedNetwork(Path file, byte[] content) {
+    this.file = file;
+    this.content = content;
+    try {
+      session = environment().createSession(content, oneThread());
+      conventions = Conventions.of(session.getMetadata().getCustomMetadata());
+      input = only("input", session.getInputInfo().values());
+      output = only("output", session.getOutputInfo().values());
+    } catch (OrtException e) {
+      throw new InputException(
+          file + " is no network that ONNX Runtime knows: " + firstLine(e), e);
+    } catch (InputException e) {
+      throw new InputException(file + ": " + e.getMessage(), e);
+    }
+  }
+
+  /** Silent: what is wrong is told by who asks. */
+  private static OrtEnvironment environment() {
+    return OrtEnvironment.getEnvironment(OrtLoggingLevel.ORT_LOGGING_LEVEL_FATAL, "hificamsim");
+  }
+
+  /** Sums are then added up in the same order everywhere; runs are what is done side by side. */
+  private static OrtSession.SessionOptions oneThread() throws OrtException {
+    OrtSession.SessionOptions options = new OrtSession.SessionOptions();
+    options.setIntraOpNumThreads(1);
+    options.setInterOpNumThreads(1);
+    options.setSessionLogLevel(OrtLoggingLevel.ORT_LOGGING_LEVEL_FATAL);
+    return options;
+  }
+
+  private static String firstLine(OrtException e) {
+    return e.getMessage().lines().findFirst().orElse("");
+  }
+
+  private static NodeInfo only(String what, Collection<NodeInfo> nodes) {
+    if (nodes.size() != 1) {
+      throw new InputException("it has " + nodes.size() + " " + what + "s, expected one");
+    }
+    return nodes.iterator().next();
+  }
+
+  Conventions conventions() {
+    return conventions;
+  }
+
+  /**
+   * Checks that it is for these cameras.
+   *
+   * @param width how many values are wanted for each
+   * @throws InputException when it is for others
+   */
+  void requireShapes(int cameras, int width) {
+    int numbers = conventions.layout().size();
+    require("input", input, cameras, numbers, "the numbers of an observation of " + of());
+    String what = "values for the choices of a camera (actions=" + actions() + ")";
+    require("output", output, cameras, width, what);
+  }
+
+  private String of() {
+    return conventions.layout().targets()
+        + " targets and "
+        + conventions.layout().neighbours()
+        + " neighbours";
+  }
+
+  private String actions() {
+    return Spelling.of(conventions.actions());
+  }
+
+  private void require(String what, NodeInfo node, int cameras, int width, String meaning) {
+    boolean fits =
+        node.getInfo() instanceof TensorInfo tensor
+            && tensor.type == OnnxJavaType.FLOAT
+            && tensor.getShape().length == 2
+            && isOrOpen(tensor.getShape()[0], cameras)
+            && isOrOpen(tensor.getShape()[1], width);
+    if (!fits) {
+      throw new InputException(
+          file
+              + ": %s '%s' is %s".formatted(what, node.getName(), text(node))
+              + ", expected float32 of "
+              + shape(new long[] {cameras, width})
+              + ": cameras x "
+              + meaning);
+    }
+  }
+
+  private static boolean isOrOpen(long length, int wanted) {
+    return length == wanted || length < 0;
+  }
+
+  private static String text(NodeInfo node) {
+    return node.getInfo() instanceof TensorInfo tensor
+        ? tensor.type + " of " + shape(tensor.getShape())
+        : "no tensor";
+  }
+
+  private static String shape(long[] lengths) {
+    return Arrays.stream(lengths)
+        .mapToObj(length -> length < 0 ? "any" : Long.toString(length))
+        .collect(Collectors.joining(" x "));
+  }
+
+  /**
+   * Values the choices of all cameras.
+   *
+   * @param observations one row for each camera
+   * @param values receives one row for each camera
+   * @throws InputException when the network fails, or a value is no number
+   */
+  void value(int cameras, float[] observations, float[] values) {
+    long[] shape = {cameras, observations.length / cameras};
+    try (OnnxTensor given =
+            OnnxTensor.createTensor(environment(), FloatBuffer.wrap(observations), shape);
+        OrtSession.Result result = session.run(Map.of(input.getName(), given))) {
+      take(((OnnxTensor) result.get(0)).getFloatBuffer(), values);
+    } catch (OrtException e) {
+      throw new InputException(file + " fails: " + firstLine(e), e);
+    }
+  }
+
+  private void take(FloatBuffer found, float[] values) {
+    if (found.remaining() != values.length) {
+      throw new InputException(
+          file + " gives " + found.remaining() + " values, expected " + values.length);
+    }
+    found.get(values);
+    for (float value : values) {
+      if (Float.isNaN(value)) {
+        throw new InputException(file + " gives NaN, expected numbers");
+      }
+    }
+  }
+}

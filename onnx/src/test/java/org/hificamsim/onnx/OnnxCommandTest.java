@@ -1,0 +1,147 @@
+package org.hificamsim.onnx;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.cli.Main;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.RunKey;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Trained policies on the command line. */
+class OnnxCommandTest {
+  private static final Path CORRIDOR =
+      Path.of(System.getProperty("hificamsim.root"), "scenarios", "corridor.xml");
+
+  @TempDir Path folder;
+  private final StringWriter errors = new StringWriter();
+
+  private int run(Object... words) {
+    PrintWriter nowhere = new PrintWriter(new StringWriter());
+    String[] args = Arrays.stream(words).map(Object::toString).toArray(String[]::new);
+    return Main.execute(nowhere, new PrintWriter(errors, true), args);
+  }
+
+  private int compare(String policies, Path out, Object... more) {
+    Stream<Object> words =
+        Stream.of(
+            "compare", CORRIDOR, "--detections", "dori-2014:level=recognise", "--steps", 50,
+            "--repeat", 2, "--policies", policies, "--out", out);
+    return run(Stream.concat(words, Arrays.stream(more)).toArray());
+  }
+
+  @Test
+  void isComparedLikeAnyPolicyOnAnyNumberOfThreads() throws IOException {
+    String policies = "random,onnx:" + Shipped.file("linear.onnx");
+    assertEquals(0, compare(policies, folder.resolve("a"), "--threads", 1), errors::toString);
+    assertEquals(0, compare(policies, folder.resolve("b"), "--threads", 4), errors::toString);
+    List<String> results = Files.readAllLines(folder.resolve("a/results.csv"));
+    assertTrue(results.stream().anyMatch(line -> line.contains("linear.onnx")));
+    assertEquals(results, Files.readAllLines(folder.resolve("b/results.csv")));
+  }
+
+  @Test
+  void aFolderOfResultsHasTheFile() throws IOException {
+    Path out = folder.resolve("out");
+    assertEquals(
+        0,
+        run(
+            "run", CORRIDOR, "--detection", "dori-2014:level=recognise", "--steps", 20, "--policy",
+            "onnx:file=" + Shipped.file("linear.onnx"), "--record", "--out", out),
+        errors::toString);
+    assertArrayEquals(
+        Files.readAllBytes(Shipped.file("linear.onnx")),
+        Files.readAllBytes(out.resolve("policy-linear.onnx")));
+    assertTrue(
+        Files.readString(out.resolve("ro-crate-metadata.json")).contains("policy-linear.onnx"));
+  }
+
+  @Test
+  void aNameWithAnEqualsSignNeedsTheKey() throws IOException {
+    Path odd = Files.createDirectories(folder.resolve("lr=0.1:b")).resolve("p.onnx");
+    Files.copy(Shipped.file("linear.onnx"), odd);
+    assertEquals(0, compare("onnx:file=" + odd, folder.resolve("c")), errors::toString);
+    assertRefused("onnx:" + odd, "unknown option");
+  }
+
+  @Test
+  void theKeyOfARunHasTheContentOfTheFile() throws IOException {
+    Path file = folder.resolve("p.onnx");
+    Files.copy(Shipped.file("linear.onnx"), file);
+    RunKey before = key("onnx:" + file);
+    assertEquals(before, key("onnx:" + file));
+    RunKey random = key("random");
+    Files.write(file, Files.readAllBytes(Shipped.file("nan.onnx")));
+    assertNotEquals(before, key("onnx:" + file));
+    assertTrue(key("onnx:" + file).changed(before).orElseThrow().contains("p.onnx"));
+    assertEquals(random, key("random"));
+    assertFalse(random.text().contains("onnx"), "others do not depend on it");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "narrow.onnx | output 'values' is FLOAT of any x 5, expected float32 of 4 x 65",
+        "short.onnx | input 'observations' is FLOAT of any x 10, expected float32 of 4 x 44",
+        "odd.onnx | its metadata actions is 'jump', expected one of view, steps",
+        "two.onnx | it has 2 outputs, expected one",
+        "nan.onnx | gives NaN, expected numbers",
+        "make_linear.py | is no network that ONNX Runtime knows",
+        "missing.onnx | missing.onnx cannot be read, expected a trained network",
+      })
+  void whatIsNoPolicyOfTheseCamerasIsRefusedInOneLine(String name, String expected) {
+    Path beside = Shipped.file("linear.onnx").resolveSibling(name);
+    assertRefused("onnx:" + beside, expected);
+  }
+
+  @Test
+  void aTruncatedFileIsRefused() throws IOException {
+    byte[] whole = Files.readAllBytes(Shipped.file("linear.onnx"));
+    Path half = Files.write(folder.resolve("half.onnx"), Arrays.copyOf(whole, whole.length / 2));
+    assertRefused("onnx:" + half, "is no network that ONNX Runtime knows");
+  }
+
+  @Test
+  void thereMustBeAFile() {
+    assertRefused("onnx", "no file, expected a trained network: onnx:FILE");
+    assertRefused("onnx:" + folder, "cannot be read");
+  }
+
+  private void assertRefused(String policy, String expected) {
+    errors.getBuffer().setLength(0);
+    Path out = folder.resolve("refused");
+    assertEquals(2, compare(policy, out), errors::toString);
+    assertEquals(1, errors.toString().lines().count(), errors::toString);
+    assertTrue(errors.toString().contains(expected), errors::toString);
+  }
+
+  private static RunKey key(String policy) {
+    Catalogue catalogue = Catalogue.load();
+    return RunKey.of(
+        new RunPlan(
+            ScenarioReader.read(CORRIDOR, catalogue.movements()::knows, warning -> {}),
+            new Detection(catalogue.detection("dori-2014:level=recognise"), 0.5),
+            policy,
+            10,
+            0,
+            1));
+  }
+}
