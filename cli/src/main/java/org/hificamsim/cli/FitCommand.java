@@ -24,6 +24,7 @@ import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.PipReading;
+import org.hificamsim.profiling.measure.ThresholdsFile;
 import org.hificamsim.profiling.report.FitReport;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -169,6 +170,7 @@ final class FitCommand implements Callable<Integer> {
         seed.value(),
         new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
-        shape());
+        shape(),
+        ThresholdsFile.read(folder));
   }
 }

@@ -61,7 +61,7 @@ public record FittedModel(
         f.fit().f(),
         g,
         new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
-        PublishedModels.published().threshold(g),
+        result.thresholds().getOrDefault(detector, PublishedModels.published().threshold(g)),
         rmse > NO_SCATTER ? OptionalDouble.of(rmse) : OptionalDouble.empty(),
         Optional.of(fittedOn()),
         provenance());

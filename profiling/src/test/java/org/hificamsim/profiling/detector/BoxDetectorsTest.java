@@ -116,13 +116,7 @@ class BoxDetectorsTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {
-        "yolo",
-        "haar:nix",
-        "onnx:FILE:class=x",
-        "onnx:FILE:size=4",
-        "onnx:FILE:nix=1"
-      })
+      strings = {"yolo", "haar:nix", "onnx:FILE:class=x", "onnx:FILE:size=4", "onnx:FILE:nix=1"})
   void wrongDetectorsAreToldWithWhatIsExpected(String name) throws IOException {
     Path network = folder.resolve("some.onnx");
     Files.write(network, TinyOnnx.network());
