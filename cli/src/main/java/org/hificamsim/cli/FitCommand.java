@@ -186,6 +186,7 @@ final class FitCommand implements Callable<Integer> {
         seed.value(),
         new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
-        shape());
+        shape(),
+        ThresholdsFile.read(folder));
   }
 }
