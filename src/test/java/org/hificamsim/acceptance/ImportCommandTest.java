@@ -146,7 +146,8 @@ class ImportCommandTest {
   @Test
   void wallsAFloorplanAndCamerasStandAroundTheTracks() throws IOException {
     Path walls =
-        Files.writeString(folder.resolve("w.xml"), "<T><Line x1='10' y1='0' x2='10' y2='9'/></T>");
+        Files.writeString(
+            folder.resolve("w.xml"), "<T><Line x1='10.5' y1='0' x2='10.5' y2='9'/></T>");
     Path plan = folder.resolve("plan.png");
     ImageIO.write(new BufferedImage(80, 60, BufferedImage.TYPE_INT_RGB), "png", plan.toFile());
     Cli imported =
@@ -169,10 +170,10 @@ class ImportCommandTest {
             "Platz-é");
     assertEquals(0, imported.exit(), imported.err());
     assertTrue(
-        imported.out().contains("odd: through a wall: 1 times, first target 1 at 5.0 s"),
+        imported.out().contains("odd: through a wall: 1 times, first target 1 at 5.5 s"),
         imported::out);
     String xml = Files.readString(out.resolve("Platz-é.xml"));
-    assertTrue(xml.contains("<wall x1=\"10.0\" y1=\"0.0\" x2=\"10.0\" y2=\"9.0\"/>"), xml);
+    assertTrue(xml.contains("<wall x1=\"10.5\" y1=\"0.0\" x2=\"10.5\" y2=\"9.0\"/>"), xml);
     assertTrue(
         xml.contains(
             "floorplan=\"Platz-é-floorplan.png\" floorplan_min_x=\"-5.0\""
