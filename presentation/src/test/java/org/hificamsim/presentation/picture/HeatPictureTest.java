@@ -70,6 +70,15 @@ class HeatPictureTest {
   }
 
   @Test
+  void theGroundIsWhiteToTheLastRowAtAnyWidth() {
+    for (int width = 400; width < 500; width += 7) {
+      BufferedImage image =
+          FigureFile.image(new HeatPicture(frames(false, STAYS), MAP, HeatFigure.MEAN_K, 1), width);
+      assertEquals(0xFFFFFFFF, image.getRGB(1, image.getHeight() - 1), width + " pixels");
+    }
+  }
+
+  @Test
   void ticksAreRoundAndFew() {
     assertEquals(List.of(0.0, 0.25, 0.5, 0.75, 1.0), HeatFigure.MEAN_K.ticks(1));
     assertEquals("0.25 1", HeatFigure.MEAN_K.tick(0.25) + " " + HeatFigure.MEAN_K.tick(1));
