@@ -68,7 +68,7 @@ final class HeatLegend {
       graphics.draw(new Line2D.Double(x, box.getMaxY(), x + BAR_HEIGHT, top));
     }
     graphics.setClip(before);
-    text("no camera, at no step", box.getMaxX() + 6, top + BAR_HEIGHT - 2, Palette.BLACK);
+    text(layer.figure().never(), box.getMaxX() + 6, top + BAR_HEIGHT - 2, Palette.BLACK);
   }
 
   /** Opaque, so that there are no seams. */

@@ -1,5 +1,6 @@
 package org.hificamsim.presentation.picture;
 
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.Shape;
 import java.awt.geom.Rectangle2D;
@@ -40,8 +41,7 @@ public final class HeatPicture implements Picture {
 
   @Override
   public int height() {
-    int height = (int) area().getMaxY() + GAP + HeatLegend.HEIGHT + StepPicture.MARGIN;
-    return height + height % 2; // half a pixel less at 1200 pixels would be a dark line
+    return (int) area().getMaxY() + GAP + HeatLegend.HEIGHT + StepPicture.MARGIN;
   }
 
   private Rectangle2D area() {
@@ -52,6 +52,8 @@ public final class HeatPicture implements Picture {
   public void paint(Graphics2D graphics) {
     Rectangle2D area = area();
     Setup setup = run.setup();
+    graphics.setColor(Color.WHITE); // to the end of a last row of pixels that is not whole
+    graphics.fill(new Rectangle2D.Double(0, 0, width(), height() + 1.0));
     line(graphics, setup.scenario() + ", heat map of " + steps(), 12, true);
     line(graphics, StepPicture.settings(setup, run.recording().seed()), 29, false);
     line(graphics, covered(), 44, false);

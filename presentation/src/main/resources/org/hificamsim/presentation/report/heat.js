@@ -8,12 +8,12 @@ import { hatch } from './site.js';
 const STRENGTH = 0.8;
 const NEVER = COVER[0].colour; // hatched: what no camera ever covers, as a target that none does
 const FIGURES = [
-  {name: 'mean-k', label: 'cameras that would detect there, mean', unit: 'cameras', of: (heat, cell) => heat.meanK[cell]},
-  {name: 'covered', label: 'steps with 1 or more cameras', unit: 'share', of: (heat, cell) => 1 - heat.covered0[cell]},
-  {name: 'covered-k', label: 'steps with 2 or more cameras', unit: 'share', of: (heat, cell) => heat.coveredK[cell]},
-  {name: 'visits', label: 'targets there, added up', unit: 'count', of: (heat, cell) => heat.visits[cell] || NaN},
-  {name: 'visits-mean-k', label: 'cameras that detected a target there, mean', unit: 'cameras', of: (heat, cell) => heat.visitsMeanK[cell]},
-  {name: 'visits-covered', label: 'visits with 1 or more cameras', unit: 'share', of: (heat, cell) => 1 - heat.visitsCovered0[cell]},
+  {name: 'mean-k', label: 'cameras that would detect there, mean', unit: 'cameras', never: 'no camera, at no step', of: (heat, cell) => heat.meanK[cell]},
+  {name: 'covered', label: 'steps with 1 or more cameras', unit: 'share', never: 'no camera, at no step', of: (heat, cell) => 1 - heat.covered0[cell]},
+  {name: 'covered-k', label: 'steps with 2 or more cameras', unit: 'share', never: 'never 2 cameras', of: (heat, cell) => heat.coveredK[cell]},
+  {name: 'visits', label: 'targets there, added up over the steps', unit: 'count', of: (heat, cell) => heat.visits[cell] || NaN},
+  {name: 'visits-mean-k', label: 'cameras that detected a target there, mean', unit: 'cameras', never: 'no camera, at no visit', of: (heat, cell) => heat.visitsMeanK[cell]},
+  {name: 'visits-covered', label: 'visits with 1 or more cameras', unit: 'share', never: 'no camera, at no visit', of: (heat, cell) => 1 - heat.visitsCovered0[cell]},
 ];
 const SERIES = ['meanK', 'covered0', 'coveredK', 'visits', 'visitsMeanK', 'visitsCovered0'];
 
@@ -72,7 +72,8 @@ export class HeatLayer {
   }
 
   share(value) {
-    return this.figure.unit === 'count' ? Math.log1p(value) / Math.log1p(this.end) : value / this.end;
+    if (this.figure.unit === 'count') return this.end > 1 ? Math.log(value) / Math.log(this.end) : 1;
+    return value / this.end;
   }
 
   drawCells() {
@@ -115,12 +116,11 @@ export class HeatLayer {
   legend() {
     const {heat, figure, end} = this;
     const [least, most] = figure.unit === 'share' ? ['0 %', '100 %'] : [figure.unit === 'count' ? '1' : '0', String(end)];
-    const from = figure.unit === 'count' ? this.share(1) : 0;
-    const colours = Array.from({length: 9}, (none, i) => `rgb(${levelColour(from + ((1 - from) * i) / 8).join(' ')})`);
+    const colours = Array.from({length: 9}, (none, i) => `rgb(${levelColour(i / 8).join(' ')})`);
     const bar = el('i', {class: 'heat-bar', role: 'img', 'aria-label': `from ${least}, dark, to ${most}, light`});
     bar.style.background = `linear-gradient(to right, ${colours.join(', ')})`;
     const never = el('i', {class: 'heat-never'});
-    return [el('span', {}, least, bar, most), ...(this.values.includes(0) ? [el('span', {}, never, 'no camera, at no step')] : []),
+    return [el('span', {}, least, bar, most), ...(this.values.includes(0) ? [el('span', {}, never, figure.never)] : []),
       el('span', {class: 'heat-steps'}, `${heat.first ? `${heat.steps} steps from ${heat.first} on` : `${heat.steps} step${heat.steps === 1 ? '' : 's'}`}: ${this.summary()}`)];
   }
 

@@ -63,10 +63,19 @@ class HeatPictureTest {
   void visitsGoByTheirLogarithmAndOtherSharesByTheirWhole() {
     BufferedImage visits = image(HeatFigure.VISITS, frames(false, STAYS));
     assertEquals(Color.WHITE, at(visits, 5.3, 5.2), "nobody was there");
-    assertEquals(seen(Palette.scale(Math.log(11) / Math.log(1001))), at(visits, 15.3, 15.2));
+    assertEquals(seen(Palette.scale(1 / 3.0)), at(visits, 15.3, 15.2));
     BufferedImage covered = image(HeatFigure.VISITS_COVERED, frames(false, STAYS));
     assertEquals(seen(Palette.scale(0.75)), at(covered, 25.3, 5.2));
     assertHatched(covered, 15.3, 5.2);
+  }
+
+  @Test
+  void theGroundIsWhiteToTheLastRowAtAnyWidth() {
+    for (int width = 400; width < 500; width += 7) {
+      BufferedImage image =
+          FigureFile.image(new HeatPicture(frames(false, STAYS), MAP, HeatFigure.MEAN_K, 1), width);
+      assertEquals(0xFFFFFFFF, image.getRGB(1, image.getHeight() - 1), width + " pixels");
+    }
   }
 
   @Test
@@ -74,7 +83,9 @@ class HeatPictureTest {
     assertEquals(List.of(0.0, 0.25, 0.5, 0.75, 1.0), HeatFigure.MEAN_K.ticks(1));
     assertEquals("0.25 1", HeatFigure.MEAN_K.tick(0.25) + " " + HeatFigure.MEAN_K.tick(1));
     assertEquals(List.of(0.0, 3.0, 6.0, 9.0, 12.0), HeatFigure.MEAN_K.ticks(14));
-    assertEquals(List.of(1.0, 10.0, 100.0), HeatFigure.VISITS.ticks(400));
+    assertEquals(List.of(1.0, 10.0, 100.0, 400.0), HeatFigure.VISITS.ticks(400));
+    assertEquals(List.of(1.0, 10.0, 120.0), HeatFigure.VISITS.ticks(120));
+    assertEquals(List.of(1.0), HeatFigure.VISITS.ticks(1));
     assertEquals("25 %", HeatFigure.COVERED.tick(0.25));
   }
 
@@ -84,7 +95,7 @@ class HeatPictureTest {
     FigureFile.svg(svg, new HeatPicture(frames(false, STAYS), MAP, HeatFigure.COVERED_K, 1));
     String text = svg.toString(StandardCharsets.UTF_8);
     assertTrue(text.contains(HeatFigure.COVERED_K.label()), "label");
-    assertTrue(text.contains("no camera, at no step"), "never");
+    assertTrue(text.contains("never 2 cameras"), "never");
     assertTrue(text.contains(">50 %<"), "ticks");
     assertTrue(text.contains("heat map of 4 steps"), "steps");
     assertTrue(text.contains("of the area 20.0 % never"), "summary");

@@ -23,6 +23,7 @@ import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
+import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -68,6 +69,31 @@ class LiveRunTest {
       assertEquals(step, frame.step());
       assertEquals(expected.get(step), java.util.Arrays.stream(frame.coverage()).boxed().toList());
     }
+  }
+
+  @Test
+  void aHeatMapIsOfTheStepsSinceItWasAskedForAndChangesNone() {
+    LiveRun live = live("cluster-random", 5);
+    LiveRun bare = live("cluster-random", 5);
+    steps(live, 10);
+    steps(bare, 10);
+    assertEquals(List.of(), live.heats(), "nobody asked");
+    live.heat(true);
+    assertEquals(List.of(), live.heats(), "from the next step on");
+    for (int step = 0; step < 20; step++) {
+      assertEquals(ReplayJson.of(bare.step()), ReplayJson.of(live.step()));
+    }
+    assertEquals(1, live.heats().size());
+    assertEquals(10, live.heats().get(0).first());
+    assertEquals(20, live.heats().get(0).steps());
+    live.drag(0, 3, 3);
+    assertEquals(List.of(), live.heats(), "of another network");
+    live.compare(true);
+    live.step();
+    assertEquals(List.of(1L, 1L), live.heats().stream().map(PackedHeat::steps).toList());
+    live.heat(false);
+    live.step();
+    assertEquals(List.of(), live.heats());
   }
 
   @Test

@@ -2,7 +2,6 @@ package org.hificamsim.runs.heat;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
@@ -11,12 +10,43 @@ import org.hificamsim.runs.heat.HeatMap.Place;
  * is nothing to show; 0 is told apart from all else.
  */
 public enum HeatFigure {
-  MEAN_K("cameras that would detect there, mean", Unit.CAMERAS, Place::meanK),
-  COVERED("steps with 1 or more cameras", Unit.SHARE, place -> 1 - place.covered0()),
-  COVERED_K("steps with 2 or more cameras", Unit.SHARE, Place::coveredK),
-  VISITS("targets there, added up over the steps", Unit.COUNT, HeatFigure::visits),
-  VISITS_MEAN_K("cameras that detected a target there, mean", Unit.CAMERAS, Place::visitsMeanK),
-  VISITS_COVERED("visits with 1 or more cameras", Unit.SHARE, place -> 1 - place.visitsCovered0());
+  MEAN_K("cameras that would detect there, mean", "no camera, at no step", Unit.CAMERAS) {
+    @Override
+    public double of(Place place) {
+      return place.meanK();
+    }
+  },
+  COVERED("steps with 1 or more cameras", "no camera, at no step", Unit.SHARE) {
+    @Override
+    public double of(Place place) {
+      return 1 - place.covered0();
+    }
+  },
+  COVERED_K("steps with 2 or more cameras", "never 2 cameras", Unit.SHARE) {
+    @Override
+    public double of(Place place) {
+      return place.coveredK();
+    }
+  },
+  VISITS("targets there, added up over the steps", "", Unit.COUNT) {
+    @Override
+    public double of(Place place) {
+      return place.visits() == 0 ? Double.NaN : place.visits();
+    }
+  },
+  VISITS_MEAN_K(
+      "cameras that detected a target there, mean", "no camera, at no visit", Unit.CAMERAS) {
+    @Override
+    public double of(Place place) {
+      return place.visitsMeanK();
+    }
+  },
+  VISITS_COVERED("visits with 1 or more cameras", "no camera, at no visit", Unit.SHARE) {
+    @Override
+    public double of(Place place) {
+      return 1 - place.visitsCovered0();
+    }
+  };
 
   private enum Unit {
     CAMERAS,
@@ -27,29 +57,26 @@ public enum HeatFigure {
   private static final int MOST_TICKS = 6;
 
   private final String label;
+  private final String never;
   private final Unit unit;
 
-  @SuppressWarnings("ImmutableEnumChecker") // without state
-  private final ToDoubleFunction<Place> value;
-
-  HeatFigure(String label, Unit unit, ToDoubleFunction<Place> value) {
+  HeatFigure(String label, String never, Unit unit) {
     this.label = label;
+    this.never = never;
     this.unit = unit;
-    this.value = value;
   }
 
-  private static double visits(Place place) {
-    return place.visits() == 0 ? Double.NaN : place.visits();
-  }
+  /** The figure of a cell; NaN for none. */
+  public abstract double of(Place place);
 
   /** What it says, for a legend. */
   public String label() {
     return label;
   }
 
-  /** The figure of a cell; NaN for none. */
-  public double of(Place place) {
-    return value.applyAsDouble(place);
+  /** What 0 says, for a legend. */
+  public String never() {
+    return never;
   }
 
   /** Where its scale ends: at a whole number of cameras, at all steps or visits, at the most. */
@@ -63,7 +90,10 @@ public enum HeatFigure {
    * most of them.
    */
   public double share(double figure, double end) {
-    return unit == Unit.COUNT ? Math.log1p(figure) / Math.log1p(end) : figure / end;
+    if (unit == Unit.COUNT) {
+      return end > 1 ? Math.log(figure) / Math.log(end) : 1;
+    }
+    return figure / end;
   }
 
   /** The numbers that are written beside a scale, rising. */
@@ -82,9 +112,10 @@ public enum HeatFigure {
 
   private static List<Double> powers(double end) {
     List<Double> ticks = new ArrayList<>();
-    for (double tick = 1; tick <= end; tick *= 10) {
+    for (double tick = 1; 2 * tick <= end; tick *= 10) {
       ticks.add(tick);
     }
+    ticks.add(end);
     return ticks;
   }
 
