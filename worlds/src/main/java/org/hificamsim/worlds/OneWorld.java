@@ -24,7 +24,6 @@ final class OneWorld implements StepListener {
   private final World world;
   private final PlayedPolicy policy;
   private final Reward reward;
-  private final float[] observations;
   private final float[] rewards;
   private final float[] measures = new float[MEASURES];
   private final int[] actions;
@@ -42,7 +41,6 @@ final class OneWorld implements StepListener {
     policy = new PlayedPolicy(setup.actions());
     reward = setup.reward().get();
     int cameras = world.cameras().count();
-    observations = new float[cameras * setup.layout().size()];
     rewards = new float[cameras];
     actions = new int[cameras * setup.actions().numbers()];
     reset(seed);
@@ -71,7 +69,6 @@ final class OneWorld implements StepListener {
     step = 0;
     simulation.untilDecision();
     observer = new CameraObserver(network(), setup.layout());
-    observer.observe(network(), observations);
   }
 
   /** The seed of an episode: the first one has the world's. */
@@ -91,8 +88,16 @@ final class OneWorld implements StepListener {
     policy.play(actions);
     simulation.fromDecision();
     simulation.untilDecision();
-    observer.observe(network(), observations);
     step++;
+  }
+
+  /**
+   * What the cameras know before the next decision; to be asked once for each.
+   *
+   * @param out one camera after the other
+   */
+  void observe(float[] out) {
+    observer.observe(network(), out);
   }
 
   @Override
@@ -122,10 +127,6 @@ final class OneWorld implements StepListener {
     return actions;
   }
 
-  float[] observations() {
-    return observations;
-  }
-
   float[] rewards() {
     return rewards;
   }
@@ -144,7 +145,12 @@ final class OneWorld implements StepListener {
     return step;
   }
 
-  void writeState(float[] out) {
+  /**
+   * Writes the state.
+   *
+   * @param observations as they were observed
+   */
+  void writeState(float[] observations, float[] out) {
     double over = (double) step / setup.steps();
     StateLayout.write(
         network().oracle(),

@@ -36,6 +36,7 @@ public final class Worlds implements AutoCloseable {
   private final int[] maskedRevision;
   private final boolean maskOften;
   private final float[][] state; // of each worker
+  private final float[][] observed; // likewise
   private final Workers.Share stepping = this::stepShare;
   private final Workers.Share resetting = this::resetShare;
   private final Workers.Share telling = this::stateShare;
@@ -87,6 +88,7 @@ public final class Worlds implements AutoCloseable {
     maskedRevision = new int[count];
     maskOften = setup.actions() == ActionKind.STEPS || takesTime();
     workers = Workers.of(threads);
+    observed = new float[threads][network.cameras() * setup.layout().size()];
     state = new float[threads][StateLayout.size(network.cameras(), network.targets())];
     reset(seed, true);
   }
@@ -148,7 +150,7 @@ public final class Worlds implements AutoCloseable {
       } else {
         worlds[i].next();
       }
-      writeObservation(i);
+      observe(i, observations, observed[worker]);
       writeMasks(i);
     }
   }
@@ -166,11 +168,11 @@ public final class Worlds implements AutoCloseable {
   private void stepShare(int worker) {
     int end = workers.first(worker + 1, worlds.length);
     for (int i = workers.first(worker, worlds.length); i < end; i++) {
-      step(i);
+      step(i, observed[worker]);
     }
   }
 
-  private void step(int i) {
+  private void step(int i, float[] out) {
     OneWorld world = worlds[i];
     actions.get(i * world.actions().length, world.actions());
     world.step();
@@ -178,18 +180,19 @@ public final class Worlds implements AutoCloseable {
     measures.put(i * OneWorld.MEASURES, world.measures());
     ends.put(i, (byte) (world.over() ? 1 : 0));
     if (world.over() && setup.autoReset()) {
-      finals.put(i * world.observations().length, world.observations());
+      observe(i, finals, out);
       world.next();
     }
-    writeObservation(i);
+    observe(i, observations, out);
     if (maskOften || world.network().revision() != maskedRevision[i]) {
       writeMasks(i);
     }
   }
 
-  private void writeObservation(int i) {
-    float[] of = worlds[i].observations();
-    observations.put(i * of.length, of);
+  /** By way of an array that all worlds of a worker share: it stays near. */
+  private void observe(int i, FloatBuffer into, float[] out) {
+    worlds[i].observe(out);
+    into.put(i * out.length, out);
   }
 
   private void writeMasks(int i) {
@@ -234,7 +237,8 @@ public final class Worlds implements AutoCloseable {
   private void stateShare(int worker) {
     int end = workers.first(worker + 1, worlds.length);
     for (int i = workers.first(worker, worlds.length); i < end; i++) {
-      worlds[i].writeState(state[worker]);
+      observations.get(i * observed[worker].length, observed[worker]);
+      worlds[i].writeState(observed[worker], state[worker]);
       states.put(i * state[worker].length, state[worker]);
     }
   }

@@ -1,5 +1,6 @@
 package org.hificamsim.agents.observation;
 
+import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /** What a camera knows of itself; what changes only with the network's revision is kept. */
@@ -45,7 +46,8 @@ final class OwnFeatures {
       of[3 * view + 1] = zooms == 1 ? 1 : Bounds.share(view % zooms / (zooms - 1.0));
       of[3 * view + 2] = Bounds.share(network.zoom(camera, view).viewingAngle() / (2 * Math.PI));
     }
-    views[camera] = of;
+    boolean alike = camera > 0 && Arrays.equals(of, views[camera - 1]);
+    views[camera] = alike ? views[camera - 1] : of; // one array for all of a kind stays near
   }
 
   /**

@@ -1,0 +1,127 @@
+"""Environment steps a second from Python, beside the Java kernel: random actions, observations and auto-reset on.
+
+    python/build/venv/bin/python bench/python_env.py [--seconds 3] [--threads 1] [--csv FILE]
+
+Each row is one way to step; steps are counted by networks (environment steps) and by cameras (agent steps), and
+divided by the processor time of the process, so that other work on the machine counts little; a process backend's
+time is that of both processes. mate-4v8-9 is the scenario of that name. MATE itself is not installable from PyPI.
+"""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import os
+import pathlib
+import sys
+import time
+from collections.abc import Callable
+
+import numpy as np
+
+import hificamsim
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+CLUSTER = str(ROOT / "bench" / "cluster-8.xml")
+
+
+def processor_time(worker: int | None) -> float:
+    """Seconds of processor time of this process, and of a worker."""
+    own = time.process_time()
+    if worker is None:
+        return own
+    fields = pathlib.Path(f"/proc/{worker}/stat").read_text().rsplit(")", 1)[1].split()
+    return own + (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def rate(step: Callable[[], object], worlds: hificamsim.Worlds, seconds: float) -> tuple[float, float]:
+    """Environment steps a second of processor time and of the clock, the best of five rounds."""
+    worker = getattr(getattr(worlds._backend, "_worker", None), "pid", None)
+    best = [0.0, 0.0]
+    for round_ in range(6):
+        began, clock, count = processor_time(worker), time.perf_counter(), 0
+        while time.perf_counter() - clock < seconds:
+            for _ in range(20):
+                step()
+            count += 20 * worlds.num_envs
+        if round_:  # the first one warms up
+            best[0] = max(best[0], count / (processor_time(worker) - began))
+            best[1] = max(best[1], count / (time.perf_counter() - clock))
+    return best[0], best[1]
+
+
+def kernel(scenario: str, num_envs: int, threads: int, backend: str, **settings: object):
+    """Worlds alone; their actions are written once."""
+    worlds = hificamsim.Worlds(scenario, num_envs, threads=threads, backend=backend, **settings)
+    told = np.random.default_rng(1).integers(0, worlds.choices[0], (16, *worlds.actions.shape), dtype=np.int32)
+    turn = iter(range(1 << 62))
+
+    def step() -> None:
+        worlds.actions[...] = told[next(turn) & 15]
+        worlds.step()
+
+    return step, worlds
+
+
+def vector(scenario: str, num_envs: int, threads: int, backend: str, **settings: object):
+    """Gymnasium's vector environment."""
+    envs = hificamsim.vector_env(scenario, num_envs, threads=threads, backend=backend, **settings)
+    envs.reset()
+    envs.action_space.seed(1)
+    told = [envs.action_space.sample() for _ in range(16)]
+    turn = iter(range(1 << 62))
+    return lambda: envs.step(told[next(turn) & 15]), envs.worlds
+
+
+def parallel(scenario: str, num_envs: int, threads: int, backend: str, **settings: object):
+    """PettingZoo's dictionaries, one network."""
+    env = hificamsim.parallel_env(scenario, backend=backend, **settings)
+    env.reset()
+    told = [{agent: env.action_space(agent).sample() for agent in env.agents} for _ in range(16)]
+    turn = iter(range(1 << 62))
+
+    def step() -> None:
+        if not env.agents:
+            env.reset()
+        env.step(told[next(turn) & 15])
+
+    return step, env.worlds
+
+
+ROWS = [
+    ("14 x 8, worlds", kernel, CLUSTER, 256, "jvm", {}),
+    ("14 x 8, worlds", kernel, CLUSTER, 256, "process", {}),
+    ("14 x 8, vector_env, copy=False", vector, CLUSTER, 256, "jvm", {"copy": False}),
+    ("14 x 8, vector_env", vector, CLUSTER, 256, "jvm", {}),
+    ("14 x 8, vector_env", vector, CLUSTER, 1024, "jvm", {}),
+    ("14 x 8, parallel_env", parallel, CLUSTER, 1, "jvm", {}),
+    ("14 x 8, parallel_env", parallel, CLUSTER, 1, "process", {}),
+    ("mate-4v8-9, vector_env", vector, "mate-4v8-9", 256, "jvm", {"detection": "geometric"}),
+    ("mate-4v8-9, parallel_env", parallel, "mate-4v8-9", 1, "jvm", {"detection": "geometric"}),
+]
+
+
+def main() -> None:
+    """Prints the table."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--seconds", type=float, default=3)
+    options.add_argument("--threads", type=int, default=1)
+    options.add_argument("--csv")
+    chosen = options.parse_args()
+    rows = [("what", "networks", "backend", "threads", "env_steps_per_cpu_second", "env_steps_per_second", "agent_steps_per_cpu_second")]
+    for what, make, scenario, num_envs, backend, settings in ROWS:
+        step, worlds = make(scenario, num_envs, chosen.threads, backend, **settings)
+        by_processor, by_clock = rate(step, worlds, chosen.seconds)
+        cameras = len(worlds.cameras)
+        worlds.close()
+        rows.append(
+            (what, num_envs, backend, chosen.threads, round(by_processor), round(by_clock), round(by_processor * cameras))
+        )
+        print(*rows[-1], sep="\t", flush=True)
+    if chosen.csv:
+        with open(chosen.csv, "w", newline="", encoding="utf-8") as file:
+            csv.writer(file).writerows(rows)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
