@@ -12,8 +12,8 @@ fail() { echo "hificamsim: the Python package is not tested: $*" >&2; rm -rf "$v
 cmp -s "$requirements" "$venv/requirements.txt" && exit 0
 "$python" -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))' 2>/dev/null ||
     fail "missing: Python 3.10 or later with venv (apt-get install python3-venv)"
-[ "${OFFLINE:-}" = "" ] || fail "missing: its libraries from PyPI (120 MB)"
-echo "hificamsim: fetching the libraries of the Python package's tests from PyPI, 120 MB" >&2
+[ "${OFFLINE:-}" = "" ] || fail "missing: its libraries from PyPI (150 MB)"
+echo "hificamsim: fetching the libraries of the Python package's tests from PyPI, 150 MB" >&2
 rm -rf "$venv"
 "$python" -m venv "$venv" >"$venv.log" 2>&1 </dev/null || fail "$(tail -n 1 "$venv.log")"
 timeout 600 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements" \

@@ -12,8 +12,6 @@ from __future__ import annotations
 import argparse
 import csv
 import os
-import pathlib
-import sys
 import time
 from collections.abc import Iterator
 from typing import Any
@@ -53,14 +51,18 @@ class Network:
             found.append(np.maximum(sums, 0) if i + 2 < len(self.weights) else sums)
         return found
 
-    def learn(self, layers: list[Array], slope: Array, rate: float) -> None:
-        """One step of Adam. ``slope`` is that of the loss by the outputs."""
-        slopes: list[Array] = []
+    def slopes(self, layers: list[Array], slope: Array) -> list[Array]:
+        """The slopes of a loss by the weights. ``slope`` is that by the outputs."""
+        found: list[Array] = []
         for i in range(len(self.weights) - 2, -1, -2):
-            slopes += [slope.sum(0), layers[i // 2].T @ slope]
+            found += [slope.sum(0), layers[i // 2].T @ slope]
             if i:
                 slope = (slope @ self.weights[i].T) * (layers[i // 2] > 0)
-        slopes.reverse()
+        return found[::-1]
+
+    def learn(self, layers: list[Array], slope: Array, rate: float) -> None:
+        """One step of Adam. ``slope`` is that of the loss by the outputs."""
+        slopes = self.slopes(layers, slope)
         norm = np.sqrt(sum(float((one * one).sum()) for one in slopes))
         shrink = np.float32(min(1, 0.5 / (norm + 1e-8)))
         self.updates += 1

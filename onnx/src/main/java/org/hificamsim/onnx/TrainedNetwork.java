@@ -76,8 +76,7 @@ final class TrainedNetwork {
       input = only("input", session.getInputInfo().values());
       output = only("output", session.getOutputInfo().values());
     } catch (OrtException e) {
-      throw new InputException(
-          file + " is no network that ONNX Runtime knows: " + firstLine(e), e);
+      throw new InputException(file + " is no network that ONNX Runtime knows: " + firstLine(e), e);
     } catch (InputException e) {
       throw new InputException(file + ": " + e.getMessage(), e);
     }

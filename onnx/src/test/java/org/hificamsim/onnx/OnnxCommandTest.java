@@ -42,8 +42,18 @@ class OnnxCommandTest {
   private int compare(String policies, Path out, Object... more) {
     Stream<Object> words =
         Stream.of(
-            "compare", CORRIDOR, "--detections", "dori-2014:level=recognise", "--steps", 50,
-            "--repeat", 2, "--policies", policies, "--out", out);
+            "compare",
+            CORRIDOR,
+            "--detections",
+            "dori-2014:level=recognise",
+            "--steps",
+            50,
+            "--repeat",
+            2,
+            "--policies",
+            policies,
+            "--out",
+            out);
     return run(Stream.concat(words, Arrays.stream(more)).toArray());
   }
 
@@ -63,8 +73,17 @@ class OnnxCommandTest {
     assertEquals(
         0,
         run(
-            "run", CORRIDOR, "--detection", "dori-2014:level=recognise", "--steps", 20, "--policy",
-            "onnx:file=" + Shipped.file("linear.onnx"), "--record", "--out", out),
+            "run",
+            CORRIDOR,
+            "--detection",
+            "dori-2014:level=recognise",
+            "--steps",
+            20,
+            "--policy",
+            "onnx:file=" + Shipped.file("linear.onnx"),
+            "--record",
+            "--out",
+            out),
         errors::toString);
     assertArrayEquals(
         Files.readAllBytes(Shipped.file("linear.onnx")),

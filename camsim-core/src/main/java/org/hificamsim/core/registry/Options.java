@@ -129,8 +129,8 @@ public final class Options {
   }
 
   /**
-   * Free text that may be given without its key, as {@code onnx:policy.onnx}; with a key it may hold
-   * an equals sign.
+   * Free text that may be given without its key, as {@code onnx:policy.onnx}; with a key it may
+   * hold an equals sign.
    */
   public String mainText(String key, String defaultValue, String meaning) {
     String text = text(key, defaultValue, meaning);

@@ -17,7 +17,8 @@ import org.hificamsim.runs.RunPlan;
 
 /**
  * Writes what plans were run on beside their results: each scenario as it was run, overrides and
- * all, each fitted detection model, and what a policy decides by. They are files that {@code run} and {@code compare} take.
+ * all, each fitted detection model, and what a policy decides by. They are files that {@code run}
+ * and {@code compare} take.
  */
 public final class InputFiles {
   private static final String SCENARIO = "scenario-";

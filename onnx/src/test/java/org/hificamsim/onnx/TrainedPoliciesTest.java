@@ -1,0 +1,83 @@
+package org.hificamsim.onnx;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.RunExecutor;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.RunResult;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What python/examples/ppo.py has trained, on seeds that it was not trained on. */
+class TrainedPoliciesTest {
+  private static final Path ROOT = Path.of(System.getProperty("hificamsim.root"));
+  private static final Path TRAINED = ROOT.resolve("python/examples/trained");
+  private static final int SEED = 100;
+
+  private final Catalogue catalogue = Catalogue.load();
+  private final RunExecutor executor = new RunExecutor(catalogue);
+
+  /** Training seeds begin at 1,000,000; best-fixed knows the very run that it is for. */
+  @ParameterizedTest
+  @CsvSource({
+    "border, ttpf:task=recognise, 1.1, 2.0",
+    "car-park, dori-2014:level=identify, 1.1, 1.5",
+  })
+  void beatsTheBestThatStaysAndTheBandit(
+      String site, String detection, double overFixed, double overBandit) {
+    double trained = score(plan(site, detection, "onnx:" + TRAINED.resolve(site + ".onnx"), 300));
+    double fixed = score(plan(site, detection, "best-fixed", 300));
+    double bandit = score(plan(site, detection, "epsilon-greedy", 300));
+    assertTrue(trained >= overFixed * fixed, trained + " and " + fixed);
+    assertTrue(trained >= overBandit * bandit, trained + " and " + bandit);
+  }
+
+  /** The file is what greedy.py computes; test_learning.py asserts that it does. */
+  @Test
+  void choosesWhatNumPyChooses() throws IOException {
+    List<String> expected = Files.readAllLines(TRAINED.resolve("choices.csv"));
+    String policy = "onnx:" + TRAINED.resolve("border.onnx");
+    List<String> choices = new ArrayList<>();
+    StepListener listener =
+        (network, coverage) ->
+            choices.add(
+                IntStream.range(0, network.cameras())
+                    .mapToObj(camera -> Integer.toString(network.view(camera)))
+                    .collect(Collectors.joining(",")));
+    executor.repeat(plan("border", "ttpf:task=recognise", policy, 100), 0, List.of(listener));
+    assertEquals(100, expected.size());
+    assertEquals(expected, choices);
+    assertTrue(expected.stream().distinct().count() > 30, "and it moves");
+  }
+
+  private double score(RunPlan plan) {
+    return executor.execute(plan, run -> List.of()).stream()
+        .mapToDouble(RunResult::score)
+        .average()
+        .orElseThrow();
+  }
+
+  private RunPlan plan(String site, String detection, String policy, int steps) {
+    Path file = ROOT.resolve("scenarios").resolve(site + ".xml");
+    Scenario scenario = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
+    Detection used =
+        Overrides.NONE.detection(DetectionSpec.parse(detection, catalogue::detection), scenario);
+    return new RunPlan(Overrides.NONE.scenario(scenario), used, policy, steps, SEED, 5);
+  }
+}
