@@ -1,5 +1,6 @@
 package org.hificamsim.acceptance;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -163,6 +164,80 @@ class ProfileCommandTest {
     }
     Files.writeString(folder.resolve("measurements.csv"), table.toString());
     return Cli.run("profile", "fit", folder, "--population", 60, "--generations", 3);
+  }
+
+  @Test
+  void confidencesOfAnyDetectorBecomeModelsWithoutAPhoto() throws IOException {
+    Files.writeString(
+        folder.resolve("camera.json"),
+        "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.015, \"width\": 1296, \"height\": 864}");
+    StringBuilder table = new StringBuilder("image,q,d,z,confidence,object\n");
+    for (double q : new double[] {0.2, 0.4, 0.8}) {
+      for (double z : new double[] {0.01, 0.035, 0.085}) {
+        for (double d = 1; d < 40; d *= 1.5) {
+          double pip = Math.pow(q * z / d, 2) / (0.0224 * 0.015);
+          double confidence = 0.9 * (1 - Math.exp(-Math.min(1, pip) / 0.01));
+          table.append("photo,%s,%s,%s,%s,thing of %s\n".formatted(q, d, z, confidence, q));
+        }
+      }
+    }
+    Path file = folder.resolve("yolo.csv");
+    Files.writeString(file, table);
+    Cli fit =
+        assertDone(
+            Cli.run(
+                "profile",
+                "fit",
+                folder,
+                "--confidences",
+                file,
+                "--population",
+                100,
+                "--generations",
+                3,
+                "--restarts",
+                1));
+    Path model = folder.resolve("models/yolo-pinhole.json");
+    assertTrue(Files.exists(model), fit.out());
+    assertTrue(Files.exists(folder.resolve("report.html")));
+    assertDone(
+        Cli.run(
+            "run",
+            Cli.scenario("lattice-random"),
+            "--steps",
+            5,
+            "--detection",
+            model,
+            "--out",
+            folder.resolve("out")));
+  }
+
+  @Test
+  void picturesOfMatchesLeaveTheMeasurementsAlone() throws IOException {
+    Path lab = folder.resolve("lab");
+    assertDone(
+        Cli.run(
+            "profile",
+            "lab",
+            "--out",
+            lab,
+            "--scale",
+            "0.05",
+            "--objects",
+            1,
+            "--focal-lengths",
+            "0.05",
+            "--distances",
+            "1,2"));
+    Path table = lab.resolve("measurements.csv");
+    String image = "images/matchbox-50mm-01.0m.jpg";
+    Cli first = assertDone(Cli.run("profile", "measure", lab, "--picture", image));
+    assertTrue(first.out().contains("by OpenCV "), first.out());
+    byte[] measured = Files.readAllBytes(table);
+    Cli again =
+        assertDone(Cli.run("profile", "measure", lab, "--detectors", "orb", "--picture", image));
+    assertEquals("1 drawn: " + lab.resolve("matches") + "\n", again.out());
+    assertArrayEquals(measured, Files.readAllBytes(table));
   }
 
   @Test

@@ -23,6 +23,7 @@ import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.MeasurementsFile;
+import org.hificamsim.profiling.measure.OwnConfidences;
 import org.hificamsim.profiling.measure.PipReading;
 import org.hificamsim.profiling.measure.ThresholdsFile;
 import org.hificamsim.profiling.report.FitReport;
@@ -42,6 +43,14 @@ final class FitCommand implements Callable<Integer> {
 
   @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
   private Path folder;
+
+  @Option(
+      names = "--confidences",
+      paramLabel = "FILE",
+      description =
+          "Confidences of your own instead of measurements.csv:"
+              + " image,q,d,z,confidence[,object][,pip], q, d and z in metres.")
+  private Path confidences;
 
   @Option(
       names = "--name",
@@ -104,16 +113,22 @@ final class FitCommand implements Callable<Integer> {
     FitSettings settings = settings();
     int count = threads.count();
     PhotoCamera camera = DatasetReader.camera(folder);
-    List<Measurement> measurements = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
+    List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
     int models = new ModelFolder(folder.resolve("models"), name).write(result);
     FitReport.write(
         result,
-        PipReading.ofDataset(folder),
+        confidences == null ? PipReading.ofDataset(folder) : PipReading.RECTANGLE,
         folder.toAbsolutePath().normalize().getFileName().toString(),
         folder);
     print(result, models);
     return 0;
+  }
+
+  private List<Measurement> measurements(PhotoCamera camera) {
+    return confidences == null
+        ? MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME))
+        : OwnConfidences.read(confidences, camera);
   }
 
   private void print(FitResult result, int models) {
