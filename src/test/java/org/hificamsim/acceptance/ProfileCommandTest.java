@@ -69,7 +69,7 @@ class ProfileCommandTest {
     Cli fitted = fit((row, pip) -> row % 2 == 0 ? 0.1 : 0.3);
     assertEquals(2, fitted.exit(), fitted.err());
     assertTrue(
-        fitted.err().contains("warning: own-pinhole is no detector: its slope on PIP is"),
+        fitted.err().contains("warning: orb-pinhole is no detector: its slope on PIP is"),
         fitted.err());
     assertTrue(fitted.err().contains("no confidence surely rises with PIP"), fitted.err());
     try (Stream<Path> files = Files.list(folder.resolve("models"))) {
@@ -89,10 +89,10 @@ class ProfileCommandTest {
                 "--steps",
                 5,
                 "--detection",
-                folder.resolve("models/own-pinhole.json"),
+                folder.resolve("models/orb-pinhole.json"),
                 "--out",
                 folder.resolve("run")));
-    assertTrue(run.err().contains("'lab:own-pinhole' was not fitted on what is asked"), run.err());
+    assertTrue(run.err().contains("'lab:orb-pinhole' was not fitted on what is asked"), run.err());
     assertTrue(run.err().contains("(fitted on 0.3)"), run.err());
     Cli shipped =
         assertDone(
@@ -104,6 +104,48 @@ class ProfileCommandTest {
                 "--detection",
                 "hifi:orb-lin"));
     assertFalse(shipped.err().contains("not fitted on"), shipped.err());
+  }
+
+  @Test
+  void refitStandsBesideTheShippedModelOfItsName() throws IOException {
+    assertDone(fit((row, pip) -> 0.9 * pip / (pip + 0.01)));
+    Path file = folder.resolve("models/orb-pinhole.json");
+    Path out = folder.resolve("compared");
+    assertDone(compare(file + ",lab:orb-pinhole", out));
+    String table = Files.readString(out.resolve("summary.csv"));
+    assertTrue(table.contains(",lab:orb-pinhole,"), table);
+    assertTrue(table.contains("-models-orb-pinhole.json,"), table);
+    Cli twice = compare(file + "," + file, folder.resolve("twice"));
+    assertEquals(2, twice.exit());
+    assertTrue(twice.err().contains("twice"), twice.err());
+  }
+
+  private static Cli compare(String detections, Path out) {
+    return Cli.run(
+        "compare",
+        Cli.scenario("lattice-random"),
+        "--detections",
+        detections,
+        "--policies",
+        "random",
+        "--seeds",
+        1,
+        "--steps",
+        5,
+        "--out",
+        out);
+  }
+
+  @Test
+  void thresholdsFromNegativesAreThoseOfTheModels() throws IOException {
+    Files.writeString(
+        folder.resolve("thresholds.csv"),
+        "detector,threshold,false_alarms,recall\norb,0.123,0,1\n");
+    assertDone(fit((row, pip) -> 0.9 * pip / (pip + 0.01)));
+    String model = Files.readString(folder.resolve("models/orb-pinhole.json"));
+    assertTrue(model.contains("\"threshold\": 0.123"), model);
+    assertTrue(model.contains("\"version\": 2"), model);
+    assertTrue(Files.readString(folder.resolve("report.html")).contains("orb 0.123"));
   }
 
   private Cli fit(java.util.function.BiFunction<Integer, Double, Double> confidence)

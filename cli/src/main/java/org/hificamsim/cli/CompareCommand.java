@@ -3,7 +3,6 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
@@ -97,10 +96,7 @@ final class CompareCommand implements Callable<Integer> {
   }
 
   private List<RunPlan> plans(Catalogue catalogue) {
-    List<DetectionSpec> asked =
-        Arrays.stream(detections.split(",", -1))
-            .map(name -> DetectionSpec.parse(name.strip(), catalogue::detection))
-            .toList();
+    List<DetectionSpec> asked = DetectionList.split(detections, catalogue);
     List<String> specs = PolicyList.split(policies, catalogue.policies());
     Distinct.require("--policies", specs);
     List<Scenario> scenarios =

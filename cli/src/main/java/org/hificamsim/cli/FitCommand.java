@@ -115,8 +115,7 @@ final class FitCommand implements Callable<Integer> {
     PhotoCamera camera = DatasetReader.camera(folder);
     List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
-    int models =
-        new ModelFolder(folder.resolve("models"), name, ThresholdsFile.read(folder)).write(result);
+    int models = new ModelFolder(folder.resolve("models"), name).write(result);
     FitReport.write(
         result,
         confidences == null ? PipReading.ofDataset(folder) : PipReading.RECTANGLE,
@@ -186,6 +185,7 @@ final class FitCommand implements Callable<Integer> {
         seed.value(),
         new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
-        shape());
+        shape(),
+        ThresholdsFile.read(folder));
   }
 }

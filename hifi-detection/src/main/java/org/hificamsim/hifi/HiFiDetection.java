@@ -55,6 +55,11 @@ public record HiFiDetection(
     this(name, f, g, optics, defaultThreshold, OptionalDouble.empty(), provenance);
   }
 
+  /** The same under another name. */
+  public HiFiDetection named(String other) {
+    return new HiFiDetection(other, f, g, optics, defaultThreshold, rmse, fitted, provenance);
+  }
+
   @Override
   public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
     return g.confidence(f.pip(size, distance, optics.focalLength(zoom)));

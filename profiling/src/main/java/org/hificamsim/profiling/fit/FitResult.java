@@ -12,6 +12,7 @@ import org.hificamsim.profiling.measure.Measurement;
  * @param features every f, in the order of the report
  * @param unseen what was left out together to see how g does on what it has not seen: objects, or
  *     folds where there is one object
+ * @param thresholds by detector, from which confidence on it detects, where that is known
  * @param lines the thesis's g: by detector, then by the name of what it was fitted on, an f, {@link
  *     #GROUND_TRUTH} or {@link #CAMSIM}
  * @param models every g: by detector, then by the name of what it was fitted on, an f or {@link
@@ -23,6 +24,7 @@ public record FitResult(
     List<String> detectors,
     List<FeatureResult> features,
     Groups unseen,
+    Map<String, Double> thresholds,
     Map<String, Map<String, LineFit>> lines,
     Map<String, Map<String, DetectorFit>> models) {
   /** On measured PIP. */
@@ -30,6 +32,14 @@ public record FitResult(
 
   /** On CamSim's standard confidence. */
   public static final String CAMSIM = "camsim-standard";
+
+  /** The same with every g. */
+  FitResult with(
+      Map<String, Map<String, LineFit>> everyLine,
+      Map<String, Map<String, DetectorFit>> everyModel) {
+    return new FitResult(
+        camera, measurements, detectors, features, unseen, thresholds, everyLine, everyModel);
+  }
 
   /** One f. */
   public FeatureResult feature(String name) {

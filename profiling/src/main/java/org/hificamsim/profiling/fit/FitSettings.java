@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -10,17 +11,19 @@ import java.util.Optional;
  * @param symbolic how symbolic regression runs
  * @param vectors how support vectors are trained
  * @param shape the name of the shape of g that is taken; without one it is chosen
+ * @param thresholds by detector, from which measured confidence on it detects, where that is known
  */
 public record FitSettings(
     int folds,
     long seed,
     SymbolicSettings symbolic,
     SupportVectorSettings vectors,
-    Optional<String> shape) {
+    Optional<String> shape,
+    Map<String, Double> thresholds) {
   /** With the shape of g that does best on objects that it has not seen. */
   public FitSettings(
       int folds, long seed, SymbolicSettings symbolic, SupportVectorSettings vectors) {
-    this(folds, seed, symbolic, vectors, Optional.empty());
+    this(folds, seed, symbolic, vectors, Optional.empty(), Map.of());
   }
 
   /** The thesis's: five folds (thesis 4.4). */

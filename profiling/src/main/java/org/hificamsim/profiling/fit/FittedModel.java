@@ -3,7 +3,6 @@ package org.hificamsim.profiling.fit;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
@@ -53,12 +52,8 @@ public record FittedModel(
     return on.equals(FitResult.GROUND_TRUTH);
   }
 
-  /**
-   * The model, with a prefix and a colon before its name.
-   *
-   * @param thresholds of detectors that have one of their own; else the published models' is taken
-   */
-  HiFiDetection detection(String prefix, Map<String, Double> thresholds) {
+  /** The model, with a prefix and a colon before its name. */
+  HiFiDetection detection(String prefix) {
     DetectorModel g = fit.chosen().g();
     double rmse = fit.chosen().unseen().rmse();
     return new HiFiDetection(
@@ -66,7 +61,7 @@ public record FittedModel(
         f.fit().f(),
         g,
         new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
-        thresholds.getOrDefault(detector, PublishedModels.published().threshold(g)),
+        result.thresholds().getOrDefault(detector, PublishedModels.published().threshold(g)),
         rmse > NO_SCATTER ? OptionalDouble.of(rmse) : OptionalDouble.empty(),
         Optional.of(fittedOn()),
         provenance());

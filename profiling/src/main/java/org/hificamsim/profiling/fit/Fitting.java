@@ -32,11 +32,18 @@ public final class Fitting {
             .all(regressions(camera), threads);
     List<String> detectors = List.copyOf(measurements.get(0).confidences().keySet());
     FitResult plain =
-        new FitResult(camera, measurements, detectors, features, unseen, Map.of(), Map.of());
+        new FitResult(
+            camera,
+            measurements,
+            detectors,
+            features,
+            unseen,
+            settings.thresholds(),
+            Map.of(),
+            Map.of());
     Map<String, Map<String, LineFit>> lines = new LinkedHashMap<>();
     detectors.forEach(detector -> lines.put(detector, lines(plain, detector)));
-    return new FitResult(
-        camera, measurements, detectors, features, unseen, lines, models(plain, objects, threads));
+    return plain.with(lines, models(plain, objects, threads));
   }
 
   /** Every way to fit f, the simplest first. */

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Map;
 import org.hificamsim.hifi.model.ModelFiles;
 
 /**
@@ -14,14 +13,8 @@ import org.hificamsim.hifi.model.ModelFiles;
  *
  * @param folder where the files go
  * @param prefix of the models' names, before a colon
- * @param thresholds of the detectors that have one of their own
  */
-public record ModelFolder(Path folder, String prefix, Map<String, Double> thresholds) {
-  /** Models with the threshold that the published ones have. */
-  public ModelFolder(Path folder, String prefix) {
-    this(folder, prefix, Map.of());
-  }
-
+public record ModelFolder(Path folder, String prefix) {
   /** Writes all models that are one; returns how many. */
   public int write(FitResult result) {
     try {
@@ -32,7 +25,7 @@ public record ModelFolder(Path folder, String prefix, Map<String, Double> thresh
         if (model.fit().refused()) {
           Files.deleteIfExists(file);
         } else {
-          ModelFiles.write(model.detection(prefix, thresholds), file);
+          ModelFiles.write(model.detection(prefix), file);
           written++;
         }
       }

@@ -72,7 +72,10 @@ public final class FitReport {
   private void advice() {
     page.paragraph(Advice.headline(result));
     own.recommendations(page);
-    Recommendation.all(result).forEach(one -> page.paragraph(one.sentence()));
+    Recommendation first = Advice.first(result);
+    Recommendation.all(result).stream()
+        .filter(one -> !one.detector().equals(first.detector()))
+        .forEach(one -> page.paragraph(one.sentence()));
     page.paragraph(Advice.unseen(result));
   }
 
