@@ -49,9 +49,9 @@ final class SampleReader {
     Double size = check(() -> length("size_m", MAX_SIZE));
     Double distance = check(() -> length("distance_m", FARTHEST));
     Double focalLength = image == null ? null : check(() -> focalLength(image.file()));
-    Patch patch =
-        object == null || image == null ? null : check(() -> patch(object, image.header()));
-    Optional<Path> mask = Optional.ofNullable(image == null ? null : check(() -> mask(image)));
+    ImageHeader frame = image == null ? level() : image.header();
+    Patch patch = object == null ? null : check(() -> patch(object, frame));
+    Optional<Path> mask = Optional.ofNullable(check(() -> mask(frame)));
     Map<Covariate, Double> covariates = check(this::covariates);
     return problems.size() > before
         ? Optional.empty()
@@ -68,6 +68,11 @@ final class SampleReader {
                 covariates));
   }
 
+  /** What is supposed of a photo that cannot be read. */
+  private ImageHeader level() {
+    return new ImageHeader(camera.width(), camera.height());
+  }
+
   private <T> T check(Supplier<T> part) {
     try {
       return part.get();
@@ -82,13 +87,13 @@ final class SampleReader {
   }
 
   /** The mask, which is of its picture's size. */
-  private Path mask(Picture image) {
+  private Path mask(ImageHeader image) {
     Cell cell = row.get("mask");
     if (cell == null || cell.text().isEmpty()) {
       return null;
     }
     Picture mask = picture("mask");
-    if (!mask.header().equals(image.header())) {
+    if (!mask.header().equals(image)) {
       throw cell.error("mask", "a picture that is as wide and high as its image");
     }
     return mask.file();
