@@ -108,7 +108,9 @@ public interface NetworkView extends CoveredTargets {
    */
   double confidence(int camera, int target);
 
-  /** The {@link #confidence} for a target that the camera {@link #sees}, which need not be tested. */
+  /**
+   * The {@link #confidence} for a target that the camera {@link #sees}, which need not be tested.
+   */
   default double seenConfidence(int camera, int target) {
     return confidence(camera, target);
   }

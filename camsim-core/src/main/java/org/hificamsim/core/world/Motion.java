@@ -13,7 +13,8 @@ final class Motion {
   private final double[] pan;
   private final double[] zoom;
   private final boolean[] moving;
-  private final int[] passing; // the view that a camera on its way passes: asked far more than moved
+  private final int[]
+      passing; // the view that a camera on its way passes: asked far more than moved
 
   /**
    * @param views of each camera, live
