@@ -4,7 +4,7 @@
 
 Each row is one way to step; steps are counted by networks (environment steps) and by cameras (agent steps), and
 divided by the processor time of the process, so that other work on the machine counts little; a process backend's
-time is that of both processes. mate-4v8-9 is the scenario of that name. MATE itself is not installable from PyPI.
+time is that of both processes. mate-4v8-9 is the scenario of that name. MATE is not on PyPI: `mate` is another package.
 """
 
 from __future__ import annotations

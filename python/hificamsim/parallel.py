@@ -120,7 +120,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
 
     def state(self) -> Array:
         """All there is to know of the world, float32 in [-1, 1]."""
-        return self.worlds.state()[0].copy()
+        return np.array(self.worlds.state()[0])
 
     def render(self) -> Array | None:
         """The last step as a picture, uint8 (height, width, 3), or in a window; as ``render_mode`` says."""

@@ -34,7 +34,7 @@ class CameraVecEnv(VecEnv):  # type: ignore[misc]
     def reset(self) -> Any:
         observations, _ = self.vector.reset(seed=self._seed)
         self._seed = None
-        self.reset_infos = [{} for _ in range(self.num_envs)]
+        self.reset_infos: list[dict[str, Any]] = [{} for _ in range(self.num_envs)]
         return observations
 
     def step_async(self, actions: Any) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import gymnasium
 import numpy as np
 
@@ -20,7 +22,7 @@ def state(worlds: Worlds) -> gymnasium.spaces.Box:
     return gymnasium.spaces.Box(-1, 1, (worlds.states.shape[1],), np.float32)
 
 
-def action(worlds: Worlds, camera: int | None = None) -> gymnasium.spaces.Space:
+def action(worlds: Worlds, camera: int | None = None) -> gymnasium.spaces.Space[Any]:
     """Of a camera's action; without a camera, of one that may be any."""
     if len(worlds.choices) > 1:
         return gymnasium.spaces.MultiDiscrete(worlds.choices)

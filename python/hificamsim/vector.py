@@ -15,7 +15,7 @@ from .errors import InputError
 from .worlds import Array, Worlds
 
 
-class CameraVectorEnv(VectorEnv):  # type: ignore[misc]
+class CameraVectorEnv(VectorEnv[Any, Any, Any]):
     """Many networks side by side, for one policy.
 
     :param num_envs: how many networks
@@ -130,7 +130,7 @@ class CameraVectorEnv(VectorEnv):  # type: ignore[misc]
         self.worlds.close()
 
 
-class NetworkEnv(gymnasium.Env):  # type: ignore[misc]
+class NetworkEnv(gymnasium.Env[Any, Any]):
     """One network for one agent, which moves all cameras and is paid the mean of their rewards."""
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 10}

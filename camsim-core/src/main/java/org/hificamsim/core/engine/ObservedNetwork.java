@@ -276,6 +276,21 @@ final class ObservedNetwork implements OracleView {
     return DetectionModel.clamp(value * lines.transmittance(camera, target));
   }
 
+  /** What is seen is not hidden: only what lets a part of the light through is asked. */
+  @Override
+  public double seenConfidence(int camera, int target) {
+    int view = cameras.seeing(camera);
+    double value =
+        visibility.valueInView(
+            cameras.pose(camera, view),
+            cameras.zoom(camera, view),
+            targets.x(target),
+            targets.y(target),
+            targets.size(target));
+    double through = lines.partial() ? lines.transmittance(camera, target) : 1;
+    return DetectionModel.clamp(value * through);
+  }
+
   @Override
   public boolean detects(int camera, int view, int target) {
     return targets.present(target) && sight.detects(camera, view, target);

@@ -108,6 +108,13 @@ public interface NetworkView extends CoveredTargets {
    */
   double confidence(int camera, int target);
 
+  /**
+   * The {@link #confidence} for a target that the camera {@link #sees}, which need not be tested.
+   */
+  default double seenConfidence(int camera, int target) {
+    return confidence(camera, target);
+  }
+
   /** Whether the camera detects a target where both are now; as observed when asked in learn. */
   default boolean sees(int camera, int target) {
     int view = seeing(camera);

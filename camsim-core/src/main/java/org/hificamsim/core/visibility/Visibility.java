@@ -156,7 +156,14 @@ public final class Visibility {
     return Double.isNaN(value) ? 0 : value;
   }
 
-  /** The same; NaN out of reach or angle. */
+  /** The same for a target that is within reach and angle, which is not tested. */
+  public double valueInView(Pose camera, ZoomLevel zoom, double x, double y, double size) {
+    double offAxis = model.dependsOnBearing() ? camera.offAxis(x, y) : 0;
+    double value = model.confidence(size, camera.distance(x, y), offAxis, zoom);
+    return Double.isNaN(value) ? 0 : value;
+  }
+
+  /** The value; NaN out of reach or angle. */
   private double valueInSight(Pose camera, ZoomLevel zoom, double x, double y, double size) {
     double distance = camera.distance(x, y);
     if (!(distance <= zoom.radius())) {

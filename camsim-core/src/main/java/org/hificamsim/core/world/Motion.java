@@ -13,6 +13,8 @@ final class Motion {
   private final double[] pan;
   private final double[] zoom;
   private final boolean[] moving;
+  private final int[]
+      passing; // the view that a camera on its way passes: asked far more than moved
 
   /**
    * @param views of each camera, live
@@ -24,6 +26,7 @@ final class Motion {
     pan = new double[views.length];
     zoom = new double[views.length];
     moving = new boolean[views.length];
+    passing = new int[views.length];
   }
 
   /** Puts a camera into a view at once. */
@@ -51,6 +54,8 @@ final class Motion {
     moving[camera] = true;
     pan[camera] = towards(pan[camera], set.pan(goal), set.panSpeed() * stepTime);
     zoom[camera] = towards(zoom[camera], set.zoomOf(goal), set.zoomSpeed() * stepTime);
+    passing[camera] =
+        set.moving() == Moving.BLIND ? Cameras.NO_VIEW : set.nearest(pan[camera], zoom[camera]);
   }
 
   private static double towards(double from, double to, double most) {
@@ -77,11 +82,7 @@ final class Motion {
 
   /** The view through which a camera sees on its way to a goal; -1 while it sees nothing. */
   int seeing(int camera, int goal) {
-    if (!moving[camera]) {
-      return goal;
-    }
-    ViewSet set = views[camera];
-    return set.moving() == Moving.BLIND ? -1 : set.nearest(pan[camera], zoom[camera]);
+    return moving[camera] ? passing[camera] : goal;
   }
 
   /** Whether any camera of these needs time for a move. */

@@ -8,7 +8,7 @@ import java.util.SplittableRandom;
 import java.util.TreeMap;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
@@ -28,7 +28,7 @@ class SeenTargetsTest {
   void thoseThatAreSeenAreTheSameAsByAskingForEach(double side) {
     World world = world();
     PointGrid grid = PointGrid.over(-10, -10, 20, 20, side, TARGETS);
-    Visibility visibility = Visibility.of(Detection.of(new GeometricDetection()));
+    Visibility visibility = Visibility.of(Detection.of(new CamSimRangeDetection()));
     ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, grid);
     network.beginStep(0);
     network.locate();
@@ -52,6 +52,7 @@ class SeenTargetsTest {
     assertEquals(seen.size(), network.findSeen(camera, who, ahead, right));
     for (int i = 0; i < seen.size(); i++) {
       Seen one = seen.get(who[i]);
+      assertEquals(network.confidence(camera, who[i]), network.seenConfidence(camera, who[i]));
       assertEquals(one.distance * Math.cos(one.bearing), ahead[i], 1e-12);
       assertEquals(one.distance * Math.sin(one.bearing), right[i], 1e-12);
     }

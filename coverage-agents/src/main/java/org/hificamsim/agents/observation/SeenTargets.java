@@ -80,7 +80,7 @@ final class SeenTargets {
     out[at + 1] = Bounds.signed(ahead[i] * perReach);
     out[at + 2] = Bounds.signed(right[i] * perReach);
     out[at + 3] = Bounds.share(network.targetSize(target) / Math.sqrt(squared[i]) * perAngle);
-    out[at + 4] = Bounds.share(network.confidence(camera, target));
+    out[at + 4] = Bounds.share(network.seenConfidence(camera, target));
     out[at + 5] = Bounds.share((double) network.coverage(target) / network.cameras());
   }
 }
