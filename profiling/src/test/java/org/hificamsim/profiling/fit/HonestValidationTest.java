@@ -97,7 +97,13 @@ class HonestValidationTest {
   @Test
   void aShapeThatIsAskedForIsTaken() {
     FitSettings asked =
-        new FitSettings(5, 0, QUICK.symbolic(), QUICK.vectors(), java.util.Optional.of("isotonic"));
+        new FitSettings(
+            5,
+            0,
+            QUICK.symbolic(),
+            QUICK.vectors(),
+            java.util.Optional.of("isotonic"),
+            java.util.Map.of());
     List<Measurement> rows = new Photos().detector("d", p -> 0.1 + 0.5 * p).take(2);
     FitResult result = new Fitting(asked).fit(Photos.CAMERA, rows, 2);
     assertEquals("isotonic", result.model("d", "power").chosen().shape());
