@@ -52,6 +52,7 @@ class ScenarioSchemaTest {
       <object features="1.0" x="0" y="1" heading="0" speed="1" size="0.66"/>
       <object features="2.0" x="0" y="1" heading="0" speed="1"/>
       <object features="3.0" x="0" y="1" heading="0" speed="1" width="0.5" height="1.75"/>
+      <tracks file="a.tracks"/>
     </objects>
     <events>
       <event timestep="0" participant="object" event="error" name="1.0"/>
@@ -133,6 +134,7 @@ class ScenarioSchemaTest {
         "moving=\"sees\"            | moving=\"yes\"",
         "height=\"1.75\"            | height=\"0\"",
         "static=\"false\"           | static=\"perhaps\"",
+        "<objects>                  | <objects><tracks files=\"a.tracks\"/>",
         "<events>                   | <events><waypoint x=\"0\" y=\"0\"/>",
         "name=\"1.0\"/>             | name=\"1.0\"><waypoint x=\"0\" y=\"0\"/></event>",
         "<objects>                  | <objects><person/>",

@@ -13,6 +13,8 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.tracks.ImportSummary;
+import org.hificamsim.tracks.SiteSettings;
+import org.hificamsim.tracks.TrackSettings;
 import org.hificamsim.tracks.TrackedSite;
 import org.hificamsim.tracks.TracksImport;
 import org.hificamsim.tracks.format.TrackFormat;
@@ -54,12 +56,14 @@ final class ImportCommand implements Callable<Integer> {
     LocalProjection projection = recording.projection();
     String name = site.name(file);
     List<Obstacle> walls = site.walls(recording.unitOf(format), projection);
-    TracksImport tracks =
-        new TracksImport(
-            recording.recording(file), recording.settings(), recording.homography(), projection);
-    try (OutputFolder folder = new OutputFolder(out)) {
-      ImportSummary found = tracks.run(reader, new Obstacles(walls), folder, name + ".tracks");
-      TrackedSite made = new TrackedSite(site.settings(name, file, walls), found);
+    SiteSettings around = site.settings(name, file, walls);
+    TrackSettings settings = recording.settings();
+    try (TracksImport tracks =
+            new TracksImport(
+                reader, recording.recording(file), recording.homography(), projection);
+        OutputFolder folder = new OutputFolder(out)) {
+      ImportSummary found = tracks.write(settings, new Obstacles(walls), folder, name + ".tracks");
+      TrackedSite made = new TrackedSite(around, found);
       write(folder, name, made);
       folder.commit(List.of());
       tell(name, found, made, walls, projection);

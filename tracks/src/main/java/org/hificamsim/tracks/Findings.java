@@ -1,27 +1,17 @@
 package org.hificamsim.tracks;
 
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.PriorityQueue;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Field;
 
 /** What a recording has in it: extent in time and place, speeds, gaps, and what is odd. */
 final class Findings {
-  /** A speed is odd from this multiple of the third quartile on. */
-  private static final double ODD = 5;
-
-  private static final int NAMED = 3; // jumps that are told one by one
-
-  private record Leg(String target, double time, double way, double speed) {}
-
   private final double interval;
   private final Obstacles obstacles;
   private final Speeds speeds = new Speeds();
-  private final PriorityQueue<Leg> fastest =
-      new PriorityQueue<>(Comparator.comparingDouble(Leg::speed));
+  private final Jumps jumps = new Jumps();
   private long samples;
   private int targets;
   private int gaps;
@@ -76,12 +66,12 @@ final class Findings {
     }
     double speed = way / duration;
     speeds.add(speed);
-    if (fastest.size() < NAMED || speed > fastest.peek().speed()) {
-      fastest.add(new Leg(target.name(), time, way, speed));
-      if (fastest.size() > NAMED) {
-        fastest.poll();
-      }
-    }
+    jumps.add(new Jumps.Leg(target.name(), time, way, speed));
+  }
+
+  /** Another track begins. */
+  void track() {
+    jumps.endTrack();
   }
 
   void gap(double duration) {
@@ -130,8 +120,8 @@ final class Findings {
   List<String> odd() {
     endTarget();
     last = null;
-    List<String> odd = new ArrayList<>();
-    jumps(odd);
+    jumps.endTrack();
+    List<String> odd = new ArrayList<>(jumps.lines(speeds.quantile(0.75)));
     if (single > 0) {
       odd.add(single + " targets with one sample alone");
     }
@@ -139,34 +129,5 @@ final class Findings {
       odd.add("through a wall: " + blocked + " times, first " + firstBlocked);
     }
     return odd;
-  }
-
-  private void jumps(List<String> odd) {
-    double limit = ODD * Math.max(speeds.quantile(0.75), 0.1);
-    long jumps = speeds.above(limit);
-    if (jumps == 0) {
-      return;
-    }
-    odd.add(
-        jumps
-            + (jumps == 1 ? " jump" : " jumps")
-            + ", faster than "
-            + Figures.rounded(limit)
-            + " m/s, five times the third quartile");
-    fastest.stream()
-        .sorted(Comparator.comparingDouble(Leg::speed).reversed())
-        .filter(leg -> leg.speed() > limit)
-        .forEach(
-            leg ->
-                odd.add(
-                    "target "
-                        + leg.target()
-                        + " jumps "
-                        + Figures.rounded(leg.way())
-                        + " m before "
-                        + Figures.rounded(leg.time())
-                        + " s, "
-                        + Figures.rounded(leg.speed())
-                        + " m/s"));
   }
 }

@@ -82,6 +82,7 @@ final class TrackMaker {
   }
 
   private void begin(int number, boolean known, double when) throws IOException {
+    findings.track();
     if (known) {
       findings.gap(when - time);
     }

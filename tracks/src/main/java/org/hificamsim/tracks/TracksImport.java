@@ -1,12 +1,12 @@
 package org.hificamsim.tracks;
 
+import java.io.Closeable;
 import java.io.IOException;
 import java.io.Writer;
 import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.TrackWriter;
-import org.hificamsim.tracks.format.Clock;
 import org.hificamsim.tracks.format.Recording;
 import org.hificamsim.tracks.format.TrackFormat;
 import org.hificamsim.tracks.format.Unit;
@@ -15,61 +15,66 @@ import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
 
 /**
- * Reads a recording of any size and writes it as a file of tracks.
- *
- * <p>Two passes: the file is read once, its samples sorted by target; then they are written. Memory
- * grows with the number of targets, not with that of samples.
+ * A recording of any size, read once and checked, its samples sorted by target, to be written as a
+ * file of tracks. Memory grows with the number of targets, not with that of samples.
  */
-public final class TracksImport {
+public final class TracksImport implements Closeable {
   /** Seconds a sample may be off the interval and be put there. */
   private static final double SLACK = 1e-6;
 
   private final Recording recording;
-  private final TrackSettings settings;
   private final Optional<Homography> homography;
   private final LocalProjection projection;
+  private final SampleSorter sorter = new SampleSorter();
+  private final Collector collector = new Collector(sorter, this::ground);
+  private double secondsPerTick;
 
   /**
+   * Reads a recording.
+   *
    * @param projection of degrees
+   * @throws org.hificamsim.core.InputException when the file, or what is said of it, is wrong
    */
   public TracksImport(
+      TrackFormat format,
       Recording recording,
-      TrackSettings settings,
       Optional<Homography> homography,
-      LocalProjection projection) {
+      LocalProjection projection)
+      throws IOException {
     this.recording = recording;
-    this.settings = settings;
     this.homography = homography;
     this.projection = projection;
+    try {
+      secondsPerTick = format.read(recording, collector).secondsPerTick(collector.spacing());
+      requireSome(collector.samples());
+    } catch (RuntimeException e) {
+      close();
+      throw e;
+    }
   }
 
   /**
-   * Imports the recording.
+   * Writes the tracks.
    *
    * @param obstacles through which nobody should go
    * @param folder receives the tracks under this name
-   * @throws org.hificamsim.core.InputException when the file, or what is said of it, is wrong
+   * @throws org.hificamsim.core.InputException when nothing is left of the recording
    */
-  public ImportSummary run(
-      TrackFormat format, Obstacles obstacles, OutputFolder folder, String name)
+  public ImportSummary write(
+      TrackSettings settings, Obstacles obstacles, OutputFolder folder, String name)
       throws IOException {
-    try (SampleSorter sorter = new SampleSorter()) {
-      Collector collector = new Collector(sorter, this::ground);
-      Clock clock = format.read(recording, collector);
-      double secondsPerTick = clock.secondsPerTick(collector.spacing());
-      double interval = rounded(collector.spacing() * secondsPerTick);
-      Findings findings = new Findings(interval, obstacles);
-      TargetNames names = new TargetNames(collector.targets());
-      double gap;
-      try (Writer out = folder.open(name)) {
-        TrackWriter writer = new TrackWriter(out, interval, SLACK);
-        TrackMaker maker = new TrackMaker(settings, writer, collector.targets(), names, findings);
-        maker.write(sorter.sorted(), collector.firstTick(), secondsPerTick);
-        gap = maker.gap();
-      }
-      requireSome(findings);
-      return ImportSummary.of(collector, findings, names, gap);
+    double interval = rounded(collector.spacing() * secondsPerTick);
+    Findings findings = new Findings(interval, obstacles);
+    TargetNames names = new TargetNames(collector.targets());
+    double gap;
+    try (Writer out = folder.open(name)) {
+      TrackWriter writer = new TrackWriter(out, interval, SLACK);
+      TrackMaker maker = new TrackMaker(settings, writer, collector.targets(), names, findings);
+      maker.write(sorter.sorted(), collector.firstTick(), secondsPerTick);
+      gap = maker.gap();
     }
+    requireSome(findings.samples());
+    return ImportSummary.of(collector, findings, names, gap);
   }
 
   private Ground ground(Unit unit) {
@@ -80,9 +85,14 @@ public final class TracksImport {
     return Math.max(SLACK, Math.rint(seconds * 1e6) / 1e6);
   }
 
-  private void requireSome(Findings findings) {
-    if (findings.samples() == 0) {
+  private void requireSome(long samples) {
+    if (samples == 0) {
       throw recording.missing("samples of targets; the file, or what is cut from it, has none");
     }
+  }
+
+  @Override
+  public void close() throws IOException {
+    sorter.close();
   }
 }

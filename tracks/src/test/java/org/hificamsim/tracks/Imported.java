@@ -80,11 +80,14 @@ final class Imported {
     Recording recording = new Recording(file, rate, unit, columns);
     TrackSettings settings =
         new TrackSettings(gap, from, to, TargetSpec.DEFAULT_SIZE, Optional.empty());
-    try (OutputFolder out = new OutputFolder(folder)) {
-      ImportSummary found =
-          new TracksImport(recording, settings, homography, new LocalProjection())
-              .run(
-                  TrackFormats.registry().create(format), new Obstacles(walls), out, "made.tracks");
+    try (TracksImport read =
+            new TracksImport(
+                TrackFormats.registry().create(format),
+                recording,
+                homography,
+                new LocalProjection());
+        OutputFolder out = new OutputFolder(folder)) {
+      ImportSummary found = read.write(settings, new Obstacles(walls), out, "made.tracks");
       out.commit(List.of());
       return found;
     } catch (IOException e) {

@@ -67,12 +67,23 @@ class TracksImportTest {
     ImportSummary found =
         new Imported(folder).rate(1).wall(10.5, -1, 10.5, 1).of("ethucy", text.toString());
     String odd = String.join("\n", found.odd());
-    assertTrue(odd.contains("2 jumps, faster than 5 m/s, five times the third quartile"), odd);
+    assertTrue(odd.contains("2 jumps, faster than 5 m/s"), odd);
     assertTrue(odd.contains("target 1 jumps 451 m before 50 s, 451 m/s"), odd);
     assertTrue(odd.contains("1 targets with one sample alone"), odd);
     assertTrue(odd.contains("1 samples are there twice and count once, the first at "), odd);
     assertTrue(odd.contains("recording:101:1"), odd);
     assertTrue(odd.contains("through a wall: 1 times, first target 1 at 11.0 s"), odd);
+  }
+
+  @Test
+  void aCarAmongPeopleIsFastAndDoesNotJump() {
+    StringBuilder text = new StringBuilder();
+    for (int frame = 0; frame < 40; frame++) {
+      text.append(frame + " 1 " + frame + " 0\n" + frame + " 2 " + frame + " 1\n");
+      text.append(frame + " 3 " + frame * 15 + " 2\n");
+      text.append(frame + " 4 " + frame + " 3\n" + frame + " 5 " + frame + " 3\n");
+    }
+    assertEquals(List.of(), new Imported(folder).rate(1).of("ethucy", text.toString()).odd());
   }
 
   @Test

@@ -1,0 +1,185 @@
+package org.hificamsim.tracks;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import javax.imageio.ImageIO;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Reference;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.obstacle.Point;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.LocalProjection;
+import org.hificamsim.tracks.place.DraftCameras;
+import org.hificamsim.tracks.place.FloorplanFile;
+import org.hificamsim.tracks.place.PictureFrame;
+import org.hificamsim.tracks.place.WallFile;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** Walls, floor plans and first cameras. */
+class PlacesTest {
+  private static final PictureFrame FRAME = new PictureFrame(0.5, 10, 20);
+
+  @TempDir Path folder;
+
+  @Test
+  void linesOfXmlAreWalls() {
+    assertEquals(
+        List.of(new Obstacle.Wall(6, 2, 0, 2, 0)),
+        walls(
+            "a.xml",
+            "<T xmlns='u:x'><L><Line x1='6.0' y1='2' x2='0' y2='2' thickness='1'/>"
+                + "<Line x1='1' y1='1' x2='1' y2='1'/></L></T>",
+            Unit.M));
+  }
+
+  @Test
+  void zara01HasSevenWalls() {
+    Path file = Reference.file("tracks/zara01-map.xml");
+    assertEquals(7, WallFile.read(file, Unit.M, new LocalProjection(), Optional.empty()).size());
+  }
+
+  @Test
+  void geoJsonHasWallsAndSolids() {
+    String json =
+        """
+{"type": "FeatureCollection", "features": [
+  {"type": "Feature", "geometry": {"type": "LineString", "coordinates": [[0, 0], [100, 0], [100, 50]]}},
+  {"type": "Feature", "properties": {"type": "Polygon"}, "geometry":
+    {"coordinates": [[[0, 0], [400, 0], [400, 300], [0, 0]]], "type": "Polygon"}}]}
+""";
+    assertEquals(
+        List.of(
+            new Obstacle.Wall(0, 0, 1, 0, 0),
+            new Obstacle.Wall(1, 0, 1, 0.5, 0),
+            new Obstacle.Polygon(List.of(new Point(0, 0), new Point(4, 0), new Point(4, 3)), 0)),
+        walls("a.geojson", json, Unit.CM));
+  }
+
+  @Test
+  void aPolygonWithAHoleIsItsSides() {
+    String json =
+        "{\"type\": \"Polygon\", \"coordinates\": [[[0,0],[9,0],[9,9],[0,0]],"
+            + "[[5,1],[6,1],[6,2],[5,1]]]}";
+    assertEquals(6, walls("a.json", json, Unit.M).size());
+  }
+
+  @Test
+  void degreesAreProjectedAsTheTracksAre() {
+    List<Obstacle> walls =
+        WallFile.read(
+            written("a.geojson", "{\"type\":\"LineString\",\"coordinates\":[[16,48],[16.001,48]]}"),
+            Unit.DEG,
+            new LocalProjection(16, 48),
+            Optional.empty());
+    assertEquals(List.of(new Obstacle.Wall(0, 0, 74.625, 0, 0)), walls);
+  }
+
+  @Test
+  void linesOfADrawingAreTurnedUpright() {
+    String svg =
+        """
+        <svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 200 100">
+          <defs><line x1="0" y1="0" x2="9" y2="9"/></defs>
+          <g transform="translate(10, 0) scale(2)"><line x1="0" y1="0" x2="5" y2="10"/></g>
+          <rect x="0" y="80" width="40" height="20"/>
+          <path d="M0,0 h10 v10 H0 z m20 0 5 5"/>
+          <polyline points="0,50 10,50 10,60"/>
+        </svg>
+        """;
+    assertEquals(
+        List.of(
+            new Obstacle.Wall(15, 70, 20, 60, 0),
+            new Obstacle.Polygon(
+                List.of(new Point(10, 30), new Point(30, 30), new Point(30, 20), new Point(10, 20)),
+                0),
+            new Obstacle.Wall(10, 70, 15, 70, 0),
+            new Obstacle.Wall(15, 70, 15, 65, 0),
+            new Obstacle.Wall(15, 65, 10, 65, 0),
+            new Obstacle.Wall(10, 65, 10, 70, 0),
+            new Obstacle.Wall(20, 70, 22.5, 67.5, 0),
+            new Obstacle.Wall(10, 45, 15, 45, 0),
+            new Obstacle.Wall(15, 45, 15, 40, 0)),
+        walls("a.svg", svg, Unit.M));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "a.svg|<svg height='10'><path d='M0,0 C1,1 2,2 3,3'/></svg>|<path> has the command C,"
+            + " expected straight ones",
+        "a.svg|<svg><line/></svg>|<svg without viewBox> has no height",
+        "a.svg|<svg height='10'><g transform='turn(3)'/></svg>|<g> transform is 'turn(3)'",
+        "a.svg|<svg height='10'><polygon points='1 2 3'/></svg>|<polygon> points is '1 2 3'",
+        "a.xml|<T><Line x1='1' y1='1' x2='NaN' y2='2'/></T>|:1:41: <Line> x2 is 'NaN', expected",
+        "a.xml|<T><Line x1='1'|cut off",
+        "a.json|{\"type\": \"LineString\", \"coordinates\": [[0, \"x\"]]}|a coordinate is 'x'",
+        "a.json|[]|:1:1: expected a GeoJSON object",
+        "a.dxf|0|expected walls in a file that ends in .geojson, .json, .xml or .svg",
+      })
+  void brokenWallsAreRefused(String name, String content, String message) {
+    InputException error = assertThrows(InputException.class, () -> walls(name, content, Unit.M));
+    assertTrue(error.getMessage().contains(message), error::getMessage);
+  }
+
+  @Test
+  void aDrawingNeedsAScale() {
+    Path file = written("a.svg", "<svg height='10'/>");
+    InputException error =
+        assertThrows(
+            InputException.class,
+            () -> WallFile.read(file, Unit.M, new LocalProjection(), Optional.empty()));
+    assertTrue(error.getMessage().endsWith("how many metres a unit of the drawing is"));
+  }
+
+  @Test
+  void aFloorplanShowsWhatItsPixelsAre() throws IOException {
+    Path file = folder.resolve("plan.png");
+    ImageIO.write(new BufferedImage(40, 20, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
+    assertEquals(new Field(10, 30, 20, 30), FloorplanFile.area(file, FRAME));
+    Path text = written("plan.txt", "no picture");
+    assertThrows(InputException.class, () -> FloorplanFile.area(text, FRAME));
+  }
+
+  @Test
+  void firstCamerasStandOnTheBorderOffWallsAndLookInside() {
+    Field field = new Field(0, 100, 0, 50);
+    Obstacles walls = new Obstacles(List.of(new Obstacle.Pillar(0, 0, 3, 0)));
+    List<CameraSpec> cameras = DraftCameras.of(6, field, walls);
+    assertEquals(6, cameras.stream().map(one -> one.x() + " " + one.y()).distinct().count());
+    for (CameraSpec camera : cameras) {
+      assertTrue(field.contains(camera.x(), camera.y()), camera::toString);
+      assertTrue(walls.containing(camera.x(), camera.y()).isEmpty(), camera::toString);
+      double towards = Math.toRadians(camera.heading());
+      double ahead = Math.sin(towards) * (50 - camera.x()) + Math.cos(towards) * (25 - camera.y());
+      assertEquals(Math.hypot(50 - camera.x(), 25 - camera.y()), ahead, 0.01, camera::toString);
+    }
+  }
+
+  private List<Obstacle> walls(String name, String content, Unit unit) {
+    return WallFile.read(written(name, content), unit, new LocalProjection(), Optional.of(FRAME));
+  }
+
+  private Path written(String name, String content) {
+    try {
+      return Files.writeString(folder.resolve(name), content);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
