@@ -192,8 +192,8 @@ class HeatMapTest {
     for (int i = 0; i < 200; i++) {
       events.append(
           ("<event timestep=\"%1$s\" participant=\"object\" event=\"add\" name=\"%2$s\" x=\"2\""
-               + " y=\"18\" heading=\"90\" speed=\"0.3\" fqName=\"Straight\"/><event"
-               + " timestep=\"%3$s\" participant=\"object\" event=\"error\" name=\"%2$s\"/>")
+                  + " y=\"18\" heading=\"90\" speed=\"0.3\" fqName=\"Straight\"/><event"
+                  + " timestep=\"%3$s\" participant=\"object\" event=\"error\" name=\"%2$s\"/>")
               .formatted(i, 100 + i, i + 1));
     }
     String hall = Files.readString(scenario).replaceFirst("(?s)<events>.*</events>", "");

@@ -176,7 +176,9 @@ class SitePageTest {
       browser.find(".walls select").sendKeys("polygon");
       browser.find(".walls .remove").sendKeys(Keys.ENTER);
       browser.until("return hificamsim.runs[0].setup.obstacles.length === 6");
-      assertTrue(said().startsWith("polygon, solid"), said());
+      browser.until( // the answer to the command may come after the step that it changed
+          "return document.querySelector('[role=status]').textContent.startsWith('polygon,"
+              + " solid')");
       savedIsValid();
       Accessibility.lookAt(browser, "site-view");
       browser.assertQuietConsole();
