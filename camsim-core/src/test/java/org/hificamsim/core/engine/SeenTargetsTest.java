@@ -28,7 +28,7 @@ class SeenTargetsTest {
   void thoseThatAreSeenAreTheSameAsByAskingForEach(double side) {
     World world = world();
     PointGrid grid = PointGrid.over(-10, -10, 20, 20, side, TARGETS);
-    Visibility visibility = Visibility.of(Detection.of(new CamSimRangeDetection()));
+    Visibility visibility = Visibility.of(new Detection(new CamSimRangeDetection(), 0.01));
     ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, grid);
     network.beginStep(0);
     network.locate();
