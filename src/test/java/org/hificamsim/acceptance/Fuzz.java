@@ -3,7 +3,7 @@ package org.hificamsim.acceptance;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 
-/** The same with 10,000 cases, others each time: {@code gradle fuzz}. */
+/** The same with 13,000 cases, others each time: {@code gradle fuzz}. */
 class Fuzz extends FuzzTest {
   @Override
   @Property(tries = 4000)
@@ -27,6 +27,18 @@ class Fuzz extends FuzzTest {
   @Property(tries = 1000)
   void datasets(@ForAll("brokenDatasets") FuzzCase broken) {
     super.datasets(broken);
+  }
+
+  @Override
+  @Property(tries = 1000)
+  void tracks(@ForAll("brokenTracks") FuzzCase broken) {
+    super.tracks(broken);
+  }
+
+  @Override
+  @Property(tries = 2000)
+  void recordings(@ForAll("brokenRecordings") FuzzCase broken) {
+    super.recordings(broken);
   }
 
   @Override

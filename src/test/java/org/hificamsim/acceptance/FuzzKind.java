@@ -40,14 +40,29 @@ enum FuzzKind {
       return new Cli(0, "", errors(DatasetReader.read(file.getParent()).problems()));
     }
   },
-  COMMAND("command", "words.txt") {
+  TRACKS("tracks", "a.tracks") {
     @Override
     Cli read(Path file) {
       try {
-        return command(Files.readString(file, StandardCharsets.ISO_8859_1));
+        Path scenario = Files.writeString(file.resolveSibling("tracked.xml"), TRACKED);
+        return simulate(scenario, "geometric");
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }
+    }
+  },
+  RECORDING("recording", "recording") {
+    @Override
+    Cli read(Path file) {
+      List<Object> words = new ArrayList<>(List.of("import", file, "--out", FOLDER.resolve("in")));
+      words.addAll(format(text(file)));
+      return Cli.run(words.toArray());
+    }
+  },
+  COMMAND("command", "words.txt") {
+    @Override
+    Cli read(Path file) {
+      return command(text(file));
     }
   };
 
@@ -58,6 +73,11 @@ enum FuzzKind {
   private static final Path CORPUS = Cli.ROOT.resolve("src/test/resources/fuzz");
   private static final String CAMERA =
       "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.0149, \"width\": 600, \"height\": 400}";
+  private static final String TRACKED =
+      "<root><simulation min_x='-9' max_x='9' min_y='-9' max_y='9'><cameras><camera name='a' x='0'"
+          + " y='0' heading='0' viewing_angle='90' range='5'/></cameras><objects><tracks"
+          + " file='a.tracks'/></objects></simulation></root>";
+
   private static final Path FOLDER = folder();
 
   private final String label;
@@ -97,6 +117,28 @@ enum FuzzKind {
   private static Cli simulate(Object scenario, Object detection) {
     return Cli.run(
         "run", scenario, "--detection", detection, "--steps", 3, "--out", FOLDER.resolve("out"));
+  }
+
+  private static String text(Path file) {
+    try {
+      return Files.readString(file, StandardCharsets.ISO_8859_1);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** The options by which a recording is read that looks like this. */
+  private static List<Object> format(String text) {
+    if (text.startsWith("<")) {
+      return List.of("--format", text.contains("gpx") ? "gpx" : "fcd");
+    }
+    if (text.startsWith("{")) {
+      return List.of("--format", text.contains("features") ? "geojson" : "trajnet");
+    }
+    String name = text.startsWith("time") ? "csv" : text.startsWith("#") ? "petrack" : "mot";
+    return text.startsWith(" ")
+        ? List.of("--format", "obsmat", "--rate", 25)
+        : List.of("--format", name, "--rate", 25, "--unit", "m");
   }
 
   private static Cli told(Runnable reading) {

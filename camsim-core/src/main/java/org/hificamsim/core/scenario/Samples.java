@@ -4,40 +4,31 @@ import java.util.Arrays;
 
 /** The samples of a track that is being read; filled again for each. */
 final class Samples {
-  private double[] times = new double[64];
-  private double[] x = new double[64];
-  private double[] y = new double[64];
-  private int count;
+  private double[] samples = new double[3 * 64]; // time, x and y of each
+  private int end;
 
   boolean isEmpty() {
-    return count == 0;
+    return end == 0;
   }
 
   /** When the last one was taken, seconds. */
   double last() {
-    return times[count - 1];
+    return samples[end - 3];
   }
 
-  void add(double time, double itsX, double itsY) {
-    if (count == times.length) {
-      times = Arrays.copyOf(times, 2 * count);
-      x = Arrays.copyOf(x, 2 * count);
-      y = Arrays.copyOf(y, 2 * count);
+  void add(double time, double x, double y) {
+    if (end == samples.length) {
+      samples = Arrays.copyOf(samples, 2 * end);
     }
-    times[count] = time;
-    x[count] = itsX;
-    y[count++] = itsY;
+    samples[end++] = time;
+    samples[end++] = x;
+    samples[end++] = y;
   }
 
   /** Ends the track; the next sample begins another. */
   Track track(double stepTime) {
-    Track track =
-        new Track(
-            Arrays.copyOf(times, count),
-            Arrays.copyOf(x, count),
-            Arrays.copyOf(y, count),
-            stepTime);
-    count = 0;
+    Track track = new Track(Arrays.copyOf(samples, end), stepTime);
+    end = 0;
     return track;
   }
 }

@@ -10,42 +10,38 @@ public final class Track {
   /** Seconds a step may be off a sample and still count as at it: rounding, no time. */
   private static final double SLACK = 1e-6;
 
-  private final double[] times;
-  private final double[] x;
-  private final double[] y;
+  private static final int FIELDS = 3; // time, x and y of a sample lie side by side
+
+  private final double[] samples;
   private final double stepTime;
 
   /**
-   * @param times seconds from step 0, rising
-   * @param x metres
-   * @param y metres
+   * @param samples seconds from step 0, rising, x and y in metres, of each
    * @param stepTime seconds, above 0
    */
-  Track(double[] times, double[] x, double[] y, double stepTime) {
-    this.times = times;
-    this.x = x;
-    this.y = y;
+  Track(double[] samples, double stepTime) {
+    this.samples = samples;
     this.stepTime = stepTime;
   }
 
   /** The number of samples, 1 or more. */
   public int samples() {
-    return times.length;
+    return samples.length / FIELDS;
   }
 
   /** When a sample was taken, seconds from step 0. */
   public double time(int sample) {
-    return times[sample];
+    return samples[FIELDS * sample];
   }
 
   /** Metres. */
   public double x(int sample) {
-    return x[sample];
+    return samples[FIELDS * sample + 1];
   }
 
   /** Metres. */
   public double y(int sample) {
-    return y[sample];
+    return samples[FIELDS * sample + 2];
   }
 
   /** How long a step takes, seconds. */
@@ -55,26 +51,26 @@ public final class Track {
 
   /** The first step at which the target is there. */
   public long firstStep() {
-    return (long) Math.ceil((times[0] - SLACK) / stepTime);
+    return (long) Math.ceil((time(0) - SLACK) / stepTime);
   }
 
   /** The last step at which the target is there; before the first one where no step meets it. */
   public long lastStep() {
-    return (long) Math.floor((times[times.length - 1] + SLACK) / stepTime);
+    return (long) Math.floor((time(samples() - 1) + SLACK) / stepTime);
   }
 
   /** The speed from the first sample to the last along the way, metres a step. */
   public double meanSpeed() {
     double way = 0;
-    for (int i = 1; i < times.length; i++) {
-      way += Math.hypot(x[i] - x[i - 1], y[i] - y[i - 1]);
+    for (int i = 1; i < samples(); i++) {
+      way += Math.hypot(x(i) - x(i - 1), y(i) - y(i - 1));
     }
-    return way == 0 ? 0 : way / (times[times.length - 1] - times[0]) * stepTime;
+    return way == 0 ? 0 : way / (time(samples() - 1) - time(0)) * stepTime;
   }
 
   /** Which way it goes at first, degrees, 0 is +y and 90 is +x. */
   public double heading() {
-    return times.length == 1 ? 0 : Math.toDegrees(Math.atan2(x[1] - x[0], y[1] - y[0]));
+    return samples() == 1 ? 0 : Math.toDegrees(Math.atan2(x(1) - x(0), y(1) - y(0)));
   }
 
   /** The event that takes the target away, at the beginning of the step after its last. */
@@ -87,18 +83,16 @@ public final class Track {
     return this == other
         || (other instanceof Track track
             && stepTime == track.stepTime
-            && Arrays.equals(times, track.times)
-            && Arrays.equals(x, track.x)
-            && Arrays.equals(y, track.y));
+            && Arrays.equals(samples, track.samples));
   }
 
   @Override
   public int hashCode() {
-    return 31 * Arrays.hashCode(x) + Arrays.hashCode(times);
+    return Arrays.hashCode(samples);
   }
 
   @Override
   public String toString() {
-    return samples() + " samples from " + times[0] + " s";
+    return samples() + " samples from " + time(0) + " s";
   }
 }

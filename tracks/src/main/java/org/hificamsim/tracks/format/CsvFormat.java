@@ -86,7 +86,7 @@ final class CsvFormat implements TrackFormat {
       }
       return !row.isEmpty();
     } catch (JsonProcessingException e) {
-      throw place(recording, e.getLocation()).error("not a table: " + e.getOriginalMessage());
+      throw place(recording, e.getLocation()).error("not a table, expected fields between separators: " + e.getOriginalMessage());
     }
   }
 
@@ -141,7 +141,7 @@ final class CsvFormat implements TrackFormat {
 
   private InputException invalid(int column, String name, String expected) {
     if (column >= row.size()) {
-      return places.get(places.size() - 1).error("the line has no " + name + " column");
+      return places.get(places.size() - 1).error("the line has no " + name + ", expected one");
     }
     return places.get(column).error(name + " is '" + row.get(column) + "', expected " + expected);
   }

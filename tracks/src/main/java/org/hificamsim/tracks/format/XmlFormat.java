@@ -32,7 +32,7 @@ public abstract class XmlFormat extends DefaultHandler {
     } catch (SAXParseException e) {
       throw new InputException(fault(e).getMessage(), e);
     } catch (SAXException e) {
-      throw new InputException(place().error("not well-formed XML").getMessage(), e);
+      throw new InputException(place().error("not well-formed XML, expected a whole file").getMessage(), e);
     } catch (IOException e) {
       throw TextLines.unreadable(file, Math.max(1, place().line()), e);
     }
@@ -40,7 +40,7 @@ public abstract class XmlFormat extends DefaultHandler {
 
   private InputException fault(SAXParseException e) {
     Place place = new Place(file, Math.max(1, e.getLineNumber()), Math.max(1, e.getColumnNumber()));
-    return place.error("not well-formed XML, or cut off: " + e.getMessage());
+    return place.error("not well-formed XML, or cut off, expected a whole file: " + e.getMessage());
   }
 
   /** Where the reader is: at the end of a start tag. */

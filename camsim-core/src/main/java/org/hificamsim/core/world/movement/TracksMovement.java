@@ -10,13 +10,13 @@ import org.hificamsim.core.world.Targets;
 /**
  * A recorded track: when cameras look in step n the target is where it was at n times the length of
  * a step, on the straight line between two samples, whatever stands in its way. At the track's end
- * it stays until it is removed.
+ * it stays until it is removed. Heading and speed are those of its start: working them out would cost
+ * more than the step, and nobody looks at them.
  */
 final class TracksMovement implements Movement {
   private Track track;
   private long step;
   private int leg; // from this sample to the next
-  private int facing = -1; // the leg whose heading and speed the target has
 
   @Override
   public String name() {
@@ -60,10 +60,5 @@ final class TracksMovement implements Movement {
     double dx = track.x(leg + 1) - track.x(leg);
     double dy = track.y(leg + 1) - track.y(leg);
     targets.put(target, track.x(leg) + part * dx, track.y(leg) + part * dy);
-    if (facing != leg) {
-      facing = leg;
-      targets.turnTo(target, Math.atan2(dx, dy));
-      targets.accelerateTo(target, Math.hypot(dx, dy) / duration * track.stepTime());
-    }
   }
 }
