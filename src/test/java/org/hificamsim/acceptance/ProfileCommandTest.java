@@ -128,7 +128,7 @@ class ProfileCommandTest {
         detections,
         "--policies",
         "random",
-        "--seeds",
+        "--repeat",
         1,
         "--steps",
         5,
