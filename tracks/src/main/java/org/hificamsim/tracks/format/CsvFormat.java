@@ -86,7 +86,8 @@ final class CsvFormat implements TrackFormat {
       }
       return !row.isEmpty();
     } catch (JsonProcessingException e) {
-      throw place(recording, e.getLocation()).error("not a table, expected fields between separators: " + e.getOriginalMessage());
+      throw place(recording, e.getLocation())
+          .error("not a table, expected fields between separators: " + e.getOriginalMessage());
     }
   }
 

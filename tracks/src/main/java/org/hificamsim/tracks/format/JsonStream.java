@@ -48,7 +48,9 @@ public final class JsonStream implements Closeable {
 
   private InputException fault(JsonProcessingException e) {
     JsonLocation at = e.getLocation() == null ? parser.currentLocation() : e.getLocation();
-    return new InputException(place(at).line("not JSON, or cut off, expected a whole file: " + e.getOriginalMessage()), e);
+    return new InputException(
+        place(at).line("not JSON, or cut off, expected a whole file: " + e.getOriginalMessage()),
+        e);
   }
 
   /** Whether the next token begins the next property of an object, whose name is then the text. */

@@ -32,7 +32,8 @@ public abstract class XmlFormat extends DefaultHandler {
     } catch (SAXParseException e) {
       throw new InputException(fault(e).getMessage(), e);
     } catch (SAXException e) {
-      throw new InputException(place().error("not well-formed XML, expected a whole file").getMessage(), e);
+      throw new InputException(
+          place().error("not well-formed XML, expected a whole file").getMessage(), e);
     } catch (IOException e) {
       throw TextLines.unreadable(file, Math.max(1, place().line()), e);
     }

@@ -10,8 +10,8 @@ import org.hificamsim.core.world.Targets;
 /**
  * A recorded track: when cameras look in step n the target is where it was at n times the length of
  * a step, on the straight line between two samples, whatever stands in its way. At the track's end
- * it stays until it is removed. Heading and speed are those of its start: working them out would cost
- * more than the step, and nobody looks at them.
+ * it stays until it is removed. Heading and speed are those of its start: working them out would
+ * cost more than the step, and nobody looks at them.
  */
 final class TracksMovement implements Movement {
   private Track track;
