@@ -39,7 +39,8 @@ class WithJars(build_py):
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
         for file in files:
-            shutil.copy(file, folder)
+            if file.is_file():
+                shutil.copy(file, folder)
 
 
 setup(cmdclass={"build_py": WithJars})

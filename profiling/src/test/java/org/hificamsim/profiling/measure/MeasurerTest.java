@@ -119,7 +119,8 @@ class MeasurerTest {
     assertTrue(
         table()
             .startsWith(
-                "image,object,size_m,distance_m,focal_length_m,pip_rectangle,distinctiveness,orb\n"));
+                "image,object,size_m,distance_m,focal_length_m,pip_rectangle,"
+                    + "distinctiveness,aperture,distortion,light,orb\n"));
     assertEquals(PipReading.RECTANGLE, PipReading.ofDataset(folder));
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
     List<Measurement> rows = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
