@@ -178,6 +178,8 @@ def test_a_fork_that_never_asks_collects_garbage_and_ends() -> None:
 @pytest.mark.parametrize("backend", ["jvm", "process"])
 def test_ctrl_c_ends_python_and_not_before_it_may_clean_up(backend: str) -> None:
     program = f"""
+        import signal
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background has none
         import hificamsim
         worlds = hificamsim.Worlds("campus", 8, backend="{backend}")
         print("ready", flush=True)
@@ -196,7 +198,10 @@ def test_ctrl_c_ends_python_and_not_before_it_may_clean_up(backend: str) -> None
         assert running.stdout.readline() == "ready\n"
         time.sleep(0.5)
         running.send_signal(signal.SIGINT)
-        assert running.communicate(timeout=60)[0] == "interrupted, and goes on\n"
+        try:
+            assert running.communicate(timeout=60)[0] == "interrupted, and goes on\n"
+        finally:
+            running.kill()
         assert running.returncode == 0
 
 

@@ -154,7 +154,7 @@ class ProfileCommandTest {
         folder.resolve("camera.json"),
         "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.015, \"width\": 60, \"height\": 40}");
     StringBuilder table =
-        new StringBuilder("image,object,size_m,distance_m,focal_length_m,pip,own\n");
+        new StringBuilder("image,object,size_m,distance_m,focal_length_m,pip,orb\n");
     for (int row = 0; row < 12; row++) {
       double distance = 1 + row / 2.0;
       double pip = Math.pow(0.05 * 0.3 / distance, 2) / (0.0224 * 0.015);

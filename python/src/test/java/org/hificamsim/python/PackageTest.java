@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -108,7 +109,12 @@ class PackageTest {
     if (words[1].equals("pip")) {
       builder.environment().put("HIFICAMSIM_JARS", System.getProperty("python.jars"));
     }
-    builder.start().waitFor();
+    Process python = builder.start();
+    try {
+      assertTrue(python.waitFor(15, TimeUnit.MINUTES), "no end after 15 minutes");
+    } finally {
+      python.destroyForcibly();
+    }
     return Files.readString(said, StandardCharsets.UTF_8);
   }
 }
