@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import atexit
+import contextlib
 import gc
 import json
 import mmap
@@ -13,6 +14,8 @@ import subprocess
 import tempfile
 import threading
 import weakref
+from collections.abc import Iterator
+from types import FrameType
 from typing import Any, Protocol
 
 from . import java
@@ -208,18 +211,22 @@ class ProcessBackend:
     def _ask(self, letter: bytes, message: bytes = b"") -> bytes:
         self._check()
         try:
-            if self._pending:  # a call before was interrupted
-                self._answer()
-            assert self._worker.stdin is not None
-            self._pending = True
-            self._worker.stdin.write(letter + struct.pack(">i", len(message)) + message)
-            kind, answer = self._answer()
+            with _whole():
+                kind, answer = self._exchange(letter, message)
         except (BrokenPipeError, EOFError):
             raise self._died() from None
         if kind == b"k":
             return answer
         text = answer.decode(errors="replace")
         raise InputError(text) if kind == b"i" else Error(text + "\n" + self._said())
+
+    def _exchange(self, letter: bytes, message: bytes) -> tuple[bytes, bytes]:
+        if self._pending:  # a call before was interrupted
+            self._answer()
+        assert self._worker.stdin is not None
+        self._pending = True
+        self._worker.stdin.write(letter + struct.pack(">i", len(message)) + message)
+        return self._answer()
 
     def _answer(self) -> tuple[bytes, bytes]:
         if self._head is None:
@@ -276,6 +283,29 @@ class ProcessBackend:
         """Ends the worlds and their process."""
         if self._process == os.getpid() and hasattr(self, "_closer"):
             self._closer()
+
+
+@contextlib.contextmanager
+def _whole() -> Iterator[None]:
+    """Ctrl-C waits for the end of an exchange, since half of one leaves no way on; a second Ctrl-C does not."""
+    before = signal.getsignal(signal.SIGINT)
+    if threading.current_thread() is not threading.main_thread() or not callable(before):
+        yield
+        return
+    waiting: list[FrameType | None] = []
+
+    def wait(number: int, frame: FrameType | None) -> None:
+        if waiting:
+            before(number, frame)
+        waiting.append(frame)
+
+    signal.signal(signal.SIGINT, wait)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        if waiting:
+            before(signal.SIGINT, waiting[0])
 
 
 def _end(worker: subprocess.Popen[bytes], process: int) -> None:
