@@ -96,8 +96,9 @@ public final class Cameras {
 
   /** Sends a camera towards a view. */
   public void turnTo(int camera, int newView) {
-    looks += newView != view[camera] || aimed[camera] ? 1 : 0;
     release(camera);
+    looks +=
+        newView ^ view[camera]; // 0 for the same view; a branch would be guessed wrong too often
     view[camera] = newView;
   }
 
@@ -127,6 +128,7 @@ public final class Cameras {
   private void release(int camera) {
     if (aimed[camera]) {
       aimed[camera] = false;
+      looks++;
       poses[camera][view[camera]] = mounted[camera].turned(sets[camera].pan(view[camera]));
     }
   }
