@@ -72,7 +72,7 @@ public final class Worlds implements AutoCloseable {
     this.setup = setup;
     this.seed = seed;
     worlds = new OneWorld[count];
-    Arrays.setAll(worlds, i -> new OneWorld(setup, seed + i));
+    Arrays.setAll(worlds, i -> new OneWorld(setup, seed + i, worlds[0]));
     NetworkView network = worlds[0].network();
     block = Block.of(count, worlds[0], setup);
     memory = source.of(block.bytes());

@@ -1,16 +1,19 @@
 package org.hificamsim.core.world;
 
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 
-/** Makes a camera's views from its optics, from a scenario's zoom list, or from its range alone. */
+/**
+ * Makes a camera's views from its optics, from a scenario's zoom list, or from its range alone. Any
+ * number of threads may ask.
+ */
 final class Views {
   /** CamSim's constant: a camera created with this range or more gets {@link #CLAMPED} instead. */
   private static final double MAX_RANGE = 20;
@@ -20,7 +23,7 @@ final class Views {
   private record Kind(double range, double viewingAngle, Optional<OpticsSpec> optics) {}
 
   private final Scenario scenario;
-  private final Map<Kind, ViewSet> made = new HashMap<>();
+  private final Map<Kind, ViewSet> made = new ConcurrentHashMap<>();
 
   Views(Scenario scenario) {
     this.scenario = scenario;

@@ -2,6 +2,7 @@ package org.hificamsim.agents.observation;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 
 /**
@@ -63,6 +64,14 @@ public record ObservationLayout(int targets, int neighbours) {
     if (number < 0 || number > MOST) {
       throw new InputException("observed " + what + " is " + number + ", expected 0 to " + MOST);
     }
+  }
+
+  /** Where a number of the camera itself is. */
+  static int at(String name) {
+    return IntStream.range(0, OWN_SIZE)
+        .filter(i -> OWN.get(i).name().equals(name))
+        .findFirst()
+        .orElseThrow();
   }
 
   /** How many numbers an observation has. */
