@@ -208,11 +208,17 @@ public final class Worlds implements AutoCloseable {
         throw new InputException(
             "the episode of " + setup.steps() + " steps is over, expected a reset");
       }
-      for (int at = 0; at < each; at++) {
-        int action = actions.get(i * each + at);
-        if (action < 0 || action >= choices[at % choices.length]) {
-          refuse(i, at, action);
-        }
+      for (int at = 0; at < each; at += choices.length) {
+        checkActions(i, i * each, at);
+      }
+    }
+  }
+
+  private void checkActions(int world, int first, int at) {
+    for (int number = 0; number < choices.length; number++) {
+      int action = actions.get(first + at + number);
+      if (action < 0 || action >= choices[number]) {
+        refuse(world, at + number, action);
       }
     }
   }
