@@ -75,13 +75,7 @@ class TrackToolsTest {
   }
 
   private static String missing(String tool, String item) {
-    return "'"
-        + PYTHON
-        + "' has no "
-        + tool
-        + " ("
-        + item
-        + " of PyPI)";
+    return "'" + PYTHON + "' has no " + tool + " (" + item + " of PyPI)";
   }
 
   private static int run(String... words) throws IOException, InterruptedException {
