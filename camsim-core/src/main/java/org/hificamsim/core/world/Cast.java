@@ -1,8 +1,10 @@
 package org.hificamsim.core.world;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -66,19 +68,19 @@ final class Cast {
 
   /** Who removes whom is known from the start: a search in each step would cost and allocate. */
   private int[] removed() {
-    Map<Double, Integer> present = new HashMap<>();
+    Map<Double, Deque<Integer>> present = new HashMap<>(); // one each, if a file was read
     int next = 0;
     for (TargetSpec target : scenario.targets()) {
-      present.putIfAbsent(target.features(), next++);
+      present.computeIfAbsent(target.features(), any -> new ArrayDeque<>()).add(next++);
     }
     int[] numbers = new int[events.length];
     Arrays.fill(numbers, NONE);
     for (int i = 0; i < events.length; i++) {
       if (events[i] instanceof ScenarioEvent.AddTarget add) {
-        present.putIfAbsent(add.target().features(), next++);
+        present.computeIfAbsent(add.target().features(), any -> new ArrayDeque<>()).add(next++);
       } else if (events[i] instanceof ScenarioEvent.RemoveTarget remove) {
-        Integer target = present.remove(remove.features());
-        numbers[i] = target == null ? NONE : target;
+        Deque<Integer> same = present.getOrDefault(remove.features(), new ArrayDeque<>());
+        numbers[i] = same.isEmpty() ? NONE : same.remove();
       }
     }
     return numbers;

@@ -179,6 +179,21 @@ class WorldTest {
     assertEquals("", present(world), "nothing left to remove, nothing happens");
   }
 
+  /** No file has two at a time, but who builds a scenario may. */
+  @Test
+  void ofTwoWithTheSameFeaturesTheFirstIsRemovedFirst() {
+    World world =
+        new TestScenario()
+            .target(TestScenario.target(4.5, 0, 0, 0, 0))
+            .target(TestScenario.target(4.5, 1, 0, 0, 0))
+            .events(new RemoveTarget(1, 4.5), new RemoveTarget(2, 4.5))
+            .world();
+    world.fireEvents(1);
+    assertEquals("1", present(world));
+    world.fireEvents(2);
+    assertEquals("", present(world));
+  }
+
   @Test
   void aChangeSetsTheCameraAndMinusOneLeavesAValue() {
     World world =
