@@ -175,34 +175,86 @@ def test_a_fork_that_never_asks_collects_garbage_and_ends() -> None:
     assert done.stdout == "5\n", done.stderr
 
 
-@pytest.mark.parametrize("backend", ["jvm", "process"])
-def test_ctrl_c_ends_python_and_not_before_it_may_clean_up(backend: str) -> None:
-    program = f"""
-        import signal
-        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background has none
-        import hificamsim
-        worlds = hificamsim.Worlds("campus", 8, backend="{backend}")
+STEPPING = """
+    import signal
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background has none
+    import hificamsim
+    worlds = hificamsim.Worlds("campus", 8, backend="{backend}")
+    def steps():
         print("ready", flush=True)
-        try:
-            while True:
-                worlds.step()
-        except KeyboardInterrupt:
+        while True:
             worlds.step()
-            print("interrupted, and goes on", flush=True)
-            worlds.close()
-        """
+    """
+
+
+def signalled(program: str, number: signal.Signals, folder: pathlib.Path) -> tuple[int, str]:
+    """How a program ended that got a signal while it was stepping worlds, and what it said."""
     with subprocess.Popen(
-        [sys.executable, "-c", textwrap.dedent(program)], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", textwrap.dedent(program)], stdout=subprocess.PIPE, text=True, cwd=folder
     ) as running:
         assert running.stdout is not None
         assert running.stdout.readline() == "ready\n"
         time.sleep(0.5)
-        running.send_signal(signal.SIGINT)
+        running.send_signal(number)
         try:
-            assert running.communicate(timeout=60)[0] == "interrupted, and goes on\n"
+            said = running.communicate(timeout=60)[0]
         finally:
             running.kill()
-        assert running.returncode == 0
+    assert not list(folder.iterdir()), "no log of a crash"
+    return running.returncode, said
+
+
+def test_ctrl_c_is_pythons_and_the_environment_goes_on(backend: str, tmp_path: pathlib.Path) -> None:
+    program = STEPPING.format(backend=backend) + """
+    try:
+        steps()
+    except KeyboardInterrupt:
+        worlds.step()
+        print("interrupted, and goes on", flush=True)
+        worlds.close()
+    """
+    assert signalled(program, signal.SIGINT, tmp_path) == (0, "interrupted, and goes on\n")
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_ends_python_as_it_does_without_java(
+    backend: str, number: signal.Signals, tmp_path: pathlib.Path
+) -> None:
+    program = STEPPING.format(backend=backend) + "\n    steps()"
+    assert signalled(program, number, tmp_path) == (-number, "")
+
+
+def test_a_users_own_handler_runs(backend: str, tmp_path: pathlib.Path) -> None:
+    program = STEPPING.format(backend=backend) + """
+    def mine(number, frame):
+        print("mine", flush=True)
+        raise SystemExit(7)
+    signal.signal(signal.SIGTERM, mine)
+    steps()
+    """
+    assert signalled(program, signal.SIGTERM, tmp_path) == (7, "mine\n")
+
+
+def test_a_second_ctrl_c_does_not_wait_for_a_worker_that_hangs() -> None:
+    done = python(
+        """
+        import os, signal, threading, hificamsim
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        worlds = hificamsim.Worlds("campus", backend="process")
+        os.kill(worlds._backend._worker.pid, signal.SIGSTOP)
+        for seconds in (0.5, 1.0):
+            threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT)).start()
+        try:
+            worlds.step()
+        except KeyboardInterrupt:
+            print(worlds._backend._worker.returncode)
+        try:
+            worlds.step()
+        except hificamsim.Closed as e:
+            print(e)
+        """
+    )
+    assert done.stdout == "-9\nthe environment was closed, expected a new one\n", done.stderr
 
 
 def memory() -> int:
