@@ -125,7 +125,6 @@ class JvmBackend:
         self._session = self._call(session_class.open, json.dumps(settings))
         self.description = json.loads(str(self._session.description()))
         self.memory = memoryview(self._session.memory())
-        self._step = self._session.step
         self._closer = weakref.finalize(self, self._session.close)
         self._closer.atexit = False  # the JVM may be gone by then
 
@@ -142,12 +141,7 @@ class JvmBackend:
         return self._session
 
     def step(self) -> None:
-        if self._session is None or _Jvm.process != os.getpid():
-            self._open()
-        try:
-            self._step()
-        except self._fault as e:
-            raise _translated(str(e.getClass().getName()), str(e.getMessage()), e) from None
+        self._call(self._open().step)
 
     def reset(self, seed: int, fresh: bool) -> None:
         self._call(self._open().reset, seed, fresh)

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import textwrap
 import time
+from collections.abc import Callable
 
 import pytest
 
@@ -45,6 +46,12 @@ def test_a_wrong_setting_is_a_line(settings: dict[str, object], line: str, backe
         hificamsim.Worlds("campus", **{"backend": backend, **settings})
     assert line in str(fault.value)
     assert "\n" not in str(fault.value)
+
+
+@pytest.mark.parametrize("make", [hificamsim.parallel_env, hificamsim.vector_env, hificamsim.single_env])
+def test_a_wrong_render_mode_is_a_line(make: Callable[..., object]) -> None:
+    with pytest.raises(hificamsim.InputError, match="render_mode is 'ansi', expected None or .*'rgb_array'"):
+        make("campus", render_mode="ansi")
 
 
 def test_a_scenario_that_is_none_or_wrong(tmp_path: pathlib.Path, backend: str) -> None:

@@ -75,7 +75,7 @@ public final class World {
   }
 
   /**
-   * Begins anew: the same as a new world with this seed, but what obstacles hide from cameras that
+   * Begins again: the same as a new world with this seed, but what obstacles hide from cameras that
    * stand where they stood is known. A {@link org.hificamsim.core.engine.Simulation} of this world
    * ends with it; the next one is a new one.
    */
