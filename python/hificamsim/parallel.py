@@ -49,9 +49,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         self.observation_spaces = {
             agent: spaces.observation(self.worlds) for agent in self.possible_agents
         }
-        self.action_spaces = {
-            agent: spaces.action(self.worlds, i) for i, agent in enumerate(self.possible_agents)
-        }
+        self.action_spaces = {agent: self._space(i) for i, agent in enumerate(self.possible_agents)}
         self.state_space = spaces.state(self.worlds)
         self._false = dict.fromkeys(self.possible_agents, False)
         self._true = dict.fromkeys(self.possible_agents, True)
@@ -103,9 +101,15 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         masks = self.worlds.masks[0].astype(np.int8)
         measured = dict(zip(MEASURES, self.worlds.measures[0].tolist()))
         return {
-            agent: {"action_mask": spaces.mask(self.worlds, i, masks[i]), **measured}
+            agent: {"action_mask": self._mask(i, masks[i]), **measured}
             for i, agent in enumerate(self.possible_agents)
         }
+
+    def _space(self, camera: int) -> Any:
+        return spaces.action(self.worlds, camera)
+
+    def _mask(self, camera: int, of: Array) -> Any:
+        return spaces.mask(self.worlds, camera, of)
 
     def state(self) -> Array:
         """All there is to know of the world, float32 in [-1, 1]."""
