@@ -5,7 +5,7 @@ set -eu
 
 venv=$1
 requirements=$2
-size=${3:-150 MB}
+size=${3:-330 MB}
 python=${PYTHON:-python3}
 
 fail() { echo "hificamsim: the Python package is not tested: $*" >&2; rm -rf "$venv"; exit 1; }
