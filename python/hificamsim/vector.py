@@ -114,7 +114,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
 
     def state(self) -> Array:
         """All there is to know of every network, float32 (networks, numbers)."""
-        return self.worlds.state().copy()
+        return np.array(self.worlds.state())
 
     def render(self) -> tuple[Array, ...] | None:
         """The first network as a picture."""

@@ -143,7 +143,8 @@ class Worlds:
     def _array(self, section: dict[str, Any]) -> Array:
         count = int(np.prod(section["shape"]))
         flat = np.frombuffer(self._backend.memory, section["type"], count, section["offset"])
-        return flat.reshape(section["shape"])
+        shaped: Array = flat.reshape(section["shape"])
+        return shaped
 
     def bounds(self) -> tuple[Array, Array]:
         """The least and the most that each number of an observation can be, (F,) each."""
@@ -176,7 +177,8 @@ class Worlds:
         """The first world as it is now, uint8 (height, width, 3)."""
         data = self._backend.picture(width)
         wide, high = np.frombuffer(data, ">i4", 2)
-        return np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
+        picture: Array = np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
+        return picture
 
     def close(self) -> None:
         """Ends the worlds. A JVM in this process goes on: it can be started only once."""
