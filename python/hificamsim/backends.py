@@ -292,8 +292,8 @@ def _whole() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
-        if waiting:
-            before(signal.SIGINT, waiting[0])
+    if waiting:
+        before(signal.SIGINT, waiting[0])
 
 
 def _end(worker: subprocess.Popen[bytes], process: int) -> None:

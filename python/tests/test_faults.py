@@ -184,7 +184,8 @@ def test_a_fork_that_never_asks_collects_garbage_and_ends() -> None:
 
 STEPPING = """
     import signal
-    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background has none
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background ignores it
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # and nohup this one
     import hificamsim
     worlds = hificamsim.Worlds("campus", 8, backend="{backend}")
     def steps():
@@ -249,11 +250,16 @@ def test_a_second_ctrl_c_does_not_wait_for_a_worker_that_hangs() -> None:
         signal.signal(signal.SIGINT, signal.default_int_handler)
         worlds = hificamsim.Worlds("campus", backend="process")
         os.kill(worlds._backend._worker.pid, signal.SIGSTOP)
-        for seconds in (0.5, 1.0):
-            threading.Timer(seconds, os.kill, (os.getpid(), signal.SIGINT)).start()
+        os.waitpid(worlds._backend._worker.pid, os.WUNTRACED)  # until it stands still
+        over = threading.Event()
+        def press():
+            while not over.wait(3):  # two at once would be one
+                os.kill(os.getpid(), signal.SIGINT)
+        threading.Thread(target=press, daemon=True).start()
         try:
             worlds.step()
         except KeyboardInterrupt:
+            over.set()
             print(worlds._backend._worker.returncode)
         try:
             worlds.step()
