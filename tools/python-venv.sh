@@ -1,7 +1,7 @@
 #!/bin/sh
 # Makes the virtual environment $1 with what the requirements $2 name, $3 MB from PyPI, for the tests of $4;
-# does nothing if it has them. Further arguments go to pip. PYTHON names another python3.
-# Fails with one line on standard error.
+# does nothing if it has them. Further arguments go to pip, which may take PIP_SECONDS (600). PYTHON names another
+# python3. Fails with one line on standard error.
 set -eu
 
 venv=$1
@@ -20,6 +20,7 @@ cmp -s "$requirements" "$venv/requirements.txt" && exit 0
 echo "hificamsim: fetching what the tests of $tested need from PyPI, $size MB" >&2
 rm -rf "$venv"
 "$python" -m venv "$venv" >"$venv.log" 2>&1 </dev/null || fail "$(tail -n 1 "$venv.log")"
-timeout 600 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "$@" -r "$requirements" \
-    >"$venv.log" 2>&1 </dev/null || fail "pip cannot fetch them ($(grep -v '^ *$' "$venv.log" | tail -n 1))"
+timeout "${PIP_SECONDS:-600}" "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "$@" \
+    -r "$requirements" >"$venv.log" 2>&1 </dev/null ||
+    fail "pip cannot fetch them ($(grep -v '^ *$' "$venv.log" | tail -n 1))"
 cp "$requirements" "$venv/requirements.txt"

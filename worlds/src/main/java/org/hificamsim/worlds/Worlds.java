@@ -41,7 +41,7 @@ public final class Worlds implements AutoCloseable {
   private final Workers.Share resetting = this::resetShare;
   private final Workers.Share telling = this::stateShare;
   private long seed;
-  private boolean anew;
+  private boolean restarted;
 
   /**
    * Worlds at the beginning of their first episode.
@@ -138,14 +138,14 @@ public final class Worlds implements AutoCloseable {
    */
   public void reset(long newSeed, boolean fresh) {
     seed = newSeed;
-    anew = fresh;
+    restarted = fresh;
     workers.run(resetting);
   }
 
   private void resetShare(int worker) {
     int end = workers.first(worker + 1, worlds.length);
     for (int i = workers.first(worker, worlds.length); i < end; i++) {
-      if (anew) {
+      if (restarted) {
         worlds[i].reset(seed + i);
       } else {
         worlds[i].next();
