@@ -222,7 +222,7 @@ public final class World {
 
   /** A camera with optics keeps its views, but for round ones. */
   private void refit(int camera, double range, double viewingAngle) {
-    cameras.refit(camera, views.of(range, viewingAngle, cameraSpecs.get(camera).optics()));
+    cameras.refit(camera, views.of(range, viewingAngle, cameraSpecs.get(camera)));
   }
 
   private static double changed(double given, double before) {
