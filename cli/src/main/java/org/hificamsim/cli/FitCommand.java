@@ -11,6 +11,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.Counted;
+import org.hificamsim.profiling.fit.CovariateChoice;
 import org.hificamsim.profiling.fit.DetectorShapes;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
@@ -86,6 +87,15 @@ final class FitCommand implements Callable<Integer> {
           "Shape of g: best, line (the thesis's), logistic, saturating-exponential, hill,"
               + " isotonic.")
   private String shape;
+
+  @Option(
+      names = "--covariates",
+      paramLabel = "A,B",
+      split = ",",
+      description =
+          "What else the models depend on: none, best (what helps on unseen objects), or some of"
+              + " aperture, distortion, light.")
+  private List<String> covariates;
 
   @Option(
       names = "--parsimony",
@@ -186,6 +196,7 @@ final class FitCommand implements Callable<Integer> {
         new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
         shape(),
+        CovariateChoice.of(covariates),
         ThresholdsFile.read(folder));
   }
 }
