@@ -50,7 +50,8 @@ final class FitCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "Confidences of your own instead of measurements.csv:"
-              + " image,q,d,z,confidence[,object][,pip], q, d and z in metres.")
+              + " image,q,d,z,confidence[,object][,pip][,aperture][,distortion][,light],"
+              + " q, d and z in metres.")
   private Path confidences;
 
   @Option(
@@ -152,6 +153,9 @@ final class FitCommand implements Callable<Integer> {
     all.stream()
         .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
         .forEach(model -> out.println(row(model)));
+    result.detectors().stream()
+        .flatMap(detector -> result.shifts(detector).sentence(detector).stream())
+        .forEach(out::println);
     Recommendation.all(result).forEach(one -> out.println(one.sentence()));
     out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve("models"));
     out.printf("report: %s%n", folder.resolve("report.html"));

@@ -1,8 +1,10 @@
 package org.hificamsim.profiling.dataset;
 
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.detection.Condition;
 import org.hificamsim.profiling.dataset.CsvRows.Cell;
@@ -50,6 +52,18 @@ public enum Covariate {
   /** Those that a photo comes with; the rest is measured. */
   public static List<Covariate> given() {
     return List.of(APERTURE, DISTORTION, LIGHT);
+  }
+
+  /** Those that a row of a table says of its photo. */
+  public static Map<Covariate, Double> given(Map<String, Cell> row) {
+    Map<Covariate, Double> values = new EnumMap<>(Covariate.class);
+    for (Covariate covariate : given()) {
+      Cell cell = row.get(covariate.column());
+      if (cell != null && !cell.text().isEmpty()) {
+        values.put(covariate, covariate.read(cell));
+      }
+    }
+    return values;
   }
 
   /** Whether a column of this name is one of these. */

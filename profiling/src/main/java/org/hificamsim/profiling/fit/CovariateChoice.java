@@ -69,11 +69,10 @@ public record CovariateChoice(List<Covariate> named, boolean best) {
    * @param alone its g on measured PIP
    */
   ShiftedFit of(ShapeFit alone, List<Measurement> photos, double[] confidences, Groups groups) {
-    DetectorRegression shape = DetectorShapes.of(alone.shape());
     ShiftedFit plain = ShiftedFit.plain(groups, alone);
     return best
-        ? forward(plain, shape, ofScenarios(photos), photos, confidences, groups)
-        : named.isEmpty() ? plain : ShiftedFit.of(shape, named, photos, confidences, groups);
+        ? forward(plain, ofScenarios(photos), photos, confidences, groups)
+        : named.isEmpty() ? plain : ShiftedFit.of(alone, named, photos, confidences, groups);
   }
 
   /**
@@ -102,7 +101,6 @@ public record CovariateChoice(List<Covariate> named, boolean best) {
   /** Takes the best one beside those that there are, as long as it helps. */
   private static ShiftedFit forward(
       ShiftedFit plain,
-      DetectorRegression shape,
       List<Covariate> known,
       List<Measurement> photos,
       double[] confidences,
@@ -114,7 +112,7 @@ public record CovariateChoice(List<Covariate> named, boolean best) {
       Optional<ShiftedFit> next =
           known.stream()
               .filter(one -> !before.contains(one))
-              .map(one -> ShiftedFit.of(shape, more(before, one), photos, confidences, groups))
+              .map(one -> ShiftedFit.of(plain.g(), more(before, one), photos, confidences, groups))
               .min(Comparator.comparingDouble(one -> Arrays.stream(one.g().groupErrors()).sum()));
       if (!next.orElseThrow().helpsBeside(now)) {
         break;

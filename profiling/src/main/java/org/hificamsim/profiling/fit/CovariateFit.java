@@ -47,8 +47,7 @@ public record CovariateFit(
       FitResult result, Covariate covariate, ShapeFit alone, double[] y) {
     List<Measurement> photos = result.measurements();
     Groups groups = result.unseen();
-    ShiftedFit fit =
-        ShiftedFit.of(DetectorShapes.of(alone.shape()), List.of(covariate), photos, y, groups);
+    ShiftedFit fit = ShiftedFit.of(alone, List.of(covariate), photos, y, groups);
     return new CovariateFit(
         covariate,
         weight(fit, photos, y),

@@ -12,13 +12,18 @@ import org.hificamsim.profiling.measure.Measurement;
  * @param g with them
  */
 public record ShiftedFit(Shifts shifts, ShapeFit g) {
-  /** Fits weights and g, to all rows and without each group. */
+  /**
+   * Fits weights and g, to all rows and without each group.
+   *
+   * @param alone the same shape without covariates
+   */
   static ShiftedFit of(
-      DetectorRegression shape,
+      ShapeFit alone,
       List<Covariate> covariates,
       List<Measurement> photos,
       double[] confidences,
       Groups groups) {
+    DetectorRegression shape = DetectorShapes.of(alone.shape());
     double[] pip = photos.stream().mapToDouble(Measurement::pip).toArray();
     ShiftFitting fitting = new ShiftFitting(shape, photos, pip, confidences);
     Shift shift = fitting.fit(covariates, IntStream.range(0, pip.length).toArray());
@@ -29,8 +34,8 @@ public record ShiftedFit(Shifts shifts, ShapeFit g) {
     double[][] unseenX =
         unseen.stream().map(one -> one.applied(pip, photos)).toArray(double[][]::new);
     double[] x = shift.applied(pip, photos);
-    return new ShiftedFit(
-        new Shifts(shift, unseen), ShapeFit.of(shape, x, unseenX, confidences, groups));
+    ShapeFit g = ShapeFit.of(shape, x, unseenX, confidences, groups);
+    return new ShiftedFit(new Shifts(shift, unseen, g.unseen().r2(), alone.unseen().r2()), g);
   }
 
   /** Without covariates. */
