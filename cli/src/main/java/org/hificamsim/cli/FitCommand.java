@@ -28,6 +28,9 @@ import org.hificamsim.profiling.measure.OwnConfidences;
 import org.hificamsim.profiling.measure.PipReading;
 import org.hificamsim.profiling.measure.ThresholdsFile;
 import org.hificamsim.profiling.report.FitReport;
+import org.hificamsim.profiling.trial.TrialRun;
+import org.hificamsim.profiling.trial.Trials;
+import org.hificamsim.profiling.trial.TrialsFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -127,12 +130,15 @@ final class FitCommand implements Callable<Integer> {
     List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
     int models = new ModelFolder(folder.resolve("models"), name).write(result);
+    List<Trials> trials = TrialRun.all(result, count);
+    TrialsFile.write(folder, trials);
     FitReport.write(
         result,
+        trials,
         confidences == null ? PipReading.ofDataset(folder) : PipReading.RECTANGLE,
         folder.toAbsolutePath().normalize().getFileName().toString(),
         folder);
-    print(result, models);
+    print(result, trials, models);
     return 0;
   }
 
@@ -142,7 +148,7 @@ final class FitCommand implements Callable<Integer> {
         : OwnConfidences.read(confidences, camera);
   }
 
-  private void print(FitResult result, int models) {
+  private void print(FitResult result, List<Trials> trials, int models) {
     PrintWriter out = spec.commandLine().getOut();
     List<FittedModel> all = FittedModel.all(result);
     PrintWriter err = spec.commandLine().getErr();
@@ -157,6 +163,7 @@ final class FitCommand implements Callable<Integer> {
         .flatMap(detector -> result.shifts(detector).sentence(detector).stream())
         .forEach(out::println);
     Recommendation.all(result).forEach(one -> out.println(one.sentence()));
+    trials.forEach(one -> out.println(one.sentence()));
     out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve("models"));
     out.printf("report: %s%n", folder.resolve("report.html"));
     if (models == 0) {

@@ -54,7 +54,7 @@ public record FittedModel(
   }
 
   /** The model, with a prefix and a colon before its name. */
-  HiFiDetection detection(String prefix) {
+  public HiFiDetection detection(String prefix) {
     DetectorModel g = fit.chosen().g();
     double rmse = fit.chosen().unseen().rmse();
     return new HiFiDetection(
@@ -67,6 +67,24 @@ public record FittedModel(
         rmse > NO_SCATTER ? OptionalDouble.of(rmse) : OptionalDouble.empty(),
         Optional.of(fittedOn()),
         provenance());
+  }
+
+  /**
+   * The model as it is fitted without a group of {@link FitResult#unseen}; it has the threshold and
+   * the scatter of the model of all photos.
+   */
+  public HiFiDetection without(int group) {
+    HiFiDetection all = detection("without-" + group);
+    return new HiFiDetection(
+        all.name(),
+        f.unseen().fits().get(group).f(),
+        fit.chosen().fits().get(group),
+        terms(result.shifts(detector).unseen().get(group)),
+        all.optics(),
+        all.defaultThreshold(),
+        all.rmse(),
+        all.fitted(),
+        all.provenance());
   }
 
   private List<CovariateTerm> terms(Shift shift) {
