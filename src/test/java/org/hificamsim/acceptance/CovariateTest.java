@@ -1,6 +1,5 @@
 package org.hificamsim.acceptance;
 
-import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
@@ -126,12 +125,12 @@ class CovariateTest {
   void theSameScenarioInAnotherLightIsAnotherRun() throws IOException {
     Path model = lit();
     assertDone(compare(model, " light=\"0.5\""));
-    byte[] dark = Files.readAllBytes(folder.resolve("compared/results.csv"));
+    String dark = Files.readString(folder.resolve("compared/results.csv"));
     assertDone(compare(model, " light=\"1.5\""));
-    byte[] bright = Files.readAllBytes(folder.resolve("compared/results.csv"));
-    assertNotEquals(new String(dark), new String(bright));
+    String bright = Files.readString(folder.resolve("compared/results.csv"));
+    assertNotEquals(dark, bright);
     assertDone(compare(model, " light=\"0.5\""));
-    assertArrayEquals(dark, Files.readAllBytes(folder.resolve("compared/results.csv")));
+    assertEquals(dark, Files.readString(folder.resolve("compared/results.csv")));
   }
 
   private Cli compare(Path model, String attributes) throws IOException {
