@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -17,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 class CovariateTest {
   private static final String SCENARIO =
       """
-      <root><simulation min_x="-30" max_x="30" min_y="-30" max_y="30" mount_height="20"%s>
+      <root><simulation min_x="-12" max_x="12" min_y="-12" max_y="12" mount_height="20"%s>
         <cameras><zoom>4 8 12</zoom>
           <camera name="a" x="0" y="0" heading="0" viewing_angle="360" range="8"%s/>
           <camera name="b" x="10" y="0" heading="0" viewing_angle="360" range="8"/>
@@ -69,13 +70,39 @@ class CovariateTest {
   @Test
   void whatHelpsIsFoundAndSaid() throws IOException {
     Cli best = assertDone(fit("best", "best"));
-    assertTrue(best.out().contains("yolo depends on light: R2 unseen 0."), best.out());
+    assertTrue(best.out().contains("yolo depends on light: R2 unseen 1.000"), best.out());
     Path folderOfBest = folder.resolve("best");
     assertTrue(
         Files.readString(folderOfBest.resolve("models/yolo-pinhole.json")).contains("\"light\""));
     String report = Files.readString(folderOfBest.resolve("report.html"));
     assertTrue(report.contains("helps; in the models"));
     assertFalse(assertDone(fit("none", "none")).out().contains("depends on"));
+  }
+
+  /** The name of the detector is that of the table. */
+  @Test
+  void columnsOfTheTableStandBelowEachOtherWhateverTheNames() throws IOException {
+    assertDone(fit("columns", "none"));
+    Path data = folder.resolve("columns");
+    Path longer = data.resolve("a-detector-with-a-long-name.csv");
+    Files.move(data.resolve("yolo.csv"), longer);
+    Cli fitted =
+        assertDone(
+            Cli.run(
+                "profile",
+                "fit",
+                data,
+                "--confidences",
+                longer,
+                "--population",
+                60,
+                "--generations",
+                2,
+                "--restarts",
+                1));
+    List<String> lines = fitted.out().lines().limit(6).toList();
+    int end = lines.get(0).indexOf(" RMSE") + 5;
+    lines.forEach(line -> assertTrue(line.startsWith("  ", end), fitted.out()));
   }
 
   @Test
@@ -141,6 +168,8 @@ class CovariateTest {
         model,
         "--policies",
         "zoom-out",
+        "--threshold",
+        0.3,
         "--repeat",
         1,
         "--steps",
@@ -218,6 +247,8 @@ class CovariateTest {
             scenario(attributes, ofCamera),
             "--policy",
             "zoom-out",
+            "--threshold",
+            0.3,
             "--steps",
             40,
             "--detection",

@@ -44,6 +44,7 @@ import picocli.CommandLine.Spec;
     description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
+  private static final int WIDTH = 16; // of the models' names, at least
 
   @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
   private Path folder;
@@ -155,10 +156,12 @@ final class FitCommand implements Callable<Integer> {
     all.stream()
         .filter(model -> model.fit().refused())
         .forEach(model -> err.println("warning: " + model.refusal()));
-    out.printf("%-16s %7s %7s %8s  g%n", "model", "R2", "unseen", "RMSE");
+    int width = all.stream().mapToInt(model -> model.name().length()).max().orElse(0);
+    String column = "%-" + Math.max(WIDTH, width) + "s";
+    out.printf(column + " %7s %7s %8s  g%n", "model", "R2", "unseen", "RMSE");
     all.stream()
         .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
-        .forEach(model -> out.println(row(model)));
+        .forEach(model -> out.println(row(column, model)));
     result.detectors().stream()
         .flatMap(detector -> result.shifts(detector).sentence(detector).stream())
         .forEach(out::println);
@@ -173,11 +176,11 @@ final class FitCommand implements Callable<Integer> {
     }
   }
 
-  private static String row(FittedModel model) {
+  private static String row(String column, FittedModel model) {
     ShapeFit g = model.fit().chosen();
     return String.format(
         Locale.ROOT,
-        "%-16s %7.3f %7.3f %8.4f  %s",
+        column + " %7.3f %7.3f %8.4f  %s",
         model.name(),
         g.scores().r2(),
         g.unseen().r2(),

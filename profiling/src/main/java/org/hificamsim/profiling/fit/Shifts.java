@@ -28,12 +28,13 @@ public record Shifts(Shift all, List<Shift> unseen, double r2, double r2Alone) {
         : Optional.of(
             String.format(
                 Locale.ROOT,
-                "%s depends on %s: R2 unseen %.3f on measured PIP, %.3f without",
+                "%s depends on %s: R2 unseen %.3f on measured PIP, %.3f without%s",
                 detector,
                 all.terms().stream()
                     .map(term -> term.covariate().column())
                     .collect(Collectors.joining(" and ")),
                 r2,
-                r2Alone));
+                r2Alone,
+                r2 > r2Alone ? "" : "; that does not help"));
   }
 }

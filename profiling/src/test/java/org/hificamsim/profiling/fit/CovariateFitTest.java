@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Condition;
@@ -64,6 +65,16 @@ class CovariateFitTest {
     assertEquals(model, ModelFiles.parse("m", ModelFiles.bytes(model)));
     assertTrue(unseen(result) > unseen(plain) + 0.03, unseen(result) + " " + unseen(plain));
     assertEquals(Math.exp(-WEIGHT / 4), model.factor(light(0.75)), 0.04);
+  }
+
+  @Test
+  void whatDoesNotHelpIsSaid() {
+    String light = fit(List.of("light")).shifts("d").sentence("d").orElseThrow();
+    assertTrue(
+        light.matches("d depends on light: R2 unseen 0\\.99\\d .*, 0\\.9\\d+ without"), light);
+    Shifts worse = new Shifts(fit(List.of("light")).shifts("d").all(), List.of(), 0.2, 0.6);
+    assertTrue(worse.sentence("d").orElseThrow().endsWith("0.600 without; that does not help"));
+    assertEquals(Optional.empty(), fit(List.of("none")).shifts("d").sentence("d"));
   }
 
   @Test
