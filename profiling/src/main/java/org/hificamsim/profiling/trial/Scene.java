@@ -56,12 +56,13 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
    * The scenario.
    *
    * @param farthest a distance that no photo of the data set exceeds, so that scenes share zooms
+   * @param conditions whether it says those of the photos
    */
-  Scenario scenario(PhotoCamera sensor, double farthest) {
+  Scenario scenario(PhotoCamera sensor, double farthest, boolean conditions) {
     double half = ROOM * farthest;
     List<CameraSpec> cameras = new ArrayList<>();
     for (int i = 0; i < photos.size(); i++) {
-      cameras.add(camera("photo " + i, photos.get(i), bearings.get(i), sensor));
+      cameras.add(camera("photo " + i, photos.get(i), bearings.get(i), sensor, conditions));
     }
     return new Scenario(
         "photos",
@@ -94,7 +95,7 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
   }
 
   private static CameraSpec camera(
-      String name, Measurement photo, double bearing, PhotoCamera sensor) {
+      String name, Measurement photo, double bearing, PhotoCamera sensor, boolean conditions) {
     double radians = StrictMath.toRadians(bearing);
     double angle =
         StrictMath.toDegrees(2 * StrictMath.atan(sensor.sensorWidth() / (2 * photo.focalLength())));
@@ -107,7 +108,7 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
         0,
         AgentSpec.NONE,
         Optional.of(lens(angle)),
-        conditions(photo),
+        conditions ? conditions(photo) : Conditions.UNKNOWN,
         Map.of());
   }
 

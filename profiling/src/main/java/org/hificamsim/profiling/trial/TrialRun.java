@@ -5,12 +5,10 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.SplittableRandom;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.profiling.Parallel;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
@@ -34,8 +32,7 @@ public final class TrialRun {
   private final double threshold;
   private final double farthest;
   private final Map<Measurement, Integer> groups = new HashMap<>();
-  private final List<Detection> certain = new ArrayList<>();
-  private final List<Optional<Detection>> byChance = new ArrayList<>();
+  private final List<UnseenModel> models = new ArrayList<>();
 
   private TrialRun(FittedModel model) {
     this.model = model;
@@ -45,9 +42,7 @@ public final class TrialRun {
         result.measurements().stream().mapToDouble(Measurement::distance).max().orElseThrow();
     Groups unseen = result.unseen();
     for (int group = 0; group < unseen.count(); group++) {
-      HiFiDetection without = model.without(group);
-      certain.add(new Detection(without, threshold));
-      byChance.add(chance(without));
+      models.add(new UnseenModel(model.without(group), threshold));
       for (int row : unseen.rows().get(group)) {
         groups.put(result.measurements().get(row), group);
       }
@@ -64,12 +59,6 @@ public final class TrialRun {
   /** Of one model. */
   public static Trials of(FittedModel model) {
     return new TrialRun(model).trials();
-  }
-
-  private static Optional<Detection> chance(HiFiDetection without) {
-    return without
-        .scatter()
-        .map(any -> Detection.by(DetectionRule.parse("chance"), without.name(), without));
   }
 
   private Trials trials() {
@@ -98,7 +87,7 @@ public final class TrialRun {
         simulated.mean(),
         error / SCENES,
         measuredByChance.mean(),
-        byChance.get(0).map(any -> expected.mean()));
+        model.detection("trial").scatter().map(any -> expected.mean()));
   }
 
   /** Photos that a scene may show together: of one object, and unseen by one model. */
@@ -133,14 +122,15 @@ public final class TrialRun {
       double meanK) {}
 
   private Outcome outcome(Scene scene) {
-    int group = groups.get(scene.photos().get(0));
-    var scenario = scene.scenario(result.camera(), farthest);
-    long simulated = Simulator.coverage(scenario, certain.get(group)).detections();
+    UnseenModel unseen = models.get(groups.get(scene.photos().get(0)));
+    unseen.begin();
+    Scenario scenario = scene.scenario(result.camera(), farthest, unseen.hasCovariates());
+    long simulated = Simulator.coverage(scenario, unseen.certain()).detections();
     long measured = reaching(scene, threshold);
-    if (byChance.get(group).isEmpty()) {
+    if (unseen.chance().isEmpty()) {
       return new Outcome(measured, simulated, 0, Double.NaN, Double.NaN, Double.NaN);
     }
-    Detection chance = byChance.get(group).get();
+    Detection chance = unseen.chance().get();
     StepCoverage expected = Simulator.coverage(scenario, chance);
     return new Outcome(
         measured,
