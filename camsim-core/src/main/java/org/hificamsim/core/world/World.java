@@ -214,7 +214,7 @@ public final class World {
 
   /** A camera with optics keeps its views, but for round ones. */
   private void refit(int camera, double range, double viewingAngle) {
-    cameras.refit(camera, cast.views().of(range, viewingAngle, cast.camera(camera).optics()));
+    cameras.refit(camera, cast.views().of(range, viewingAngle, cast.camera(camera)));
   }
 
   private static double changed(double given, double before) {
