@@ -164,6 +164,14 @@ class BrokenModelFilesTest {
   }
 
   @Test
+  void fileOfTheLargestSizeIsRead() throws IOException {
+    byte[] text = MODEL.getBytes(StandardCharsets.UTF_8);
+    byte[] largest = Arrays.copyOf(text, ModelFiles.MAX_BYTES);
+    Arrays.fill(largest, text.length, largest.length, (byte) ' ');
+    assertEquals("mine", ModelFiles.read(Files.write(folder.resolve("m.json"), largest)).name());
+  }
+
+  @Test
   void everyTruncationIsRefused() throws IOException {
     byte[] whole = MODEL.strip().getBytes(StandardCharsets.UTF_8);
     for (int length = 0; length < whole.length; length++) {
