@@ -30,6 +30,13 @@ class HiFiDetectionTest {
   }
 
   @Test
+  void underAnotherNameItIsTheSame() {
+    HiFiDetection model = model((q, d, z) -> q, new DetectorLine(1, 0));
+    assertEquals("other", model.named("other").name());
+    assertEquals(model, model.named("other").named("test"));
+  }
+
+  @Test
   void valueThatIsNoNumberIsNeverDetected() {
     HiFiDetection model = model((q, d, z) -> Double.NaN, new DetectorLine(1, 0));
     assertFalse(model.confidence(1, 1, 0, MIDDLE) >= -1e9);

@@ -85,6 +85,13 @@ class OutputFileTest {
     assertFalse(Files.exists(folder.resolve("missing")));
   }
 
+  @Test
+  void aFileInAFolderThatExistsMayBeNamed() throws IOException {
+    OutputFile.of("--out", folder.resolve("place")).write("ours");
+    OutputFile.of("--out", folder.resolve("place")).write("later");
+    assertEquals("later", Files.readString(folder.resolve("place")));
+  }
+
   private static void write(Path place, String text) {
     try {
       new OutputFile(place).write(text);

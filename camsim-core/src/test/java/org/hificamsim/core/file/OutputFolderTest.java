@@ -39,6 +39,42 @@ class OutputFolderTest {
   }
 
   @Test
+  void saysWhichFilesItHasWrittenAndWhere() throws IOException {
+    try (OutputFolder output = new OutputFolder(folder)) {
+      write(output, "b.gz");
+      assertEquals(List.of(), output.written());
+      output.commit(List.of());
+      write(output, "c");
+      output.commit(List.of());
+      write(output, "never");
+      assertEquals(List.of("b.gz", "c"), output.written());
+      assertEquals(folder, output.path());
+    }
+    assertEquals(List.of("a", "b.gz", "c"), names());
+    try (TextLines lines = TextLines.open(folder.resolve("b.gz"))) {
+      assertTrue(lines.next());
+      assertEquals("later", lines.text());
+    }
+  }
+
+  @Test
+  void aFolderThatCannotBeMadeIsToldWithTheReason() throws IOException {
+    Path file = folder.resolve("a");
+    assertMade("the folder for results has an empty name, expected one", Path.of(""));
+    assertMade("folder '" + file + "' is a file, expected a folder", file);
+    Path below = file.resolve("below");
+    assertMade("folder '" + below + "' cannot be made: ", below);
+    assertEquals(above.resolve("b/c"), OutputFolder.made(above.resolve("b/c")));
+    assertTrue(Files.isDirectory(above.resolve("b/c")));
+  }
+
+  private static void assertMade(String refused, Path path) {
+    String told = assertThrows(InputException.class, () -> OutputFolder.made(path)).getMessage();
+    assertEquals(refused, told.substring(0, Math.min(refused.length(), told.length())));
+    assertTrue(told.matches(".*(expected .*|: [A-Za-z ]+)"), told);
+  }
+
+  @Test
   void closedWithoutACommitItIsAsItWas() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "a");

@@ -8,6 +8,8 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Against all outcomes, one by one. */
 class ExpectedCoverageTest {
@@ -104,6 +106,23 @@ class ExpectedCoverageTest {
     assertEquals(1, expected.covered1());
     assertEquals(2, expected.coveredK());
     assertEquals(2, expected.meanK());
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {6, 7, 8, 20, 40})
+  void anyNumberOfCamerasMayCoverATarget(int cameras) {
+    ExpectedCoverage expected = new ExpectedCoverage();
+    expected.measure(random(5, 7, new SplittableRandom(1))); // a smaller network before
+    double[][] halves = new double[cameras][2];
+    for (double[] half : halves) {
+      half[0] = 0.5;
+      half[1] = 1;
+    }
+    expected.measure(new Chances(halves));
+    assertEquals(cameras / 2.0, expected.kMin(), ERROR, "the mean of a binomial");
+    assertEquals(Math.pow(2, -cameras), expected.covered0(), ERROR);
+    assertEquals(cameras * Math.pow(2, -cameras), expected.covered1(), ERROR);
+    assertEquals(1 - Math.pow(2, -cameras), expected.chanceOfOne(0), ERROR);
   }
 
   /** Some chances are 0, some 1, and some targets are not there. */

@@ -63,6 +63,15 @@ class ObjectiveTest {
   }
 
   @Test
+  void aPartOfTheTargetsIsScoredAsIfThereWereNoOthers() {
+    int[] k = {0, 9, 3, 1, 2, 9, 0};
+    assertEquals(1, Objective.parse("kmin").score(k, 2, 5));
+    assertEquals(2 / 3.0, Objective.parse("covered:k=2").score(k, 2, 5));
+    assertEquals(5, Objective.parse("sum:cap=2").score(k, 2, 5));
+    assertEquals(1, Objective.parse("lexicographic").score(k, 2, 5));
+  }
+
+  @Test
   void withoutTargetsEveryScoreIsZero() {
     for (String text : List.of("kmin", "covered", "lexicographic", "sum")) {
       assertEquals(0, score(text), text);

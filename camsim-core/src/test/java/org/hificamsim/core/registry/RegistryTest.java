@@ -2,6 +2,7 @@ package org.hificamsim.core.registry;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -61,6 +62,23 @@ class RegistryTest {
     InputException bare =
         assertThrows(InputException.class, () -> registry.create("hifi:orb:quick"));
     assertEquals("thing hifi:orb: unknown option 'quick', expected one of n", bare.getMessage());
+  }
+
+  @Test
+  void anOptionWithoutAValueIsToldApartFromOneThatThereIsNot() {
+    InputException bare = assertThrows(InputException.class, () -> registry.create("hifi:orb:n"));
+    assertEquals("thing hifi:orb: option 'n' has no value, expected n=VALUE", bare.getMessage());
+  }
+
+  @Test
+  void anAliasIsUnderstoodAndNotListed() {
+    assertSame(registry, registry.alias("orb", "hifi:orb"));
+    assertEquals("orb 5", registry.create("orb:n=5"));
+    assertTrue(registry.knows("orb"));
+    assertEquals(List.of("plain", "hifi:orb", "hifi:orb:fast"), registry.names());
+    for (List<String> wrong : List.of(List.of("new", "nothing"), List.of("plain", "hifi:orb"))) {
+      assertThrows(InputException.class, () -> registry.alias(wrong.get(0), wrong.get(1)));
+    }
   }
 
   @Test

@@ -8,6 +8,8 @@ import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PointGridTest {
   @Property(tries = 200, edgeCases = EdgeCasesMode.NONE)
@@ -61,17 +63,18 @@ class PointGridTest {
     }
   }
 
-  @Test
-  void aCellHoldsItsLeftAndLowerBorderAndTheOutermostOnesAllBeyond() {
-    PointGrid grid = PointGrid.over(10, 20, 4, 3, 1, 40);
+  @ParameterizedTest
+  @ValueSource(doubles = {1, 0.5, 4})
+  void aCellHoldsItsLeftAndLowerBorderAndTheOutermostOnesAllBeyond(double side) {
+    PointGrid grid = PointGrid.over(10, 20, 4 * side, 3 * side, side, 40);
     assertEquals(12, grid.cells());
-    double[] columns = {-1e9, 9.9, 10, 10.999, 11, 12.5, 13, 13.999, 14, 1e9};
-    double[] rows = {-1e9, 19.9, 20, 20.999, 21, 21.5, 22, 22.999, 23, 1e9};
+    double[] columns = {-1e9, -0.1, 0, 0.999, 1, 2.5, 3, 3.999, 4, 1e9};
+    double[] rows = {-1e9, -0.1, 0, 0.999, 1, 1.5, 2, 2.999, 3, 1e9};
     int[] column = {0, 0, 0, 0, 1, 2, 3, 3, 3, 3};
     int[] row = {0, 0, 0, 0, 1, 1, 2, 2, 2, 2};
     for (int i = 0; i < columns.length; i++) {
-      assertEquals(column[i], grid.column(columns[i]), "x " + columns[i]);
-      assertEquals(row[i], grid.row(rows[i]), "y " + rows[i]);
+      assertEquals(column[i], grid.column(10 + columns[i] * side), "sides " + columns[i]);
+      assertEquals(row[i], grid.row(20 + rows[i] * side), "sides " + rows[i]);
     }
   }
 
@@ -87,6 +90,7 @@ class PointGridTest {
       for (int cell = 0; cell < 6; cell++) {
         int row = cell / 3;
         int column = cell % 3;
+        assertEquals(cell == 5, grid.isLast(column, row));
         assertEquals(2 * cell, grid.start(row, column));
         assertEquals(2 * cell + 2, grid.end(row, column));
         assertEquals(cell + 6, grid.point(2 * cell));

@@ -49,6 +49,19 @@ class LuckTest {
     assertTrue(chiSquare(counts, 1e4) < LIMIT, "chi-square " + chiSquare(counts, 1e4));
   }
 
+  /** By the formulas in Python's whole numbers: recorded runs are of these numbers. */
+  @ParameterizedTest
+  @CsvSource({
+    "0, 1, 0, 0, 0, 0.33805245419550545",
+    "42, 1, 3, 1, 2, 0.4214569957962143",
+    "42, 1, 3, 1, -1, 0.3610201173645198",
+    "-1, 10, 7, 5, 9, 0.5601630368902141",
+  })
+  void isTheSameInEveryVersion(
+      long seed, int memory, long step, int camera, int target, double drawn) {
+    assertEquals(drawn, new Luck(seed, memory).draw(step, camera, target));
+  }
+
   @Test
   void isTheSameWheneverItIsAskedFor() {
     Luck luck = new Luck(42, 1);

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
 import net.jqwik.api.Assume;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -11,7 +12,9 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.junit.jupiter.api.Test;
@@ -35,6 +38,42 @@ class VisibilityTest {
     @Override
     public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
       return distance - 1;
+    }
+  }
+
+  /** A model whose value falls from 1 on the camera to 0 at 4 m. */
+  private record Near(boolean dependsOnBearing) implements DetectionModel {
+    @Override
+    public String name() {
+      return "near";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return 1 - distance / 4;
+    }
+
+    @Override
+    public Optional<Scatter> scatter() {
+      return Optional.of(new Scatter(0, 0.1));
+    }
+  }
+
+  /** A model whose value is the angle off the axis. */
+  private record Bearing() implements DetectionModel {
+    @Override
+    public String name() {
+      return "bearing";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return offAxis;
+    }
+
+    @Override
+    public boolean dependsOnBearing() {
+      return true;
     }
   }
 
@@ -166,6 +205,87 @@ class VisibilityTest {
     Visibility byBearing = Visibility.of(Detection.of(new Far(true)));
     assertTrue(byBearing.dominates(zoom(90, 5), zoom(90, 5), 1));
     assertFalse(byBearing.dominates(zoom(90, 5), zoom(90, 4), 1));
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void whatStandsBetweenTakesItsShareOfTheValueByAThreshold(boolean byBearing) {
+    Visibility visibility = Visibility.of(new Detection(new Near(byBearing), 0.5));
+    ZoomLevel zoom = zoom(90, 5);
+    assertEquals(0.6, visibility.confidence(ORIGIN, zoom, 0, 1, 1, 0, 0.8), 1e-15);
+    assertEquals(0, visibility.confidence(ORIGIN, zoom, 0, 1, 1, 0, 0.6), "0.45");
+    assertEquals(1, visibility.chance(ORIGIN, zoom, 0, 1, 1, 0.8));
+    assertEquals(0, visibility.chance(ORIGIN, zoom, 0, 1, 1, 0.6));
+    assertEquals(1, visibility.chance(ORIGIN, zoom, 0, 1, 1));
+    assertEquals(0, visibility.chance(ORIGIN, zoom, 1, 0, 1), "beside the sector");
+  }
+
+  @ParameterizedTest
+  @ValueSource(booleans = {false, true})
+  void whatStandsBetweenTakesItsShareOfTheChanceAndLeavesTheValue(boolean byBearing) {
+    Detection detection =
+        Detection.by(DetectionRule.parse("probability"), "near", new Near(byBearing));
+    Visibility visibility = Visibility.of(detection, 7);
+    ZoomLevel zoom = zoom(90, 3);
+    assertEquals(0.75, visibility.chance(ORIGIN, zoom, 0, 1, 1));
+    assertEquals(0.375, visibility.chance(ORIGIN, zoom, 0, 1, 1, 0.5));
+    assertEquals(0.25, visibility.chance(ORIGIN, zoom, 0, 3, 1), "on the border");
+    assertEquals(0, visibility.chance(ORIGIN, zoom, 0, 3.1, 1), "out of reach");
+    assertEquals(0, visibility.chance(ORIGIN, zoom, 1, 0, 1), "beside the sector");
+    assertEquals(0.75, visibility.confidence(ORIGIN, zoom, 0, 1, 1, 0.3, 0.5));
+    assertEquals(0, visibility.confidence(ORIGIN, zoom, 0, 1, 1, 0.4, 0.5));
+  }
+
+  @Test
+  void theReachEndsWhereTheThresholdIsLastReached() {
+    Visibility near = Visibility.of(new Detection(new Near(false), 0.5));
+    assertEquals(2, near.reach(zoom(360, 5), 1), 1e-6);
+    assertTrue(near.reach(zoom(360, 5), 1) > 2, "rounded up");
+    assertEquals(1, near.reach(zoom(360, 1), 1), 1e-6);
+    assertEquals(0, Visibility.of(new Detection(new Near(false), 2)).reach(zoom(360, 5), 1));
+    Visibility byBearing = Visibility.of(new Detection(new Near(true), 0.5));
+    assertEquals(5, byBearing.reach(zoom(360, 5), 1), 1e-6);
+    assertTrue(Visibility.roundedUp(0) > 0);
+    assertTrue(Visibility.roundedUp(1e-100) > 1e-100);
+  }
+
+  @Test
+  void theAngleIsThatOfTheSectorAlsoByItsCosine() {
+    ZoomLevel zoom = zoom(90, 5);
+    double cosine = Math.cos(Math.PI / 4);
+    for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
+      assertTrue(visibility.isInAngle(ORIGIN, zoom, cosine, 0.9, 1));
+      assertFalse(visibility.isInAngle(ORIGIN, zoom, cosine, 1.1, 1));
+    }
+    assertTrue(OURS.isInAngle(ORIGIN, zoom, cosine, 0, 0), "the camera's own position");
+    assertFalse(CAMSIMS.isInAngle(ORIGIN, zoom, cosine, 0, 0));
+  }
+
+  @Test
+  void inViewTheModelIsAskedAtTheBearingWhereItLooksAtIt() {
+    Visibility visibility = Visibility.of(new Detection(new Bearing(), 0.1));
+    Visibility near = Visibility.of(new Detection(new Near(false), 0.5));
+    assertEquals(Math.PI / 4, visibility.valueInView(ORIGIN, zoom(360, 5), 1, 1, 1), 1e-12);
+    assertEquals(0, visibility.valueInView(ORIGIN, zoom(360, 5), 0, 0, 1), "no bearing at all");
+    assertEquals(0.5, near.valueInView(ORIGIN, zoom(90, 1), 2, 0, 1), "untested");
+  }
+
+  @Test
+  void phantomsAreAsFrequentAsFalseAlarms() {
+    String text = "chance:alpha=0.3";
+    assertEquals(0, phantoms(text));
+    assertEquals(3000, phantoms(text + ",phantoms=on"), 200);
+  }
+
+  /** In 100 steps of 100 cameras. */
+  private static int phantoms(String rule) {
+    Detection detection = Detection.by(DetectionRule.parse(rule), "near", new Near(false));
+    Visibility visibility = Visibility.of(detection, 3);
+    int phantoms = 0;
+    for (int i = 0; i < 10_000; i++) {
+      phantoms += visibility.phantoms(i / 100, i % 100);
+    }
+    return phantoms;
   }
 
   private static boolean sees(

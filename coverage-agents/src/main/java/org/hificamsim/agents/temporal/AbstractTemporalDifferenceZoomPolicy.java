@@ -71,7 +71,6 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
     Arrays.fill(lastState, NONE);
     earned = new double[network.cameras()];
     discount = new double[network.cameras()];
-    Arrays.fill(discount, 1);
   }
 
   /** What all cameras do when they have looked, and before any decides. */

@@ -25,7 +25,7 @@ import org.junit.jupiter.api.Test;
 
 class ActionValuesTest {
   /** So many cameras, views and targets that tables do not have all their states at first. */
-  private static final int CAMERAS = 40;
+  private static final int CAMERAS = 200;
 
   private static final int LEVELS = 5;
   private static final int TARGETS = 4_000;

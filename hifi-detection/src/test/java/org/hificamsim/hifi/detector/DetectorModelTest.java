@@ -2,6 +2,7 @@ package org.hificamsim.hifi.detector;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -67,6 +68,16 @@ class DetectorModelTest {
   }
 
   @Test
+  void aConfidenceThatLastsForAWhileIsReachedAtItsStart() {
+    double[][] knots = {{0.1, 0.2}, {0.2, 0.2}, {0.3, 0.5}, {0.4, 0.5}};
+    IsotonicCurve curve = new IsotonicCurve(knots);
+    assertEquals(0, curve.pip(0.2), "before the first knot too");
+    assertEquals(0.25, curve.pip(0.35), 1e-15);
+    assertEquals(0.3, curve.pip(0.5));
+    assertEquals(Double.POSITIVE_INFINITY, curve.pip(0.51));
+  }
+
+  @Test
   void knotsOutOfOrderAreRefused() {
     for (double[][] knots :
         List.of(
@@ -85,6 +96,9 @@ class DetectorModelTest {
     IsotonicCurve curve = new IsotonicCurve(knots);
     knots[0][0] = 0.15;
     assertEquals(new IsotonicCurve(new double[][] {{0.1, 0.2}, {0.2, 0.3}}), curve);
+    assertEquals(
+        new IsotonicCurve(new double[][] {{0.1, 0.2}, {0.2, 0.3}}).hashCode(), curve.hashCode());
+    assertNotEquals(new IsotonicCurve(knots), curve);
     assertEquals(2, curve.size());
   }
 

@@ -31,7 +31,7 @@ class ExpressionTest {
     "2 - -1, 3",
     "1.5e1 + .5, 15.5",
     "2.e-1, 0.2",
-    "  ( q+d )*z , 0.225",
+    "'  ( q+d )*z ', 0.225",
     "1 / q, 2",
   })
   void keepsTheUsualOrderOfOperations(String text, double value) {
@@ -69,6 +69,14 @@ class ExpressionTest {
     assertThrows(IllegalArgumentException.class, () -> Expression.parse("-".repeat(3000) + "z"));
     assertThrows(IllegalArgumentException.class, () -> Expression.parse("z+".repeat(3000) + "z"));
     assertEquals(2000 * Z, Expression.parse("z+".repeat(1999) + "z").at(Q, D, Z), 1e-9);
+  }
+
+  @Test
+  void takesFourThousandCharactersAndTwoHundredSigns() {
+    assertEquals(Z, Expression.parse(" ".repeat(3999) + "z").at(Q, D, Z));
+    assertThrows(IllegalArgumentException.class, () -> Expression.parse(" ".repeat(4000) + "z"));
+    assertEquals(-Z, Expression.parse("-".repeat(199) + "z").at(Q, D, Z));
+    assertThrows(IllegalArgumentException.class, () -> Expression.parse("-".repeat(200) + "z"));
   }
 
   @Property

@@ -23,6 +23,14 @@ class SvrRbfAbstractionTest {
   }
 
   @Test
+  void rangesMapTheTrainingDataToZeroAndOne() {
+    assertEquals(0, Q.scale(0.1));
+    assertEquals(0.5, Q.scale(0.3), 1e-15);
+    assertEquals(1, Q.scale(0.5));
+    assertEquals(1.5, Q.scale(0.7), 1e-15);
+  }
+
+  @Test
   void approachesTheInterceptFarFromTheData() {
     assertEquals(1.5, f.negativeLogPip(0.3, 1e3, 0.05));
   }

@@ -81,6 +81,8 @@ class BrokenModelFilesTest {
         arguments("0.085", "0", "7:59", "longestFocalLength is 0,"),
         arguments("0.085", "-0.085", "7:59", "longestFocalLength is -0.085"),
         arguments("\"threshold\": 0.05", "\"threshold\": \"low\"", "8:16", "threshold is 'low'"),
+        arguments(
+            "\"threshold\"", "\"fitted\": {}, \"threshold\"", "8:3", "unknown property 'fitted'"),
         arguments("\"q\": \"m\"", "\"q\": \"mm\"", "9:18", "q is 'mm', expected one of m"),
         arguments("\"q\": \"m\", ", "", "9:12", "'q' is missing"),
         arguments("\"source\": \"a test\"", "\"" + "k".repeat(999) + "\": 5", "10:", "kkk... is 5"),
@@ -161,6 +163,14 @@ class BrokenModelFilesTest {
   void hugeFileIsRefusedBeforeItIsRead() throws IOException {
     byte[] spaces = " ".repeat(ModelFiles.MAX_BYTES + 1).getBytes(StandardCharsets.UTF_8);
     assertTrue(fault(spaces).contains("too big, expected at most 16777216 bytes"));
+  }
+
+  @Test
+  void fileOfTheLargestSizeIsRead() throws IOException {
+    byte[] text = MODEL.getBytes(StandardCharsets.UTF_8);
+    byte[] largest = Arrays.copyOf(text, ModelFiles.MAX_BYTES);
+    Arrays.fill(largest, text.length, largest.length, (byte) ' ');
+    assertEquals("mine", ModelFiles.read(Files.write(folder.resolve("m.json"), largest)).name());
   }
 
   @Test

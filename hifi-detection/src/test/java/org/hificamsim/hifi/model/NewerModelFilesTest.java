@@ -194,6 +194,51 @@ class NewerModelFilesTest {
     assertFalse(span.contains(0.31) || span.contains(0.09));
   }
 
+  @Test
+  void oneLengthAloneIsASpanToo() {
+    String one = MODEL.replace("\"most\": 0.085", "\"most\": 0.01");
+    HiFiDetection model = ModelFiles.parse("m", one.getBytes(StandardCharsets.UTF_8));
+    assertEquals(new Span(0.01, 0.01), model.fitted().orElseThrow().focalLength());
+  }
+
+  @Test
+  void isWrittenOnePropertyALineAndOneRowALine() {
+    DetectorModel knots = new IsotonicCurve(new double[][] {{0.001, 0.05}, {0.02, 0.2}});
+    assertEquals(
+        """
+        {
+          "schema": "hificamsim-model",
+          "version": 2,
+          "name": "mine",
+          "f": {
+            "type": "pinhole",
+            "sensorWidth": 0.0224,
+            "sensorHeight": 0.015
+          },
+          "g": {
+            "type": "isotonic",
+            "knots": [
+              [0.001,0.05],
+              [0.02,0.2]
+            ],
+            "rmse": 0.05
+          },
+          "optics": {
+            "sensorWidth": 0.0224,
+            "longestFocalLength": 0.085
+          },
+          "threshold": 0.2,
+          "units": {
+            "q": "m",
+            "d": "m",
+            "z": "m"
+          },
+          "provenance": { }
+        }
+        """,
+        text(model("mine", knots, Optional.empty())));
+  }
+
   static Stream<Arguments> faults() {
     return Stream.of(
         arguments("\"version\": 2", "\"version\": 3", "3:14: version is 3, expected 1 or 2"),
@@ -214,6 +259,8 @@ class NewerModelFilesTest {
         arguments("\"least\": 0.5", "\"least\": 0", "least is 0, expected a number from 2.2"),
         arguments("\"weight\": 2", "\"weight\": 101", "weight is 101, expected at most 100.0"),
         arguments("\"weight\": 2", "\"weight\": \"2\"", "14:25: weight is '2', expected a number"),
+        arguments(
+            "\"version\": 2", "\"version\": 2, \"fited\": 1", "3:17: unknown property 'fited'"),
         arguments("\"d\": {", "\"y\": {", "'d' is missing"),
         arguments(
             "\"hill\", \"floor\": 0.01, \"rise\": 0.6, \"half\": 0.04, \"exponent\": 1.5",

@@ -3,15 +3,20 @@ package org.hificamsim.hifi.model;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Map;
+import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.feature.Expression;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.LogPipAbstraction;
+import org.hificamsim.hifi.json.JsonFile;
 import org.hificamsim.hifi.optics.Optics;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -58,6 +63,26 @@ class PublishedModelsTest {
     List<Map<String, String>> rows = Published.rows("detector-ground-truth-pip.csv");
     assertEquals(3, rows.size());
     rows.forEach(row -> assertLine(row, row.get("detector"), PublishedModels.GROUND_TRUTH));
+  }
+
+  @Test
+  void theFileIsReadWholeAndASlipInItIsToldWithItsPlace() throws IOException {
+    String text = catalogue();
+    assertEquals(CATALOGUE, read(text));
+    InputException told =
+        assertThrows(InputException.class, () -> read(text.replaceFirst("slope", "slop")));
+    assertTrue(
+        told.getMessage().matches("c:\\d+:\\d+: property 'slope' is missing, .*"), "" + told);
+  }
+
+  private static String catalogue() throws IOException {
+    try (InputStream in = PublishedModels.class.getResourceAsStream("catalogue.json")) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+
+  private static PublishedModels read(String text) {
+    return PublishedModelsFormat.read(JsonFile.parse("c", text.getBytes(StandardCharsets.UTF_8)));
   }
 
   @Test

@@ -55,6 +55,12 @@ class OpticsTest {
   }
 
   @Test
+  void aLensGivesTheFocalLengthWithItsAngleOfViewOnThisSensor() {
+    ZoomLevel lens = new ZoomLevel(30, 10, 30, 8, Math.PI / 2, LAB.angleOfView(0.035), 1920);
+    assertEquals(0.035, LAB.focalLength(lens), 1e-17);
+  }
+
+  @Test
   void radiusZeroTakesTheLongestFocalLength() {
     assertEquals(0.085, LAB.focalLength(new ZoomLevel(0, 0, 5, Double.NaN, Math.PI)));
     assertEquals(0.085, LAB.focalLength(new ZoomLevel(0, 0, 5, 8, Math.PI)));

@@ -1,0 +1,91 @@
+package org.hificamsim.core.file;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.Reader;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.zip.GZIPOutputStream;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class TextLinesTest {
+  @TempDir Path folder;
+
+  @Test
+  void linesAreNumberedFromOneAndAMarkBeforeTheFirstIsPassedOver() throws IOException {
+    Path file = Files.writeString(folder.resolve("a.csv"), "\ufeffx\r\n\ufeffy\n");
+    try (TextLines lines = TextLines.open(file)) {
+      assertTrue(lines.next());
+      assertEquals("x", lines.text());
+      assertTrue(lines.next());
+      assertEquals("\ufeffy", lines.text());
+      assertEquals(2, lines.number());
+      assertEquals(file + ":2:3: no", lines.place(3).error("no").getMessage());
+      assertFalse(lines.next());
+    }
+  }
+
+  @Test
+  void aPackedFileIsUnpackedWhateverTheCaseOfItsName() throws IOException {
+    Path file = folder.resolve("A.GZ");
+    try (OutputStream out = new GZIPOutputStream(Files.newOutputStream(file))) {
+      out.write('x');
+    }
+    try (TextLines lines = TextLines.open(file)) {
+      assertTrue(lines.next());
+      assertEquals("x", lines.text());
+    }
+  }
+
+  @Test
+  void whatIsNoFileIsToldWithItsName() throws IOException {
+    Path missing = folder.resolve("missing");
+    Path plain = Files.writeString(folder.resolve("plain.gz"), "no gzip");
+    assertFault(missing + ":1:1: no such file, expected a file", missing);
+    assertFault(folder + ":1:1: is a folder, expected a file", folder);
+    assertFault(plain + ":1:1: cannot be read (Not in GZIP format), expected a text file", plain);
+  }
+
+  @Test
+  void aLineOfAMillionCharactersIsTheLongest() {
+    String longest = "x".repeat(ShortLines.MAX);
+    TextLines lines = new TextLines("t", new StringReader("ab\n" + longest + "\n" + longest), 7);
+    for (int line = 7; line < 10; line++) {
+      assertTrue(lines.next(), "line " + line);
+    }
+    assertFalse(lines.next());
+    TextLines longer =
+        new TextLines("t", new StringReader("ab\n" + longest + "x".repeat(1 << 17)), 7);
+    assertTrue(longer.next());
+    assertEquals(
+        "t:8:1: cannot be read (a line has more than 1048576 characters), expected a text file",
+        assertThrows(InputException.class, longer::next).getMessage());
+  }
+
+  @Test
+  void whoClosesTheLinesClosesTheFile() {
+    boolean[] closed = {false};
+    Reader reader =
+        new StringReader("x") {
+          @Override
+          public void close() {
+            closed[0] = true;
+          }
+        };
+    new TextLines("t", reader, 1).close();
+    assertTrue(closed[0]);
+  }
+
+  private static void assertFault(String expected, Path file) {
+    assertEquals(
+        expected, assertThrows(InputException.class, () -> TextLines.open(file)).getMessage());
+  }
+}

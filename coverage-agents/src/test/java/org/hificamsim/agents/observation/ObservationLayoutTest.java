@@ -1,0 +1,70 @@
+package org.hificamsim.agents.observation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What a layout promises of its numbers: how many there are, their scale and their bounds. */
+class ObservationLayoutTest {
+  @Test
+  void thereIsRoomForUpToAThousandTargetsAndNeighbours() {
+    assertEquals(ObservationLayout.OWN_SIZE, new ObservationLayout(0, 0).size());
+    assertEquals(ObservationLayout.OWN_SIZE + 9000, new ObservationLayout(1000, 1000).size());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "-1, 0, observed targets is -1",
+    "1001, 0, observed targets is 1001",
+    "0, -1, observed neighbours is -1",
+    "0, 1001, observed neighbours is 1001",
+  })
+  void otherNumbersAreRefused(int targets, int neighbours, String refused) {
+    InputException told =
+        assertThrows(InputException.class, () -> new ObservationLayout(targets, neighbours));
+    assertEquals(refused + ", expected 0 to 1000", told.getMessage());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"-2, -1, 0", "-1, -1, 0", "-0.5, -0.5, 0", "0.25, 0.25, 0.25", "1, 1, 1", "7, 1, 1"})
+  void numbersStayWithinTheirBounds(double value, float signed, float share) {
+    assertEquals(signed, Bounds.signed(value));
+    assertEquals(share, Bounds.share(value));
+  }
+
+  @Test
+  void whatIsNoNumberIsZero() {
+    assertEquals(0, Bounds.signed(Double.NaN));
+    assertEquals(0, Bounds.share(Double.NaN));
+  }
+
+  @Test
+  void theMiddleOfTheCamerasIsZeroAndTheOutermostAreAtOne() {
+    double[] x = {2, 4, 12};
+    double[] y = {10, 11, 12};
+    ToyNetwork network =
+        new ToyNetwork(1, 1, 1, 1) {
+          @Override
+          public double cameraX(int camera) {
+            return x[camera];
+          }
+
+          @Override
+          public double cameraY(int camera) {
+            return y[camera];
+          }
+        };
+    Standpoints standpoints = new Standpoints(network);
+    assertEquals(-1, standpoints.x(2));
+    assertEquals(-0.6f, standpoints.x(4));
+    assertEquals(1, standpoints.x(12));
+    assertEquals(-0.2f, standpoints.y(10));
+    assertEquals(0.2f, standpoints.y(12));
+    assertEquals(0.5f, standpoints.between(5));
+  }
+}

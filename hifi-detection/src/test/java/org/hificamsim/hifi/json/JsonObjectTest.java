@@ -1,0 +1,66 @@
+package org.hificamsim.hifi.json;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.function.Function;
+import org.hificamsim.core.InputException;
+import org.junit.jupiter.api.Test;
+
+/** The bounds of each kind of property, on either side. */
+class JsonObjectTest {
+  @Test
+  void numbersAreTakenUpToTheirBoundsAndNoFurther() {
+    assertEquals(0.5, object("{\"x\": 0.5}").number("x", 0.5, 2));
+    assertEquals(2, object("{\"x\": 2}").number("x", 0.5, 2));
+    String bounds = "expected a number from 0.5 to 2.0";
+    assertFault("x is 0.499, " + bounds, "{\"x\": 0.499}", o -> o.number("x", 0.5, 2));
+    assertFault("x is 2.001, " + bounds, "{\"x\": 2.001}", o -> o.number("x", 0.5, 2));
+  }
+
+  @Test
+  void rowsAreTakenUpToTheirNumberAndNoFurther() {
+    String table = "{\"t\": [[0, 1], [1, 0]]}";
+    assertArrayEquals(new double[][] {{0, 1}, {1, 0}}, object(table).rows("t", 2, 2, 0, 1));
+    String expected = "t is a list of 2, expected a list of 1 to 1 rows";
+    assertFault(expected, table, o -> o.rows("t", 2, 1, 0, 1));
+    assertFault("t is a list of 0, expected", "{\"t\": []}", o -> o.rows("t", 2, 2, 0, 1));
+  }
+
+  @Test
+  void cellsAreTakenUpToTheirBoundsAndNoFurther() {
+    assertArrayEquals(new double[] {-1, 3}, object("{\"b\": [-1, 3]}").numbers("b", 2, -1, 3));
+    String expected = ", expected numbers from -1.0 to 3.0";
+    assertFault("b holds 3.5" + expected, "{\"b\": [0, 3.5]}", o -> o.numbers("b", 2, -1, 3));
+    assertFault("b holds -2" + expected, "{\"b\": [-2, 0]}", o -> o.numbers("b", 2, -1, 3));
+    assertFault("expected lists of 2 numbers", "{\"b\": [0]}", o -> o.numbers("b", 2, -1, 3));
+    assertFault("expected lists of 2 numbers", "{\"b\": [0, 1, 2]}", o -> o.numbers("b", 2, -1, 3));
+  }
+
+  @Test
+  void aListOfObjectsHoldsNothingElse() {
+    List<JsonObject> two = object("{\"o\": [{\"x\": 1}, {\"x\": 2}]}").objects("o");
+    assertEquals(List.of(1.0, 2.0), two.stream().map(o -> o.number("x", 0, 9)).toList());
+    assertFault("o is 5, expected a list of objects", "{\"o\": 5}", o -> o.objects("o"));
+    assertFault("f:1:11: o holds 5, expected objects", "{\"o\": [{},5]}", o -> o.objects("o"));
+  }
+
+  @Test
+  void aTextIsShownWholeUpToSixtyCharacters() {
+    String sixty = "x".repeat(60);
+    assertFault("x is '" + sixty + "', ", "{\"x\": \"" + sixty + "\"}", o -> o.number("x", 0, 1));
+    assertFault("x is '" + sixty + "...', ", "{\"x\": \"" + sixty + "y\"}", o -> o.object("x"));
+  }
+
+  private static JsonObject object(String text) {
+    return JsonFile.parse("f", text.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private static void assertFault(String part, String text, Function<JsonObject, Object> read) {
+    String told = assertThrows(InputException.class, () -> read.apply(object(text))).getMessage();
+    assertEquals(part, told.contains(part) ? part : told);
+  }
+}
