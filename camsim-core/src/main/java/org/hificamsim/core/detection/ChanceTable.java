@@ -15,8 +15,8 @@ public final class ChanceTable {
   private final Detection detection;
   private final double size;
   private final ZoomLevel zoom;
-  private final float[] least = new float[DistanceTable.BINS];
-  private final float[] greatest = new float[DistanceTable.BINS];
+  private final float[] least = new float[DistanceTable.MAX_BINS];
+  private final float[] greatest = new float[DistanceTable.MAX_BINS];
   private final DistanceTable chances;
 
   ChanceTable(Detection detection, double size, ZoomLevel zoom) {

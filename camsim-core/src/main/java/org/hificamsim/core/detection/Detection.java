@@ -150,10 +150,7 @@ public final class Detection {
     return values.computeIfAbsent(
         new Pair(size, zoom),
         pair ->
-            new DistanceTable(
-                zoom.radius(),
-                distance -> model.confidence(size, distance, 0, zoom),
-                (bin, samples) -> {}));
+            DistanceTable.of(zoom.radius(), distance -> model.confidence(size, distance, 0, zoom)));
   }
 
   private record Pair(double size, ZoomLevel zoom) {}

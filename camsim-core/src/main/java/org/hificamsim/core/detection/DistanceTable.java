@@ -3,20 +3,22 @@ package org.hificamsim.core.detection;
 import java.util.function.DoubleUnaryOperator;
 
 /**
- * A function of the distance, tabulated: the distances from 0 to a radius are cut into {@value
- * #BINS} equal bins, each with a cubic through four of its {@value #SAMPLES} samples and one more.
- * Where a cubic misses one of the others by more than {@value #TOLERANCE}, the function itself is
- * asked.
+ * A function of the distance, tabulated: the distances from 0 to a radius are cut into equal bins,
+ * each with a cubic through four of its {@value #SAMPLES} samples and one more. There are as few
+ * bins as let no cubic miss a sample by more than {@value #TOLERANCE}, or else {@value #MAX_BINS};
+ * where a cubic still misses one, the function itself is asked.
  */
 public final class DistanceTable {
-  static final int BINS = 512;
+  static final int MAX_BINS = 512;
   static final int SAMPLES = 12;
+  private static final int MIN_BINS = 32;
   private static final int TERMS = 4;
   private static final double TOLERANCE = 5e-9;
 
   private final DoubleUnaryOperator inFull;
+  private final int bins;
   private final double binsPerMetre;
-  private final double[] cubic = new double[BINS * TERMS];
+  private final double[] cubic;
 
   /** Looks at the samples of a bin. */
   @FunctionalInterface
@@ -26,22 +28,53 @@ public final class DistanceTable {
   }
 
   /**
-   * Asks the function for all samples.
+   * A table with as few bins as are enough.
+   *
+   * @param radius metres, above 0
+   */
+  public static DistanceTable of(double radius, DoubleUnaryOperator inFull) {
+    int bins = MIN_BINS;
+    DistanceTable table = new DistanceTable(radius, inFull, bins, (bin, samples) -> {});
+    while (bins < MAX_BINS && !table.isComplete()) {
+      bins *= 2;
+      table = new DistanceTable(radius, inFull, bins, (bin, samples) -> {});
+    }
+    return table;
+  }
+
+  /**
+   * A table with {@value #MAX_BINS} bins.
    *
    * @param radius metres, above 0
    * @param sampled is shown the samples, bin by bin
    */
   DistanceTable(double radius, DoubleUnaryOperator inFull, Sampled sampled) {
+    this(radius, inFull, MAX_BINS, sampled);
+  }
+
+  private DistanceTable(double radius, DoubleUnaryOperator inFull, int bins, Sampled sampled) {
     this.inFull = inFull;
-    this.binsPerMetre = BINS / radius;
+    this.bins = bins;
+    this.binsPerMetre = bins / radius;
+    this.cubic = new double[bins * TERMS];
     double[] samples = new double[SAMPLES + 1];
-    for (int bin = 0; bin < BINS; bin++) {
+    for (int bin = 0; bin < bins; bin++) {
       for (int i = 0; i <= SAMPLES; i++) {
-        samples[i] = inFull.applyAsDouble(radius * ((bin + (double) i / SAMPLES) / BINS));
+        samples[i] = inFull.applyAsDouble(radius * ((bin + (double) i / SAMPLES) / bins));
       }
       sampled.bin(bin, samples);
       interpolate(bin, samples);
     }
+  }
+
+  /** Whether the function is never asked. */
+  private boolean isComplete() {
+    for (int bin = 0; bin < bins; bin++) {
+      if (Double.isNaN(cubic[bin * TERMS])) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Newton's forward differences over thirds of the bin; NaN where the cubic is not close. */
@@ -75,7 +108,7 @@ public final class DistanceTable {
 
   /** The bin that a distance is in, metres. */
   int bin(double distance) {
-    return Math.min((int) (distance * binsPerMetre), BINS - 1);
+    return Math.min((int) (distance * binsPerMetre), bins - 1);
   }
 
   /** The function at a distance, metres, within the radius; to about twice {@value #TOLERANCE}. */

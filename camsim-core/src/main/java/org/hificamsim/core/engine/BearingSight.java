@@ -80,7 +80,7 @@ final class BearingSight implements Sight {
   }
 
   @Override
-  public double value(int camera, int view, int target) {
+  public double value(int camera, int view, int target, double distance) {
     return visibility.valueInView(
         cameras.pose(camera, view),
         cameras.zoom(camera, view),

@@ -77,8 +77,7 @@ final class ChanceSight implements Sight {
   }
 
   @Override
-  public double value(int camera, int view, int target) {
-    double distance = distance(camera, target);
+  public double value(int camera, int view, int target, double distance) {
     return values.value(rows.entry(camera, view, target), targets.size(target), distance);
   }
 

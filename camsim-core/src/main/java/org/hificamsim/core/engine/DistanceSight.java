@@ -127,8 +127,7 @@ final class DistanceSight implements Sight {
   }
 
   @Override
-  public double value(int camera, int view, int target) {
-    double distance = cameras.pose(camera).distance(targets.x(target), targets.y(target));
+  public double value(int camera, int view, int target, double distance) {
     return values.value(rows.entry(camera, view, target), targets.size(target), distance);
   }
 

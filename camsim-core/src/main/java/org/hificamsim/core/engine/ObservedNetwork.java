@@ -278,8 +278,8 @@ final class ObservedNetwork implements OracleView {
 
   /** What is seen is not hidden: only what lets a part of the light through is asked. */
   @Override
-  public double seenConfidence(int camera, int target) {
-    double value = sight.value(camera, cameras.seeing(camera), target);
+  public double seenConfidence(int camera, int target, double distance) {
+    double value = sight.value(camera, cameras.seeing(camera), target, distance);
     double through = lines.partial() ? lines.transmittance(camera, target) : 1;
     return DetectionModel.clamp(value * through);
   }

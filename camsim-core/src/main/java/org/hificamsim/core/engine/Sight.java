@@ -40,8 +40,10 @@ interface Sight {
   /**
    * The model's value for a target that the camera detects at this view, as it would be with
    * nothing in between; to about 1e-8.
+   *
+   * @param distance between the two, metres
    */
-  double value(int camera, int view, int target);
+  double value(int camera, int view, int target, double distance);
 
   /** Whether {@code view} is proven to detect whatever {@code other} does. */
   boolean dominates(int camera, int view, int other);

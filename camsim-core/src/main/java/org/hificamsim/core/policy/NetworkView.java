@@ -111,8 +111,10 @@ public interface NetworkView extends CoveredTargets {
   /**
    * The {@link #confidence} for a target that the camera {@link #sees}, which is not tested; to
    * about 1e-8, since it may come from a table.
+   *
+   * @param distance between the two as {@link #findSeen} has told it, metres
    */
-  default double seenConfidence(int camera, int target) {
+  default double seenConfidence(int camera, int target, double distance) {
     return confidence(camera, target);
   }
 

@@ -47,7 +47,7 @@ class DistanceTableTest {
   }
 
   private static DistanceTable table(DoubleUnaryOperator of) {
-    return new DistanceTable(RADIUS, of, (bin, samples) -> {});
+    return DistanceTable.of(RADIUS, of);
   }
 
   private static void assertClose(DoubleUnaryOperator of, DistanceTable table, double by) {

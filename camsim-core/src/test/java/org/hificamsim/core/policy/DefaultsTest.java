@@ -123,7 +123,7 @@ class DefaultsTest {
   void whatIsNotSaidIsKMinAndAnUnknownSize() {
     assertEquals(Objective.kMin(), VIEW.objective());
     assertEquals(Double.NaN, VIEW.targetSize(0));
-    assertEquals(0.25, VIEW.seenConfidence(1, 1), "the same as of any target");
+    assertEquals(0.25, VIEW.seenConfidence(1, 1, 3), "the same as of any target");
   }
 
   @Test

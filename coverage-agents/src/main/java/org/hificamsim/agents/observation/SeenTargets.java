@@ -5,8 +5,6 @@ import org.hificamsim.core.policy.NetworkView;
 
 /** The targets that a camera sees, the nearest first; of equally near ones the lower number. */
 final class SeenTargets {
-  private static final int SIZE = 3; // among the numbers of a target
-
   private final int wanted;
   private final Shares ofCameras;
   private final int[] who;
@@ -34,19 +32,26 @@ final class SeenTargets {
     int shown = Math.min(count, wanted);
     int at = first;
     for (int i = 0; i < shown; i++) {
-      bringNearest(i, count);
-      write(network, camera, i, views.perReach(camera, view), out, at);
-      double angle = network.targetSize(who[i]) / Math.sqrt(squared[i]);
-      out[at + SIZE] = Bounds.share(angle * views.perAngle(camera, view));
+      if (i > 0) {
+        bringNearest(i, count);
+      }
+      double perReach = views.perReach(camera, view);
+      write(network, camera, i, perReach, views.perAngle(camera, view), out, at);
       at += ObservationLayout.TARGET.size();
     }
     Arrays.fill(out, at, first + wanted * ObservationLayout.TARGET.size(), 0);
   }
 
+  /** Finds what is seen, the nearest one first. */
   private int find(NetworkView network, int camera) {
     int count = network.findSeen(camera, who, ahead, right);
+    int nearest = 0;
     for (int i = 0; i < count; i++) {
       squared[i] = ahead[i] * ahead[i] + right[i] * right[i];
+      nearest = isNearer(i, nearest) ? i : nearest;
+    }
+    if (nearest != 0) {
+      swap(0, nearest);
     }
     return count;
   }
@@ -81,12 +86,21 @@ final class SeenTargets {
     of[other] = kept;
   }
 
-  private void write(NetworkView network, int camera, int i, double perReach, float[] out, int at) {
+  private void write(
+      NetworkView network,
+      int camera,
+      int i,
+      double perReach,
+      double perAngle,
+      float[] out,
+      int at) {
     int target = who[i];
+    double distance = Math.sqrt(squared[i]);
     out[at] = 1;
     out[at + 1] = Bounds.signed(ahead[i] * perReach);
     out[at + 2] = Bounds.signed(right[i] * perReach);
-    out[at + 4] = Bounds.share(network.seenConfidence(camera, target));
+    out[at + 3] = Bounds.share(network.targetSize(target) / distance * perAngle);
+    out[at + 4] = Bounds.share(network.seenConfidence(camera, target, distance));
     out[at + 5] = ofCameras.of(network.coverage(target));
   }
 }
