@@ -50,6 +50,17 @@ record Cli(int exit, String out, String err) {
     assertEquals(0, run.exit(), run.err());
   }
 
+  /**
+   * Fails unless a command is refused in one line that says so, and writes no folder.
+   *
+   * @param options between blanks; what the command begins with comes before them
+   */
+  static void assertRefuses(String options, String expected, Path folder, Object... before) {
+    Stream<Object> words = Stream.concat(Stream.of(before), Stream.of("--out", folder));
+    run(Stream.concat(words, Stream.of(options.strip().split(" "))).toArray())
+        .assertRefused(expected, folder);
+  }
+
   /** Fails unless a command was refused in one line that says so, and wrote no folder. */
   void assertRefused(String expected, Path folder) {
     assertEquals(2, exit, err);

@@ -52,21 +52,7 @@ class HeatMapTest {
     floor.createGraphics().fillRect(0, 0, 60, 40);
     ImageIO.write(floor, "png", folder.resolve("floor.png").toFile());
     run = folder.resolve("run");
-    done(
-        "run",
-        scenario,
-        "--record",
-        "--heatmap",
-        "--cells",
-        60,
-        "--policy",
-        "epsilon-greedy:epsilon=0.3",
-        "--steps",
-        STEPS,
-        "--repeat",
-        2,
-        "--out",
-        run);
+    recorded(run, "--record");
     browser = Browser.start(folder);
   }
 
@@ -75,6 +61,13 @@ class HeatMapTest {
     if (browser != null) {
       browser.close();
     }
+  }
+
+  /** Two repeats with a heat map. */
+  private static Cli recorded(Path out, Object... more) {
+    Object[] words = {"run", scenario, "--heatmap", "--cells", 60, "--steps", STEPS, "--repeat", 2};
+    Object[] rest = {"--policy", "epsilon-greedy:epsilon=0.3", "--out", out};
+    return done(Stream.of(words, rest, more).flatMap(Arrays::stream).toArray());
   }
 
   private static Cli done(Object... words) {
@@ -111,23 +104,7 @@ class HeatMapTest {
   @Test
   void theSameSeedGivesTheSameTableOnAnyNumberOfThreadsAndWithoutARecording() throws IOException {
     Path again = folder.resolve("again");
-    Cli cli =
-        done(
-            "run",
-            scenario,
-            "--heatmap",
-            "--cells",
-            60,
-            "--policy",
-            "epsilon-greedy:epsilon=0.3",
-            "--steps",
-            STEPS,
-            "--repeat",
-            2,
-            "--threads",
-            2,
-            "--out",
-            again);
+    Cli cli = recorded(again, "--threads", 2);
     assertTrue(cli.out().contains("heat map of 60 x 40 cells: of area and steps"), cli.out());
     assertArrayEquals(
         Files.readAllBytes(run.resolve("heatmap.csv")),

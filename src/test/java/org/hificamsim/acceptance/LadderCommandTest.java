@@ -241,13 +241,7 @@ class LadderCommandTest {
       })
   void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
     Path nowhere = folder.resolve("nowhere");
-    Cli cli =
-        Cli.run(
-            Stream.concat(
-                    Stream.of("ladder", Cli.scenario("ring-random"), "--out", nowhere),
-                    Arrays.stream(options.strip().split(" ")))
-                .toArray());
-    cli.assertRefused(expected, nowhere);
+    Cli.assertRefuses(options, expected, nowhere, "ladder", Cli.scenario("ring-random"));
   }
 
   /** Kendall's tau-b by its definition: all pairs. */

@@ -151,13 +151,7 @@ class LadderWorldTest {
       })
   void refusesWrongUsageInOneLineAndWritesNothing(String options, String expected) {
     Path nowhere = folder.resolve("nowhere");
-    Cli cli =
-        Cli.run(
-            Stream.concat(
-                    Stream.of("ladder", Cli.scenario("hall"), "--out", nowhere),
-                    Arrays.stream(options.strip().split(" ")))
-                .toArray());
-    cli.assertRefused(expected, nowhere);
+    Cli.assertRefuses(options, expected, nowhere, "ladder", Cli.scenario("hall"));
   }
 
   private static double[] means(String rung) {

@@ -8,6 +8,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Map;
+import org.hificamsim.cli.Main;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -35,6 +36,22 @@ class LauncherTest {
     Path summary = folder.resolve("plain/summary.json");
     assertTrue(Files.exists(summary), output);
     assertTrue(Files.readString(summary).contains("\"caf\u00e9\""));
+  }
+
+  /** Without its jar on the class path but in a folder whose name has an accent. */
+  @ParameterizedTest
+  @ValueSource(strings = {"C", "POSIX", "C.UTF-8"})
+  void startsFromAFolderWithAnAccentInEveryLocale(String locale) throws Exception {
+    Path jar = Path.of(Main.class.getProtectionDomain().getCodeSource().getLocation().toURI());
+    String others = System.getProperty("java.class.path").replace(jar.toString(), "none");
+    String script =
+        "root=$PWD\n"
+            + SOURCE
+            + "home=$(printf 'caf\\303\\251'); mkdir $home; cp '%s' $home/cli.jar\n".formatted(jar)
+            + JAVA
+            + " -cp $home/cli.jar:$CLASSPATH org.hificamsim.cli.Main help\n";
+    String output = shell(script, Map.of("LC_ALL", locale, "CLASSPATH", others));
+    assertTrue(output.startsWith("Usage: hificamsim"), output);
   }
 
   @Test

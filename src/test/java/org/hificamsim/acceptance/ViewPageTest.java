@@ -180,6 +180,28 @@ class ViewPageTest {
     }
   }
 
+  /** A field may end within a pixel, which has no traces of what was shown before. */
+  @Test
+  void theLastPixelsOfTheFieldAreClearedToo() {
+    pause();
+    String surface = "hificamsim.players[0].field.surface";
+    browser.run(surface + ".canvas.style.cssText = 'width: 400.6px; height: 300.6px'");
+    browser.until("return Math.abs(" + surface + ".width - 400.6) < 0.1");
+    assertEquals(
+        true,
+        browser.run(
+            "const surface = "
+                + surface
+                + ", {canvas} = surface, context = canvas.getContext('2d');"
+                + "const last = () => [...context.getImageData(canvas.width - 1, 0, 1, 300).data,"
+                + "  ...context.getImageData(0, canvas.height - 1, 400, 1).data].join();"
+                + "surface.draw(); const before = last();"
+                + "context.resetTransform(); context.fillStyle = 'red';"
+                + "context.fillRect(0, 0, 500, 500); surface.draw();"
+                + "return last() === before"));
+    browser.forgetConsole(); // Chromium would have pixels read in another way
+  }
+
   @Test
   void twoModelsSeeTheSameTargets() {
     browser.find("#compare").click();
@@ -219,10 +241,12 @@ class ViewPageTest {
   void fitsTheWindow(int width, int height, int models) throws IOException {
     browser.size(width, height);
     choose("policy", "sarsa");
+    browser.until("return hificamsim.runs[0].setup.policy === 'sarsa'");
     if (models == 2) {
       browser.find("#compare").click();
       browser.until("return hificamsim.runs.length === 2 && hificamsim.runs[1].count > 3");
       new Select(browser.findAll("[name=detection]").get(1)).selectByValue("camsim-range");
+      browser.until("return hificamsim.runs[1].setup.detection === 'camsim-range'");
     }
     beginAgain(); // the same steps each time: the picture is one of the documentation's
     step(600);

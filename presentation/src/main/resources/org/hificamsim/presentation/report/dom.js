@@ -56,6 +56,8 @@ export class Surface {
   draw() {
     if (!this.width || !this.height) return;
     const context = this.canvas.getContext('2d');
+    context.resetTransform(); // the last pixels too, within which width and height may end
+    context.clearRect(0, 0, this.canvas.width, this.canvas.height);
     context.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.paint(context, this.width, this.height);
   }

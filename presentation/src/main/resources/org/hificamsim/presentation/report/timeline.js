@@ -173,7 +173,6 @@ class ZoomStrip {
     [rows.width, rows.height] = [columns, cameras];
     rows.getContext('2d').putImageData(image, 0, 0);
     context.imageSmoothingEnabled = false;
-    context.clearRect(0, 0, width, height);
     context.drawImage(rows, 0, 0, width, height);
     context.fillStyle = style('--paper');
     for (let camera = 1; camera < cameras; camera++) context.fillRect(0, (camera * height) / cameras - 0.5, width, 1);
