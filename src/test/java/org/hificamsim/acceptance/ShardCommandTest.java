@@ -60,7 +60,7 @@ class ShardCommandTest {
     assertRefused("has 8 of the 17 runs of shard 2/3", merging(parts));
     List<String> before = Files.readAllLines(runs).subList(0, 8);
     assertEquals(0, Cli.run(words(parts.get(1), "--shard", "2/3", "--resume")).exit());
-    assertEquals(before, Files.readAllLines(runs).subList(0, 8), "computed anew");
+    assertEquals(before, Files.readAllLines(runs).subList(0, 8), "computed again");
     assertSameFiles(merge(parts));
   }
 

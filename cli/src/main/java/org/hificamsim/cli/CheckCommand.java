@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
     })
 final class CheckCommand implements Callable<Integer> {
   private static final Pattern SIZE = Pattern.compile("(\\d{1,6})x(\\d{1,6})");
-  private static final double MOST = 100; // metres
+  private static final double MAX = 100; // metres
 
   @Parameters(paramLabel = "MOT.txt", description = "Boxes: frame,id,left,top,width,height,...")
   private Path file;
@@ -81,8 +81,8 @@ final class CheckCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Numbers.within("--assumed-height", height, Double.MIN_NORMAL, MOST);
-    Numbers.within("--assumed-width", width, Double.MIN_NORMAL, MOST);
+    Numbers.within("--assumed-height", height, Double.MIN_NORMAL, MAX);
+    Numbers.within("--assumed-width", width, Double.MIN_NORMAL, MAX);
     Optional<ImageSize> size = image.map(CheckCommand::size);
     requireLength("--unit", unit);
     calibrationUnit.ifPresent(one -> requireLength("--calibration-unit", one));

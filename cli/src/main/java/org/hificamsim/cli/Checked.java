@@ -16,7 +16,7 @@ import org.hificamsim.core.scenario.Scenario;
  * @param warnings lines with their place, most of them
  */
 record Checked(Path file, Optional<Scenario> scenario, List<String> errors, List<String> warnings) {
-  private static final int MOST = 100;
+  private static final int MAX = 100;
 
   /** The same for programs. */
   record Entry(
@@ -42,9 +42,9 @@ record Checked(Path file, Optional<Scenario> scenario, List<String> errors, List
   }
 
   private void lines(PrintWriter err, String start, List<String> lines) {
-    lines.stream().limit(MOST).forEach(line -> err.println(start + Place.printable(line)));
-    if (lines.size() > MOST) {
-      err.println(start + file + ": " + (lines.size() - MOST) + " more, expected none");
+    lines.stream().limit(MAX).forEach(line -> err.println(start + Place.printable(line)));
+    if (lines.size() > MAX) {
+      err.println(start + file + ": " + (lines.size() - MAX) + " more, expected none");
     }
   }
 

@@ -16,7 +16,7 @@ import org.hificamsim.runs.Reach;
 
 /** What a detection model makes of a scenario's cameras, in words. */
 final class DetectionHints {
-  private static final int MOST_LEVELS = 10;
+  private static final int MAX_LEVELS = 10;
   private static final double SMALL_PART = 0.5;
   private static final double TOLERANCE = 1.1;
 
@@ -27,11 +27,11 @@ final class DetectionHints {
     List<Reach> all = Reach.of(scenario, detection);
     String levels =
         all.stream()
-            .limit(MOST_LEVELS)
+            .limit(MAX_LEVELS)
             .map(one -> plain(one.detected()) + " of " + plain(one.radius()))
             .collect(Collectors.joining(", "));
     return levels
-        + (all.size() > MOST_LEVELS ? ", ..." : "")
+        + (all.size() > MAX_LEVELS ? ", ..." : "")
         + " m (a target of "
         + plain(Reach.largestTarget(scenario))
         + " m)";

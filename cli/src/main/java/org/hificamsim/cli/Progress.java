@@ -22,7 +22,7 @@ final class Progress implements AutoCloseable {
 
   /** How progress is told. */
   enum Telling {
-    /** A bar that is drawn anew. */
+    /** A bar that is drawn again. */
     BAR,
     /** A line every ten seconds. */
     LINES,

@@ -152,7 +152,7 @@ final class RunCommand implements Callable<Integer> {
     if (cells.isPresent() && !heatmap) {
       throw new InputException("--cells needs --heatmap beside it");
     }
-    return Numbers.inRange("--cells", cells.orElse(Cells.USUAL), 1, Cells.MOST);
+    return Numbers.inRange("--cells", cells.orElse(Cells.USUAL), 1, Cells.MAX);
   }
 
   private void tell(HeatMap map) {

@@ -20,7 +20,7 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.knowm.xchart.XYChart;
 
-/** Figures 7.3, 7.4, 7.6 to 7.9 and 8.1, drawn anew. */
+/** Figures 7.3, 7.4, 7.6 to 7.9 and 8.1, drawn again. */
 public final class ReproductionFigures {
   private static final int WIDTH = 440;
   private static final int HEIGHT = 290;

@@ -6,7 +6,7 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
 
-/** Table 8.1 computed anew: ratios of sums over the two scenarios of a layout, cell by cell. */
+/** Table 8.1 computed again: ratios of sums over the two scenarios of a layout, cell by cell. */
 public final class Table81 {
   private final Cases cases;
 

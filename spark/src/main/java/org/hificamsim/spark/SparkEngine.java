@@ -12,8 +12,8 @@ import org.hificamsim.runs.compare.RunTask;
 /**
  * Computes runs on Apache Spark: each a task that any executor can do, since plans travel as text.
  *
- * <p>Spark computes what a lost executor had under way anew. Outcomes come back one by one, so that
- * the driver's journal is as complete as that of the local engine at any moment.
+ * <p>Spark computes what a lost executor had under way again. Outcomes come back one by one, so
+ * that the driver's journal is as complete as that of the local engine at any moment.
  */
 public final class SparkEngine implements RunEngine {
   private SparkMaster master;

@@ -91,7 +91,7 @@ public sealed interface Objective {
    */
   record Covered(int k) implements Objective {
     private static Covered from(Options options) {
-      return new Covered(options.integer("k", 1, 1, MOST, "cameras that a target needs"));
+      return new Covered(options.integer("k", 1, 1, MAX, "cameras that a target needs"));
     }
 
     @Override
@@ -142,7 +142,7 @@ public sealed interface Objective {
 
     private static Sum from(Options options) {
       return new Sum(
-          options.integer("cap", DEFAULT_CAP, 1, MOST, "cameras of a target that count at most"));
+          options.integer("cap", DEFAULT_CAP, 1, MAX, "cameras of a target that count at most"));
     }
 
     @Override
@@ -161,5 +161,5 @@ public sealed interface Objective {
   }
 
   /** Cameras of a target that an option may ask for. */
-  int MOST = 1_000_000;
+  int MAX = 1_000_000;
 }

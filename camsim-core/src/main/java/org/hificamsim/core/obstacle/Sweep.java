@@ -8,8 +8,8 @@ import java.util.Arrays;
  * rounding: what they do not decide, the exact test does.
  */
 final class Sweep {
-  private static final int FEWEST_SECTORS = 16;
-  private static final int MOST_SECTORS = 128;
+  private static final int MIN_SECTORS = 16;
+  private static final int MAX_SECTORS = 128;
 
   private final Obstacles obstacles;
   private final Pieces pieces;
@@ -73,7 +73,7 @@ final class Sweep {
 
   private static int sectors(int near) {
     int wanted = Integer.highestOneBit(Math.max(1, near)) * 8;
-    return near == 0 ? 1 : Math.max(FEWEST_SECTORS, Math.min(MOST_SECTORS, wanted));
+    return near == 0 ? 1 : Math.max(MIN_SECTORS, Math.min(MAX_SECTORS, wanted));
   }
 
   private void noteAll(double x, double y) {

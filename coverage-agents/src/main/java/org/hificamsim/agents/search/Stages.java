@@ -13,7 +13,7 @@ import org.hificamsim.core.metrics.Objective;
  */
 final class Stages {
   private static final int MAX_STAGES = 8;
-  private static final double MOST = 0x1p62;
+  private static final double MAX = 0x1p62;
 
   private final Objective objective;
   private final CoverageProblem problem;
@@ -77,7 +77,7 @@ final class Stages {
     double base = Math.max(2, problem.targets() + 1); // without a target nothing is outweighed
     double sum = (problem.cameras() + 2.0) * base * base;
     int fit = 1;
-    while (sum * base < MOST) {
+    while (sum * base < MAX) {
       sum *= base;
       fit++;
     }

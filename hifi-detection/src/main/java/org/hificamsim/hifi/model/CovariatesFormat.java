@@ -15,7 +15,7 @@ import org.hificamsim.hifi.json.JsonObject;
 final class CovariatesFormat {
   private static final String KEY = "covariates";
   private static final double LARGEST = 1e9;
-  private static final double MOST_SHIFT = 100;
+  private static final double MAX_SHIFT = 100;
 
   private CovariatesFormat() {}
 
@@ -35,9 +35,9 @@ final class CovariatesFormat {
     double weight = json.number("weight", -LARGEST, LARGEST);
     Span span = FittedOnFormat.span(json, condition.least(), condition.most());
     double mean = json.number("mean", span.least(), span.most());
-    if (Math.abs(weight) * (span.most() - span.least()) > MOST_SHIFT) {
+    if (Math.abs(weight) * (span.most() - span.least()) > MAX_SHIFT) {
       throw json.error(
-          "weight", "expected at most " + MOST_SHIFT + " from the least to the most value");
+          "weight", "expected at most " + MAX_SHIFT + " from the least to the most value");
     }
     return new CovariateTerm(condition, weight, mean, span);
   }

@@ -8,7 +8,7 @@ import org.hificamsim.hifi.json.JsonObject;
 /** The JSON form of {@link FittedOn}, which may be left out. */
 final class FittedOnFormat {
   private static final double LONGEST = 1e5;
-  private static final int MOST_OBJECTS = 1_000_000;
+  private static final int MAX_OBJECTS = 1_000_000;
 
   private FittedOnFormat() {}
 
@@ -23,7 +23,7 @@ final class FittedOnFormat {
         json.object("q").whole(FittedOnFormat::span),
         json.object("d").whole(FittedOnFormat::span),
         json.object("z").whole(FittedOnFormat::span),
-        json.count("objects", MOST_OBJECTS),
+        json.count("objects", MAX_OBJECTS),
         json.number("betweenObjects", 0, ModelFormat.STEEPEST),
         json.number("withinObjects", 0, ModelFormat.STEEPEST));
   }

@@ -13,7 +13,7 @@ import org.hificamsim.presentation.replay.Frame;
  * is no line.
  */
 final class TrackPainter {
-  private static final int MOST_POINTS = 200_000;
+  private static final int MAX_POINTS = 200_000;
   private static final double STRENGTH = 0.45;
   private static final float WIDTH = 0.9f;
   private static final double DOT = 2.2;
@@ -28,7 +28,7 @@ final class TrackPainter {
     this.map = map;
     this.run = run;
     long points = (long) run.count() * run.frame(0).x().length;
-    this.every = (int) (1 + points / MOST_POINTS);
+    this.every = (int) (1 + points / MAX_POINTS);
   }
 
   void paint() {

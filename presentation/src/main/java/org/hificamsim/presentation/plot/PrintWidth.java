@@ -40,7 +40,7 @@ public record PrintWidth(int millimetres) {
             .formatted(text, MIN, MAX));
   }
 
-  /** The figure laid out anew for this width. */
+  /** The figure laid out again for this width. */
   Figure of(Figure figure) {
     int inside = (int) (millimetres * POINTS / SCALE) - 2 * Figure.MARGIN;
     int columns = Math.max(1, Math.min(figure.columns(), inside / MIN_PANEL));

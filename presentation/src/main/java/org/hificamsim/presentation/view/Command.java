@@ -117,7 +117,7 @@ public sealed interface Command {
   }
 
   /**
-   * A camera more, in all simulations: the targets go on, learning begins anew.
+   * A camera more, in all simulations: the targets go on, learning begins again.
    *
    * @param like the camera that has its kind and heading
    * @param x metres, within the field
@@ -142,7 +142,7 @@ public sealed interface Command {
     }
   }
 
-  /** A solid wall more, its ends in metres: learning begins anew. */
+  /** A solid wall more, its ends in metres: learning begins again. */
   record Wall(double x1, double y1, double x2, double y2) implements Command {
     @Override
     public void obey(Session session) {
@@ -151,7 +151,7 @@ public sealed interface Command {
   }
 
   /**
-   * An obstacle less: learning begins anew.
+   * An obstacle less: learning begins again.
    *
    * @param obstacle its number in the scenario, from 0
    */
@@ -163,7 +163,7 @@ public sealed interface Command {
   }
 
   /**
-   * Another detection model, threshold or policy: the targets go on, learning begins anew.
+   * Another detection model, threshold or policy: the targets go on, learning begins again.
    *
    * @param side which simulation, from 0
    */

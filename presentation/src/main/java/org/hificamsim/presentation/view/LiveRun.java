@@ -70,7 +70,7 @@ public final class LiveRun {
   }
 
   /**
-   * Begins anew with the same choices, cameras where they were put.
+   * Begins again with the same choices, cameras where they were put.
    *
    * @param newSeed of targets and policies
    */
@@ -114,7 +114,7 @@ public final class LiveRun {
   }
 
   /**
-   * Makes a heat map of each simulation from the next step on, or none any more. It begins anew
+   * Makes a heat map of each simulation from the next step on, or none any more. It begins again
    * whenever somebody changes what cameras see.
    */
   public void heat(boolean on) {
@@ -134,7 +134,7 @@ public final class LiveRun {
 
   /**
    * Adds a camera to every simulation, as if it had been there from the start: the targets go on,
-   * learning begins anew. It comes after the cameras of the start. The next step tells where every
+   * learning begins again. It comes after the cameras of the start. The next step tells where every
    * camera is.
    *
    * @param like number of the camera that has its kind and heading
@@ -147,7 +147,7 @@ public final class LiveRun {
 
   /**
    * Adds a solid wall to every simulation, as if it had been there from the start: targets are
-   * where they would be then, learning begins anew. The next step tells where every camera is.
+   * where they would be then, learning begins again. The next step tells where every camera is.
    *
    * @throws InputException when its ends are one point or not in the field, or a camera or target
    *     would stand in it
@@ -217,7 +217,8 @@ public final class LiveRun {
   }
 
   /**
-   * Gives a simulation another model, threshold or policy: the targets go on, learning begins anew.
+   * Gives a simulation another model, threshold or policy: the targets go on, learning begins
+   * again.
    *
    * @throws InputException when the choice is wrong; nothing has changed then
    */

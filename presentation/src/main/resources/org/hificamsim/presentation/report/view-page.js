@@ -58,7 +58,7 @@ class LiveView {
         el('label', {}, 'with seed ', this.seed), el('label', {}, this.keep, ' keep changes'),
         el('a', {href: 'scenario.xml', id: 'save', class: 'button', download: `${this.data.scenario}-edited.xml`}, 'save scenario')),
       el('p', {class: 'note'}, 'Drag a camera, or move the chosen one with W A S D and turn it with Q and E (with shift ten times as far). ' +
-        'After a new model, policy, camera or wall the targets go on, and learning begins anew.'));
+        'After a new model, policy, camera or wall the targets go on, and learning begins again.'));
   }
 
   restart() {
@@ -108,7 +108,7 @@ class LiveView {
     this.build(fresh);
   }
 
-  /** Makes the players anew; the forms too, unless the simulations go on: somebody may be typing. */
+  /** Makes the players again; the forms too, unless the simulations go on: somebody may be typing. */
   build(fresh) {
     const pair = this.runs.length > 1;
     const at = this.place.querySelector('.walls :focus');

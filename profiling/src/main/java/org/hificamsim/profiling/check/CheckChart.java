@@ -11,7 +11,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** Errors over distance: a point for each box, and the bias of each band as a line. */
 final class CheckChart {
-  private static final int MOST_POINTS = 3000;
+  private static final int MAX_POINTS = 3000;
 
   private CheckChart() {}
 
@@ -36,7 +36,7 @@ final class CheckChart {
 
   private static void points(
       XYChart chart, RealityCheck check, Quantity quantity, Rung rung, Color color, Marker marker) {
-    int every = 1 + check.boxes() / MOST_POINTS;
+    int every = 1 + check.boxes() / MAX_POINTS;
     List<Comparison> shown =
         IntStream.range(0, check.boxes())
             .filter(i -> i % every == 0)

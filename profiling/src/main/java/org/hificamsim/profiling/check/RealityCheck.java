@@ -7,7 +7,7 @@ import org.hificamsim.core.InputException;
 
 /** Sightings beside predictions, and what the errors come to: over all, and by distance. */
 public final class RealityCheck {
-  private static final double MOST_BANDS = 8;
+  private static final double MAX_BANDS = 8;
 
   private final List<Comparison> comparisons;
   private final double bandWidth;
@@ -54,7 +54,7 @@ public final class RealityCheck {
   }
 
   private static double bandWidth(List<Comparison> all) {
-    double least = all.stream().mapToDouble(Comparison::distance).max().orElseThrow() / MOST_BANDS;
+    double least = all.stream().mapToDouble(Comparison::distance).max().orElseThrow() / MAX_BANDS;
     double power = Math.pow(10, Math.floor(Math.log10(least)));
     for (int factor : new int[] {1, 2, 5}) {
       if (factor * power >= least) {
@@ -91,7 +91,7 @@ public final class RealityCheck {
   /** The same in bands of distance, the nearest first; those without a box are left out. */
   public List<ErrorSummary> byDistance() {
     List<ErrorSummary> all = new ArrayList<>();
-    for (int band = 0; band <= MOST_BANDS; band++) {
+    for (int band = 0; band <= MAX_BANDS; band++) {
       double from = band * bandWidth;
       double to = from + bandWidth;
       List<Comparison> within =

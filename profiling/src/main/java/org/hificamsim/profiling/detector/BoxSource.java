@@ -8,7 +8,7 @@ final class BoxSource implements ConfidenceSource {
    * How much a box and the object's patch must share. Less than the usual half: the window of the
    * people detector has a wide margin.
    */
-  private static final double LEAST_OVERLAP = 0.3;
+  private static final double MIN_OVERLAP = 0.3;
 
   private final String name;
   private final BoxDetector detector;
@@ -41,7 +41,7 @@ final class BoxSource implements ConfidenceSource {
   private record Boxes(List<Box> boxes) implements Look {
     @Override
     public double[] confidences(Subject subject) {
-      return best(boxes.stream().filter(b -> b.overlap(subject.patch()) >= LEAST_OVERLAP).toList());
+      return best(boxes.stream().filter(b -> b.overlap(subject.patch()) >= MIN_OVERLAP).toList());
     }
 
     @Override

@@ -19,7 +19,7 @@ import org.opencv.objdetect.CascadeClassifier;
  */
 final class HaarDetector implements BoxDetector {
   private static final Appetite NEEDS = new Appetite(40, 0);
-  private static final int LEAST_NEIGHBOURS = 3;
+  private static final int MIN_NEIGHBOURS = 3;
 
   /** Where Debian's opencv-data puts cascades. */
   private static final List<String> INSTALLED =
@@ -68,7 +68,7 @@ final class HaarDetector implements BoxDetector {
       MatOfRect found = mats.own(new MatOfRect());
       MatOfInt neighbours = mats.own(new MatOfInt());
       cascade.detectMultiScale2(
-          photo.grey(), found, neighbours, 1.1, LEAST_NEIGHBOURS, 0, new Size(), new Size());
+          photo.grey(), found, neighbours, 1.1, MIN_NEIGHBOURS, 0, new Size(), new Size());
       return found.empty() ? List.of() : boxes(found.toArray(), neighbours.toArray());
     }
   }
@@ -76,7 +76,7 @@ final class HaarDetector implements BoxDetector {
   private static List<Box> boxes(Rect[] found, int[] neighbours) {
     List<Box> boxes = new ArrayList<>();
     for (int i = 0; i < found.length; i++) {
-      double score = neighbours[i] / (neighbours[i] + (double) LEAST_NEIGHBOURS);
+      double score = neighbours[i] / (neighbours[i] + (double) MIN_NEIGHBOURS);
       boxes.add(new Box(found[i].x, found[i].y, found[i].width, found[i].height, score));
     }
     return boxes;

@@ -17,7 +17,7 @@ import org.apache.commons.math3.util.Pair;
  * best of several starts.
  */
 final class CurveFit {
-  private static final int MOST_STEPS = 400;
+  private static final int MAX_STEPS = 400;
 
   /** A curve with parameters. */
   interface Curve {
@@ -60,8 +60,8 @@ final class CurveFit {
                       .model((MultivariateJacobianFunction) this::values)
                       .target(y)
                       .lazyEvaluation(false)
-                      .maxEvaluations(MOST_STEPS)
-                      .maxIterations(MOST_STEPS)
+                      .maxEvaluations(MAX_STEPS)
+                      .maxIterations(MAX_STEPS)
                       .build())
               .getPoint()
               .toArray());

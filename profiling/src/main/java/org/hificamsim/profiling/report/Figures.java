@@ -21,7 +21,7 @@ import org.knowm.xchart.style.markers.SeriesMarkers;
 /** The figures of chapters 4 to 6, each as a PNG file's bytes. */
 final class Figures {
   private static final int FIGURES_A_ROW = 3;
-  private static final int MOST_NAMED = 16;
+  private static final int MAX_NAMED = 16;
   private static final int CURVE_POINTS = 60;
 
   private final FitResult result;
@@ -154,7 +154,7 @@ final class Figures {
     chart.getStyler().setXAxisLogarithmic(true);
     List<String> names =
         result.measurements().stream().map(Measurement::object).distinct().toList();
-    chart.getStyler().setLegendVisible(names.size() <= MOST_NAMED);
+    chart.getStyler().setLegendVisible(names.size() <= MAX_NAMED);
     Shift shift = result.shifts(detector).all();
     for (int i = 0; i < names.size(); i++) {
       String name = names.get(i);

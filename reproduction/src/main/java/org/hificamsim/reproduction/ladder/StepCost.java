@@ -11,10 +11,10 @@ import org.hificamsim.runs.RunPlan;
  * runs in one thread, each so short that other programs seldom come between.
  */
 final class StepCost {
-  private static final long LEAST_NANOSECONDS = 2_000_000;
+  private static final long MIN_NANOSECONDS = 2_000_000;
   private static final int ROUNDS = 25;
   private static final int FIRST_STEPS = 16;
-  private static final int MOST_STEPS = 1 << 24;
+  private static final int MAX_STEPS = 1 << 24;
 
   private final RunExecutor executor;
   private final String policy;
@@ -43,7 +43,7 @@ final class StepCost {
   /** A plan of so many steps that they take long enough for the clock; it is warm then. */
   private RunPlan calibrated(RungScenario place) {
     RunPlan plan = place.plan(policy, FIRST_STEPS, 0, 1);
-    while (isShort(plan) && plan.steps() < MOST_STEPS) {
+    while (isShort(plan) && plan.steps() < MAX_STEPS) {
       plan = place.plan(policy, 2 * plan.steps(), 0, 1);
     }
     return plan;
@@ -52,7 +52,7 @@ final class StepCost {
   /** Whether any of three runs is: one alone may have been interrupted. */
   private boolean isShort(RunPlan plan) {
     return IntStream.range(0, 3)
-        .anyMatch(any -> nanoseconds(plan) * plan.steps() < LEAST_NANOSECONDS);
+        .anyMatch(any -> nanoseconds(plan) * plan.steps() < MIN_NANOSECONDS);
   }
 
   private double nanoseconds(RunPlan plan) {

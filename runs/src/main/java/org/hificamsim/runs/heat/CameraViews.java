@@ -14,7 +14,7 @@ import org.hificamsim.core.visibility.Visibility;
  */
 final class CameraViews {
   /** Cells that are kept of all views together: 50 MB. */
-  private static final int MOST_KEPT = 1 << 22;
+  private static final int MAX_KEPT = 1 << 22;
 
   private final Cells cells;
   private final Visibility visibility;
@@ -49,7 +49,7 @@ final class CameraViews {
     if (view < 0) {
       return SeenCells.NONE;
     }
-    if (kept > MOST_KEPT) {
+    if (kept > MAX_KEPT) {
       forget(network);
     }
     if (seen[camera] == null) {

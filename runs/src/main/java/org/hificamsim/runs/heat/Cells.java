@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.Field;
  */
 public record Cells(Field field, int columns, int rows) {
   /** The most cells along a side. */
-  public static final int MOST = 200;
+  public static final int MAX = 200;
 
   /** Along the longer side where nobody says otherwise. */
   public static final int USUAL = 100;
@@ -19,7 +19,7 @@ public record Cells(Field field, int columns, int rows) {
   /**
    * The cells of a field.
    *
-   * @param most along its longer side, 1 to {@link #MOST}
+   * @param most along its longer side, 1 to {@link #MAX}
    */
   public static Cells of(Field field, int most) {
     double edge = Math.max(field.width(), field.height()) / most;

@@ -54,7 +54,7 @@ public enum HeatFigure {
     COUNT
   }
 
-  private static final int MOST_TICKS = 6;
+  private static final int MAX_TICKS = 6;
 
   private final String label;
   private final String never;
@@ -106,7 +106,7 @@ public enum HeatFigure {
   }
 
   private static List<Double> cameras(double end) {
-    double gap = end <= 2 ? end / 4 : Math.ceil(end / (MOST_TICKS - 1));
+    double gap = end <= 2 ? end / 4 : Math.ceil(end / (MAX_TICKS - 1));
     return IntStream.rangeClosed(0, (int) (end / gap)).mapToObj(i -> i * gap).toList();
   }
 

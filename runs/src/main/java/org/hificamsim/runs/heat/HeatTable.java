@@ -71,7 +71,7 @@ public final class HeatTable {
     int last = table.rows().size() - 1;
     int columns = last < 0 ? 0 : 1 + (int) table.number(last, "column");
     int rows = last < 0 ? 0 : 1 + (int) table.number(last, "row");
-    boolean whole = columns > 0 && rows > 0 && columns <= Cells.MOST && rows <= Cells.MOST;
+    boolean whole = columns > 0 && rows > 0 && columns <= Cells.MAX && rows <= Cells.MAX;
     if (!whole || (long) columns * rows != table.rows().size()) {
       throw new InputException(
           "%s:%s:1: %s rows, expected one for each cell of a rectangle"
