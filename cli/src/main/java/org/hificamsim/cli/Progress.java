@@ -2,6 +2,7 @@ package org.hificamsim.cli;
 
 import java.io.PrintWriter;
 import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
 
@@ -22,7 +23,7 @@ final class Progress implements AutoCloseable {
 
   /** How progress is told. */
   enum Telling {
-    /** A bar that is drawn again. */
+    /** A bar that is drawn again and again. */
     BAR,
     /** A line every ten seconds. */
     LINES,
@@ -38,12 +39,13 @@ final class Progress implements AutoCloseable {
   private final long total;
   private final PrintWriter err;
   private final Telling telling;
-  private long started = System.nanoTime();
+  private final LongSupplier clock;
+  private long started;
   private long done;
   private long unseen = 1;
   private long nextLook = 1;
-  private long lastLook = started;
-  private long lastLine = started;
+  private long lastLook;
+  private long lastLine;
   private ProgressBar bar;
 
   /**
@@ -54,17 +56,29 @@ final class Progress implements AutoCloseable {
   }
 
   Progress(String task, String unit, long total, PrintWriter err, Telling telling) {
+    this(task, unit, total, err, telling, System::nanoTime);
+  }
+
+  /**
+   * @param clock nanoseconds
+   */
+  Progress(
+      String task, String unit, long total, PrintWriter err, Telling telling, LongSupplier clock) {
     this.line = new ProgressLine(task, unit.strip(), total);
     this.total = total;
     this.err = err;
     this.telling = telling;
+    this.clock = clock;
+    this.started = clock.getAsLong();
+    this.lastLook = started;
+    this.lastLine = started;
   }
 
   /** Counts one unit. */
   synchronized void advance() {
     done++;
     if (done >= nextLook && telling != Telling.NOTHING) {
-      long now = System.nanoTime();
+      long now = clock.getAsLong();
       unseen = now - lastLook < SOON ? Math.min(2 * unseen, MAX_UNSEEN) : 1;
       lastLook = now;
       nextLook = done + unseen;
@@ -76,7 +90,7 @@ final class Progress implements AutoCloseable {
   synchronized void resume(long units) {
     done = units;
     nextLook = units + 1;
-    started = System.nanoTime();
+    started = clock.getAsLong();
     line = line.after(units);
   }
 
@@ -99,7 +113,7 @@ final class Progress implements AutoCloseable {
     return new ProgressBarBuilder()
         .setInitialMax(total)
         .setRenderer(
-            (state, width) -> line.bar(state.getCurrent(), System.nanoTime() - started, width))
+            (state, width) -> line.bar(state.getCurrent(), clock.getAsLong() - started, width))
         .build();
   }
 

@@ -24,6 +24,13 @@ final class Cells {
     return Double.isFinite(value) ? String.format(Locale.ROOT, "%.3g", value) : NONE;
   }
 
+  /** From one number to another one; a dash where neither is known. */
+  static String span(double low, double high) {
+    return Double.isFinite(low) || Double.isFinite(high)
+        ? significant(low) + " to " + significant(high)
+        : NONE;
+  }
+
   /** A published text, or a dash where the thesis has none. */
   static String published(Map<String, String> row, String column) {
     String text = row.getOrDefault(column, "");

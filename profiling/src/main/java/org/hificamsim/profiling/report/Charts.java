@@ -57,6 +57,7 @@ public final class Charts {
             .build();
     chart.getStyler().setDefaultSeriesRenderStyle(XYSeries.XYSeriesRenderStyle.Scatter);
     chart.getStyler().setMarkerSize(4);
+    chart.getStyler().setDecimalPattern("0.######");
     look(chart.getStyler());
     chart.getStyler().setLegendVisible(false);
     return chart;

@@ -23,6 +23,7 @@ final class Figures {
   private static final int FIGURES_A_ROW = 3;
   private static final int MAX_NAMED = 16;
   private static final int CURVE_POINTS = 60;
+  private static final double LEAST_R2 = -1; // one far below 0 would press the others together
 
   private final FitResult result;
   private final double[] responses;
@@ -127,13 +128,15 @@ final class Figures {
     chart.getStyler().setXAxisMax(100_000.0);
     chart.getStyler().setLegendVisible(true);
     chart.getStyler().setMarkerSize(11);
+    double least = 0;
     for (int i = 0; i < steps.size(); i++) {
       Ladder.Step step = steps.get(i);
-      if (!Double.isFinite(step.unseen().r2()) || !Double.isFinite(step.nanoseconds())) {
+      if (!(step.unseen().r2() >= LEAST_R2) || !Double.isFinite(step.nanoseconds())) {
         continue;
       }
       double[] x = {step.nanoseconds()};
       double[] y = {step.unseen().r2()};
+      least = Math.min(least, y[0]);
       float hue = i / (float) steps.size();
       Charts.points(
           chart,
@@ -143,7 +146,7 @@ final class Figures {
           Color.getHSBColor(hue, 0.75f, 0.75f),
           i % 2 == 0 ? SeriesMarkers.CIRCLE : SeriesMarkers.DIAMOND);
     }
-    chart.getStyler().setYAxisMin(-0.05);
+    chart.getStyler().setYAxisMin(Math.min(-0.05, least - 0.05));
     chart.getStyler().setYAxisMax(1.0);
     return Charts.png(List.of(chart), 1);
   }

@@ -12,6 +12,7 @@ import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Recommendation;
+import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.fit.Shift;
 import org.hificamsim.profiling.measure.Measurement;
@@ -90,10 +91,18 @@ final class OwnTables {
                   return List.of(
                       detector,
                       Cells.significant(slope.slope()),
-                      Cells.significant(slope.low()) + " to " + Cells.significant(slope.high()),
-                      slope.sure() ? "surely" : "not surely: refused");
+                      Cells.span(slope.low(), slope.high()),
+                      rises(slope));
                 })
             .toList());
+  }
+
+  /** Whether a confidence rises, in a word or two. */
+  static String rises(RisingSlope slope) {
+    if (!slope.sure()) {
+      return "not surely: refused";
+    }
+    return slope.low() > 0 ? "surely" : "surely with the logarithm";
   }
 
   /** Every f. */
@@ -186,9 +195,7 @@ final class OwnTables {
                 detector,
                 fit.covariate().column(),
                 Cells.significant(fit.weight().slope()),
-                Cells.significant(fit.weight().low())
-                    + " to "
-                    + Cells.significant(fit.weight().high()),
+                Cells.span(fit.weight().low(), fit.weight().high()),
                 Cells.fixed(fit.without(), 3),
                 Cells.fixed(fit.with(), 3),
                 helps(fit, detector)));

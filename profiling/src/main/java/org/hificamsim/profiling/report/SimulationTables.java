@@ -19,7 +19,7 @@ final class SimulationTables {
           + " Balanced accuracy is one half for a guess. Every photo is in simulation.csv.";
 
   static final String SCENES =
-      "Targets before "
+      "Targets before up to "
           + TrialRun.CAMERAS
           + " cameras each: an object is drawn, and photos of it, which say where the cameras stand"
           + " and through which lens they look. Then k, the number of cameras that detect it, is"
@@ -93,14 +93,22 @@ final class SimulationTables {
         Cells.fixed(simulator.meanK(), 2));
   }
 
-  /** Agreement by distance, of the photos in order of it. */
+  /** Agreement by distance, model after model: beside each other they would not fit the page. */
   void distances(HtmlPage page) {
-    List<String> columns = new ArrayList<>(List.of("distance, m", "photos"));
-    for (Trials one : all) {
-      String detector = one.model().detector();
-      columns.addAll(List.of(detector + " detects", "simulator", "agree", "missed", "invented"));
-    }
-    page.table(columns, bands().stream().map(this::distances).toList());
+    List<Band> bands = bands();
+    page.table(
+        List.of(
+            "model",
+            "distance, m",
+            "photos",
+            "photos detect",
+            "simulator detects",
+            "agree",
+            "missed",
+            "invented"),
+        all.stream()
+            .flatMap(one -> bands.stream().map(band -> row(one.model().name(), band, band.of(one))))
+            .toList());
   }
 
   /** From which to which distance. */
@@ -121,29 +129,26 @@ final class SimulationTables {
             .sorted(Comparator.naturalOrder())
             .toList();
     int bands = Math.min(BANDS, distances.size());
-    List<Band> all = new ArrayList<>();
+    List<Band> found = new ArrayList<>();
     for (int i = 0; i < bands; i++) {
       int first = i * distances.size() / bands;
       int last = (i + 1) * distances.size() / bands - 1;
-      all.add(new Band(distances.get(first), distances.get(last)));
+      found.add(new Band(distances.get(first), distances.get(last)));
     }
-    return all;
+    return found;
   }
 
-  private List<String> distances(Band band) {
+  private static List<String> row(String model, Band band, List<Trial> photos) {
     String from = Cells.significant(band.from());
-    List<String> row = new ArrayList<>();
-    row.add(band.from() == band.to() ? from : from + " to " + Cells.significant(band.to()));
-    row.add(String.valueOf(band.of(all.get(0)).size()));
-    for (Trials one : all) {
-      List<Trial> own = band.of(one);
-      row.add(percent(share(own, Trial::measured)));
-      row.add(percent(share(own, Trial::simulated)));
-      row.add(percent(share(own, Trial::agrees)));
-      row.add(percent(share(own, Trial::missed)));
-      row.add(percent(share(own, Trial::invented)));
-    }
-    return row;
+    return List.of(
+        model,
+        band.from() == band.to() ? from : from + " to " + Cells.significant(band.to()),
+        String.valueOf(photos.size()),
+        percent(share(photos, Trial::measured)),
+        percent(share(photos, Trial::simulated)),
+        percent(share(photos, Trial::agrees)),
+        percent(share(photos, Trial::missed)),
+        percent(share(photos, Trial::invented)));
   }
 
   private static double share(List<Trial> trials, Predicate<Trial> what) {

@@ -81,7 +81,7 @@ final class Tables {
                 c.name(),
                 Cells.significant(c.value()),
                 Cells.significant(c.error()),
-                Cells.significant(c.low()) + " to " + Cells.significant(c.high())));
+                Cells.span(c.low(), c.high())));
       }
     }
     page.table(List.of("f", "coefficient", "value", "standard error", "95% interval"), rows);

@@ -12,7 +12,8 @@ import org.hificamsim.profiling.fit.FittedModel;
  *
  * @param threshold of the model, from which a confidence counts as detected
  * @param photos each photo alone
- * @param scenes targets before {@link TrialRun#CAMERAS} cameras each
+ * @param scenes targets before {@link TrialRun#CAMERAS} cameras each, fewer where an object has
+ *     fewer photos
  * @param measured how the photos cover them
  * @param simulated how the simulator does
  * @param error the mean difference in the number of cameras that cover a target, without its sign
@@ -44,7 +45,7 @@ public record Trials(
     return (double) photos.stream().filter(kind).filter(Trial::agrees).count() / all;
   }
 
-  /** The object on which they agree least. */
+  /** The share of one object's photos on which both agree, where it is least. */
   public double leastOfObject() {
     return photos.stream()
         .map(one -> one.photo().object())
@@ -64,7 +65,7 @@ public record Trials(
     return String.format(
         Locale.ROOT,
         "In the simulation %s agrees with %.0f%% of %s (it misses %.0f%%, and invents %.0f%%); it"
-            + " covers %.0f%% of %s before %s cameras, the photos cover %.0f%%%s.",
+            + " covers %.0f%% of %s before up to %s cameras, the photos cover %.0f%%%s.",
         model.name(),
         100 * share(Trial::agrees),
         Counted.of(photos.size(), "photo"),

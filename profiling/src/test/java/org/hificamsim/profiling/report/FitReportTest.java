@@ -27,6 +27,7 @@ import org.hificamsim.profiling.fit.FitSettings;
 import org.hificamsim.profiling.fit.Fitting;
 import org.hificamsim.profiling.fit.ModelFolder;
 import org.hificamsim.profiling.fit.Photos;
+import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
@@ -95,9 +96,58 @@ class FitReportTest {
     assertTrue(page.contains("<h2>In the simulation"), "the section");
     for (String detector : List.of("orb", "sift", "surf")) {
       assertTrue(page.contains("In the simulation " + detector + "-"), detector);
-      assertTrue(page.contains(detector + " detects"), detector);
     }
     assertTrue(page.contains("k of 1 or more: photos"), "coverage");
+  }
+
+  /** One row for each model and distance: a column for each would be wider than the page. */
+  @Test
+  void distancesStandBelowEachOther() throws IOException {
+    String page = Files.readString(folder.resolve("report.html"));
+    List<String> widths =
+        page.lines()
+            .filter(line -> line.contains("<th>distance, m"))
+            .map(line -> String.valueOf(line.split("<th>", -1).length - 1))
+            .toList();
+    assertEquals(List.of("8"), widths);
+    for (String detector : List.of("orb", "sift", "surf")) {
+      long rows =
+          page.lines()
+              .filter(line -> line.matches("<tr><td>" + detector + "-[a-z]+</td><td>\\d.*"))
+              .filter(line -> line.matches(".*<td>16</td>.*"))
+              .count();
+      assertEquals(10, rows, detector);
+    }
+  }
+
+  @Test
+  void theBestLineIsThatOfTheLargestR2OfTheTable() throws IOException {
+    String best = "";
+    double most = 0;
+    for (String detector : result.detectors()) {
+      for (var f : result.features()) {
+        if (result.line(detector, f.name()).r2() > most) {
+          most = result.line(detector, f.name()).r2();
+          best = detector + "-" + f.name();
+        }
+      }
+    }
+    String page = Files.readString(folder.resolve("report.html"));
+    assertTrue(page.contains("The best line of these is that of " + best + " with R2"), best);
+  }
+
+  @Test
+  void intervalThatIsNotKnownIsADash() {
+    assertEquals("-", Cells.span(Double.NaN, Double.NaN));
+    assertEquals("-1.00 to 2.50", Cells.span(-1, 2.5));
+  }
+
+  @Test
+  void whatRisesWithTheLogarithmAloneSaysSo() {
+    assertEquals("surely", OwnTables.rises(new RisingSlope(0.2, 0.1, 0.3, true)));
+    assertEquals(
+        "surely with the logarithm", OwnTables.rises(new RisingSlope(0.2, -0.1, 0.3, true)));
+    assertEquals("not surely: refused", OwnTables.rises(new RisingSlope(0.2, -0.1, 0.3, false)));
   }
 
   @Test
