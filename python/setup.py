@@ -27,11 +27,10 @@ class WithJars(build_py):
     """Builds the package with its jars and scenarios."""
 
     def run(self) -> None:
+        package = (HERE if self.editable_mode else pathlib.Path(self.build_lib)) / "hificamsim"
+        if not self.editable_mode:
+            shutil.rmtree(package, ignore_errors=True)  # a module that is gone would stay in the wheel
         super().run()
-        if self.editable_mode:
-            package = HERE / "hificamsim"
-        else:
-            package = pathlib.Path(self.build_lib) / "hificamsim"
         self.copy(jars().glob("*.jar"), package / "jars")
         self.copy((ROOT / "scenarios").glob("*"), package / "scenarios")
 

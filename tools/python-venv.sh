@@ -1,21 +1,26 @@
 #!/bin/sh
-# Makes the virtual environment $1 with what the requirements $2 name, from PyPI; does nothing if it has them.
-# PYTHON names another python3. Fails with one line on standard error.
+# Makes the virtual environment $1 with what the requirements $2 name, $3 MB from PyPI, for the tests of $4;
+# does nothing if it has them. Further arguments go to pip, which may take PIP_SECONDS (600). PYTHON names another
+# python3. Fails with one line on standard error.
 set -eu
 
 venv=$1
 requirements=$2
+size=$3
+tested=$4
+shift 4
 python=${PYTHON:-python3}
 
-fail() { echo "hificamsim: the Python package is not tested: $*" >&2; rm -rf "$venv"; exit 1; }
+fail() { echo "hificamsim: no tests of $tested: $*" >&2; rm -rf "$venv"; exit 1; }
 
 cmp -s "$requirements" "$venv/requirements.txt" && exit 0
 "$python" -c 'import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 10))' 2>/dev/null ||
     fail "missing: Python 3.10 or later with venv (apt-get install python3-venv)"
-[ "${OFFLINE:-}" = "" ] || fail "missing: its libraries from PyPI (150 MB)"
-echo "hificamsim: fetching the libraries of the Python package's tests from PyPI, 150 MB" >&2
+[ "${OFFLINE:-}" = "" ] || fail "missing: what they need from PyPI ($size MB)"
+echo "hificamsim: fetching what the tests of $tested need from PyPI, $size MB" >&2
 rm -rf "$venv"
 "$python" -m venv "$venv" >"$venv.log" 2>&1 </dev/null || fail "$(tail -n 1 "$venv.log")"
-timeout 600 "$venv/bin/python" -m pip install --quiet --disable-pip-version-check -r "$requirements" \
-    >"$venv.log" 2>&1 </dev/null || fail "pip cannot fetch them ($(grep -v '^ *$' "$venv.log" | tail -n 1))"
+timeout "${PIP_SECONDS:-600}" "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "$@" \
+    -r "$requirements" >"$venv.log" 2>&1 </dev/null ||
+    fail "pip cannot fetch them ($(grep -v '^ *$' "$venv.log" | tail -n 1))"
 cp "$requirements" "$venv/requirements.txt"

@@ -62,11 +62,11 @@ install_browser() {
     say "missing: chromium and chromedriver, so pages are not tested; as root: apt-get install chromium chromium-driver"
 }
 
-# Python with venv, for the tests of the Python package; without it they are skipped, and say so.
+# Python with venv, for the tests of the Python package and of recordings; without it they are skipped, and say so.
 install_python() {
     python3 -c 'import venv, ensurepip' 2>/dev/null && return
     if may_install && install python3-venv; then return; fi
-    say "missing: python3-venv, so the Python package is not tested; as root: apt-get install python3-venv"
+    say "missing: python3-venv, so the Python package and recordings by SUMO and JuPedSim are not tested; as root: apt-get install python3-venv"
 }
 
 may_install() {

@@ -84,8 +84,9 @@ class _Jvm:
             for jar in java.class_path():
                 jpype.addClassPath(jar)
         else:
-            library = java.library()
-            jpype.startJVM(library, *java.options(), classpath=java.class_path(), interrupt=False)
+            # -Xrs: all signals stay Python's; without it Java, or with interrupt=False JPype, takes INT and TERM
+            options = ["-Xrs", *java.options()]
+            jpype.startJVM(java.library(), *options, classpath=java.class_path(), interrupt=True)
         cls.process = os.getpid()
         if hasattr(os, "register_at_fork"):
             os.register_at_fork(after_in_child=_leave_jvm)
@@ -124,7 +125,6 @@ class JvmBackend:
         self._session = self._call(session_class.open, json.dumps(settings))
         self.description = json.loads(str(self._session.description()))
         self.memory = memoryview(self._session.memory())
-        self._step = self._session.step
         self._closer = weakref.finalize(self, self._session.close)
         self._closer.atexit = False  # the JVM may be gone by then
 
@@ -141,12 +141,7 @@ class JvmBackend:
         return self._session
 
     def step(self) -> None:
-        if self._session is None or _Jvm.process != os.getpid():
-            self._open()
-        try:
-            self._step()
-        except self._fault as e:
-            raise _translated(str(e.getClass().getName()), str(e.getMessage()), e) from None
+        self._call(self._open().step)
 
     def reset(self, seed: int, fresh: bool) -> None:
         self._call(self._open().reset, seed, fresh)
@@ -179,9 +174,6 @@ class ProcessBackend:
 
     def __init__(self, settings: dict[str, Any]) -> None:
         self._process = os.getpid()
-        self._pending = False
-        self._read_ahead = b""
-        self._head: bytes | None = None
         self._errors = tempfile.TemporaryFile()
         folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
         descriptor, file = tempfile.mkstemp(prefix="hificamsim-", dir=folder)
@@ -210,39 +202,35 @@ class ProcessBackend:
 
     def _ask(self, letter: bytes, message: bytes = b"") -> bytes:
         self._check()
-        try:
-            with _whole():
-                kind, answer = self._exchange(letter, message)
-        except (BrokenPipeError, EOFError):
-            raise self._died() from None
+        with _whole():
+            kind, answer = self._exchange(letter, message)
         if kind == b"k":
             return answer
         text = answer.decode(errors="replace")
         raise InputError(text) if kind == b"i" else Error(text + "\n" + self._said())
 
     def _exchange(self, letter: bytes, message: bytes) -> tuple[bytes, bytes]:
-        if self._pending:  # a call before was interrupted
-            self._answer()
+        """An order and its answer; half of them leaves no way on."""
         assert self._worker.stdin is not None
-        self._pending = True
-        self._worker.stdin.write(letter + struct.pack(">i", len(message)) + message)
-        return self._answer()
-
-    def _answer(self) -> tuple[bytes, bytes]:
-        if self._head is None:
-            self._head = self._read(5)
-        answer = self._read(struct.unpack(">i", self._head[1:])[0])
-        kind, self._head, self._pending = self._head[:1], None, False
-        return kind, answer
+        try:
+            self._worker.stdin.write(letter + struct.pack(">i", len(message)) + message)
+            head = self._read(5)
+            return head[:1], self._read(struct.unpack(">i", head[1:])[0])
+        except (BrokenPipeError, EOFError):
+            raise self._died() from None
+        except BaseException:
+            self._worker.kill()
+            self.close()
+            raise
 
     def _read(self, count: int) -> bytes:
         assert self._worker.stdout is not None
-        while len(self._read_ahead) < count:  # kept, for an interrupt must not lose what was read
-            part = self._worker.stdout.read(count - len(self._read_ahead))
+        data = b""
+        while len(data) < count:
+            part = self._worker.stdout.read(count - len(data))
             if not part:
                 raise EOFError
-            self._read_ahead += part
-        data, self._read_ahead = self._read_ahead[:count], self._read_ahead[count:]
+            data += part
         return data
 
     def _check(self) -> None:
@@ -287,7 +275,7 @@ class ProcessBackend:
 
 @contextlib.contextmanager
 def _whole() -> Iterator[None]:
-    """Ctrl-C waits for the end of an exchange, since half of one leaves no way on; a second Ctrl-C does not."""
+    """Ctrl-C waits for the end of an exchange; a second Ctrl-C does not, and ends the worker."""
     before = signal.getsignal(signal.SIGINT)
     if threading.current_thread() is not threading.main_thread() or not callable(before):
         yield
@@ -304,8 +292,8 @@ def _whole() -> Iterator[None]:
         yield
     finally:
         signal.signal(signal.SIGINT, before)
-        if waiting:
-            before(signal.SIGINT, waiting[0])
+    if waiting:
+        before(signal.SIGINT, waiting[0])
 
 
 def _end(worker: subprocess.Popen[bytes], process: int) -> None:

@@ -17,12 +17,19 @@ NEEDED = 17
 
 
 def class_path() -> list[str]:
-    """The jars: those of the folder HIFICAMSIM_JARS, or of the wheel."""
+    """The jars: those of the folder HIFICAMSIM_JARS, or of the wheel; then those on CLASSPATH."""
     folder = pathlib.Path(os.environ.get("HIFICAMSIM_JARS") or PACKAGE / "jars")
     jars = sorted(str(jar) for jar in folder.glob("*.jar"))
     if not jars:
         raise JavaError(f"no jars in {folder}, expected those of the wheel: pip install ./python")
-    return jars
+    return jars + [part for entry in _users_own() for part in entry]
+
+
+def _users_own() -> Iterator[list[str]]:
+    """What each entry of CLASSPATH stands for: a jar, a folder of classes, or all jars of one (FOLDER/*)."""
+    for entry in filter(None, os.environ.get("CLASSPATH", "").split(os.pathsep)):
+        folder, star = os.path.split(entry)
+        yield sorted(str(jar) for jar in pathlib.Path(folder).glob("*.jar")) if star == "*" else [entry]
 
 
 def home() -> pathlib.Path:

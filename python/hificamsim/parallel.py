@@ -13,7 +13,7 @@ from pettingzoo import ParallelEnv
 from . import spaces
 from .errors import InputError
 from .screen import Screen
-from .worlds import Array, Worlds
+from .worlds import MEASURES, Array, rendered
 
 
 class CameraEnv(ParallelEnv):  # type: ignore[misc]
@@ -39,9 +39,8 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         width: int = 800,
         **settings: Any,
     ) -> None:
-        if render_mode not in (None, "human", "rgb_array"):
-            raise InputError(f"render_mode is {render_mode!r}, expected None, 'human' or 'rgb_array'")
-        self.worlds = Worlds(scenario, 1, auto_reset=False, paints=render_mode is not None, **settings)
+        modes = self.metadata["render_modes"]
+        self.worlds = rendered(scenario, 1, render_mode, modes, auto_reset=False, **settings)
         self.render_mode = render_mode
         self._screen = Screen(self.worlds.name) if render_mode == "human" else None
         self.width = width
@@ -50,14 +49,11 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         self.observation_spaces = {
             agent: spaces.observation(self.worlds) for agent in self.possible_agents
         }
-        self.action_spaces = {
-            agent: spaces.action(self.worlds, i) for i, agent in enumerate(self.possible_agents)
-        }
+        self.action_spaces = {agent: self._space(i) for i, agent in enumerate(self.possible_agents)}
         self.state_space = spaces.state(self.worlds)
         self._false = dict.fromkeys(self.possible_agents, False)
         self._true = dict.fromkeys(self.possible_agents, True)
         self._episode: list[bytes] = []
-        self._fresh = False
 
     def observation_space(self, agent: str) -> Any:
         return self.observation_spaces[agent]
@@ -69,11 +65,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         self, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[dict[str, Array], dict[str, dict[str, Any]]]:
         """Begins an episode: of this seed, or the next one."""
-        if seed is None and not self._fresh:
-            self.worlds.reset_first(None)
-        else:
-            self.worlds.reset(seed)
-        self._fresh = True
+        self.worlds.begin(seed)
         self.agents = self.possible_agents[:]
         self._episode.clear()
         return self._observations(), self._infos()
@@ -107,16 +99,17 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
 
     def _infos(self) -> dict[str, dict[str, Any]]:
         masks = self.worlds.masks[0].astype(np.int8)
-        covered, k_min, score = self.worlds.measures[0].tolist()
+        measured = dict(zip(MEASURES, self.worlds.measures[0].tolist()))
         return {
-            agent: {
-                "action_mask": spaces.mask(self.worlds, i, masks[i]),
-                "coverage": covered,
-                "k_min": k_min,
-                "score": score,
-            }
+            agent: {"action_mask": self._mask(i, masks[i]), **measured}
             for i, agent in enumerate(self.possible_agents)
         }
+
+    def _space(self, camera: int) -> Any:
+        return spaces.action(self.worlds, camera)
+
+    def _mask(self, camera: int, of: Array) -> Any:
+        return spaces.mask(self.worlds, camera, of)
 
     def state(self) -> Array:
         """All there is to know of the world, float32 in [-1, 1]."""

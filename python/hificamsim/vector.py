@@ -12,7 +12,7 @@ from gymnasium.vector.utils import batch_space
 
 from . import spaces
 from .errors import InputError
-from .worlds import Array, Worlds
+from .worlds import MEASURES, Array, rendered
 
 
 class CameraVectorEnv(VectorEnv[Any, Any, Any]):
@@ -25,7 +25,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
     :param copy: whether each step returns arrays of its own; if not, they change with the next step
     :param settings: those of ``Worlds``
 
-    An episode that ends begins anew within the same step: its last observation is in ``infos["final_obs"]``.
+    When an episode ends the next one begins within the same step: the last observation is in ``infos["final_obs"]``.
     Nothing is terminated; all is truncated after ``steps``.
     """
 
@@ -43,7 +43,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
     ) -> None:
         if per not in ("world", "camera"):
             raise InputError(f"per is {per!r}, expected 'world' or 'camera'")
-        self.worlds = Worlds(scenario, num_envs, paints=render_mode is not None, **settings)
+        self.worlds = rendered(scenario, num_envs, render_mode, self.metadata["render_modes"], **settings)
         self.render_mode = render_mode
         self.per = per
         self.copy = copy
@@ -61,17 +61,12 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         self._finals = self.worlds.finals.reshape(self.observation_space.shape)
         self._masks = self.worlds.masks.reshape(self.num_envs, -1)
         self._never = np.zeros(self.num_envs, np.bool_)
-        self._fresh = False
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
         """Begins an episode everywhere: network i of ``seed + i``, or each its next one."""
-        if seed is None and not self._fresh:
-            self.worlds.reset_first(None)
-        else:
-            self.worlds.reset(seed)
-        self._fresh = True
+        self.worlds.begin(seed)
         return self._own(self._observations), self._infos()
 
     def step(self, actions: Any) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
@@ -99,9 +94,8 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         return np.repeat(of_worlds, self._each) if self.per == "camera" else of_worlds
 
     def _infos(self) -> dict[str, Any]:
-        covered, k_min, score = self.worlds.measures.T
         infos: dict[str, Any] = {"action_mask": self._own(self._masks)}
-        for name, values in (("coverage", covered), ("k_min", k_min), ("score", score)):
+        for name, values in zip(MEASURES, self.worlds.measures.T):
             infos[name] = self._own(self._spread(values))
         return infos
 
@@ -120,7 +114,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
 
     def state(self) -> Array:
         """All there is to know of every network, float32 (networks, numbers)."""
-        return self.worlds.state().copy()
+        return np.array(self.worlds.state())
 
     def render(self) -> tuple[Array, ...] | None:
         """The first network as a picture."""
@@ -143,25 +137,19 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
         width: int = 800,
         **settings: Any,
     ) -> None:
-        if render_mode not in (None, "rgb_array"):
-            raise InputError(f"render_mode is {render_mode!r}, expected None or 'rgb_array'")
-        self.worlds = Worlds(scenario, 1, auto_reset=False, paints=render_mode is not None, **settings)
+        modes = self.metadata["render_modes"]
+        self.worlds = rendered(scenario, 1, render_mode, modes, auto_reset=False, **settings)
         self.render_mode = render_mode
         self.width = width
         self.observation_space = spaces.observation(self.worlds, len(self.worlds.cameras))
         self.action_space = spaces.joint_action(self.worlds)
-        self._fresh = False
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
         """Begins an episode: of this seed, or the next one."""
         super().reset(seed=seed)
-        if seed is None and not self._fresh:
-            self.worlds.reset_first(None)
-        else:
-            self.worlds.reset(seed)
-        self._fresh = True
+        self.worlds.begin(seed)
         return self.worlds.observations[0].copy(), self._info()
 
     def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:
@@ -173,9 +161,8 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
         return worlds.observations[0].copy(), reward, False, bool(worlds.ends[0]), self._info()
 
     def _info(self) -> dict[str, Any]:
-        covered, k_min, score = self.worlds.measures[0].tolist()
-        masks = self.worlds.masks[0].copy()
-        return {"action_mask": masks, "coverage": covered, "k_min": k_min, "score": score}
+        measured = dict(zip(MEASURES, self.worlds.measures[0].tolist()))
+        return {"action_mask": self.worlds.masks[0].copy(), **measured}
 
     def render(self) -> Any:
         """The last step as a picture, uint8 (height, width, 3)."""

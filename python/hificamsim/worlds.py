@@ -15,6 +15,8 @@ from .errors import InputError
 
 Array = npt.NDArray[Any]
 
+MEASURES = ("coverage", "k_min", "score")  # what ``measures`` has, by name
+
 SCENARIOS = pathlib.Path(__file__).resolve().parent / "scenarios"
 
 
@@ -66,7 +68,7 @@ class Worlds:
     :param actions: view (the number of a view) or steps (pan and zoom, each down, stay or up)
     :param targets: how many of the nearest seen targets are observed
     :param neighbours: how many of the nearest cameras are observed
-    :param auto_reset: whether an episode that ends begins anew within the same call
+    :param auto_reset: whether the next episode begins within the call that ends one
     :param threads: that share the worlds; by default as many as there are processors, from 16 worlds on
     :param backend: jvm (in this process) or process; by default jvm where JPype is installed
     :param paints: whether ``picture`` will be asked for
@@ -117,6 +119,7 @@ class Worlds:
             "paints": paints,
         }
         self._backend = open_backend(backend, self.settings)
+        self._begun = False
         said = self._backend.description
         self.name: str = said["scenario"]
         self.num_envs = num_envs
@@ -140,7 +143,8 @@ class Worlds:
     def _array(self, section: dict[str, Any]) -> Array:
         count = int(np.prod(section["shape"]))
         flat = np.frombuffer(self._backend.memory, section["type"], count, section["offset"])
-        return flat.reshape(section["shape"])
+        shaped: Array = flat.reshape(section["shape"])
+        return shaped
 
     def bounds(self) -> tuple[Array, Array]:
         """The least and the most that each number of an observation can be, (F,) each."""
@@ -153,9 +157,12 @@ class Worlds:
             raise InputError(f"seed is {seed}, expected one of 64 bits")
         self._backend.reset(0 if seed is None else int(seed), seed is not None)
 
-    def reset_first(self, seed: int | None) -> None:
-        """As ``reset``; without a seed, worlds keep what they begin with."""
-        self.reset(self.settings["seed"] if seed is None else seed)
+    def begin(self, seed: int | None) -> None:
+        """As ``reset``; but the first time, no seed means that of the settings."""
+        if seed is None and not self._begun:
+            seed = self.settings["seed"]
+        self.reset(seed)
+        self._begun = True
 
     def state(self) -> Array:
         """The state of every world, (B, S); a view."""
@@ -170,7 +177,8 @@ class Worlds:
         """The first world as it is now, uint8 (height, width, 3)."""
         data = self._backend.picture(width)
         wide, high = np.frombuffer(data, ">i4", 2)
-        return np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
+        picture: Array = np.frombuffer(data, np.uint8, offset=8).reshape(high, wide, 3).copy()
+        return picture
 
     def close(self) -> None:
         """Ends the worlds. A JVM in this process goes on: it can be started only once."""
@@ -181,3 +189,12 @@ class Worlds:
 
     def __exit__(self, *fault: object) -> None:
         self.close()
+
+
+def rendered(
+    scenario: str | os.PathLike[str], num_envs: int, mode: str | None, modes: list[str], **settings: Any
+) -> Worlds:
+    """Worlds that are painted where an environment's ``render_mode`` says so, which is None or one of ``modes``."""
+    if mode is not None and mode not in modes:
+        raise InputError(f"render_mode is {mode!r}, expected None or {' or '.join(map(repr, modes))}")
+    return Worlds(scenario, num_envs, paints=mode is not None, **settings)

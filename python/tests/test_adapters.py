@@ -46,7 +46,7 @@ def library(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     sys.modules.pop("hificamsim.sb3", None)
 
 
-def test_every_camera_is_an_environment_that_begins_anew_by_itself(library: None) -> None:
+def test_every_camera_is_an_environment_whose_next_episode_begins_by_itself(library: None) -> None:
     env = hificamsim.sb3_vec_env("campus", 2, steps=20, reward="difference")
     cameras = len(env.vector.worlds.cameras)
     assert env.num_envs == 2 * cameras

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import textwrap
 import time
+from collections.abc import Callable
 
 import pytest
 
@@ -45,6 +46,12 @@ def test_a_wrong_setting_is_a_line(settings: dict[str, object], line: str, backe
         hificamsim.Worlds("campus", **{"backend": backend, **settings})
     assert line in str(fault.value)
     assert "\n" not in str(fault.value)
+
+
+@pytest.mark.parametrize("make", [hificamsim.parallel_env, hificamsim.vector_env, hificamsim.single_env])
+def test_a_wrong_render_mode_is_a_line(make: Callable[..., object]) -> None:
+    with pytest.raises(hificamsim.InputError, match="render_mode is 'ansi', expected None or .*'rgb_array'"):
+        make("campus", render_mode="ansi")
 
 
 def test_a_scenario_that_is_none_or_wrong(tmp_path: pathlib.Path, backend: str) -> None:
@@ -113,18 +120,18 @@ def test_a_worker_ends_with_its_python() -> None:
         """
         import os, hificamsim
         worlds = hificamsim.Worlds("campus", backend="process")
-        print(worlds._backend._worker.pid, flush=True)
+        print(worlds._backend._worker.pid, worlds._backend._worker.args[-1], flush=True)
         os._exit(3)  # no one cleans up
         """
     )
     assert done.returncode == 3, done.stderr
-    worker = int(done.stdout)
+    worker, file = done.stdout.split()
     for _ in range(100):
         if not pathlib.Path(f"/proc/{worker}").exists():
             break
         time.sleep(0.1)
     assert not pathlib.Path(f"/proc/{worker}").exists()
-    assert not list(pathlib.Path("/dev/shm").glob("hificamsim-*"))
+    assert not os.path.exists(file)
 
 
 def test_a_fork_after_the_start_is_refused_and_does_not_hang() -> None:
@@ -175,34 +182,92 @@ def test_a_fork_that_never_asks_collects_garbage_and_ends() -> None:
     assert done.stdout == "5\n", done.stderr
 
 
-@pytest.mark.parametrize("backend", ["jvm", "process"])
-def test_ctrl_c_ends_python_and_not_before_it_may_clean_up(backend: str) -> None:
-    program = f"""
-        import signal
-        signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background has none
-        import hificamsim
-        worlds = hificamsim.Worlds("campus", 8, backend="{backend}")
+STEPPING = """
+    import signal
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background ignores it
+    signal.signal(signal.SIGHUP, signal.SIG_DFL)  # and nohup this one
+    import hificamsim
+    worlds = hificamsim.Worlds("campus", 8, backend="{backend}")
+    def steps():
         print("ready", flush=True)
-        try:
-            while True:
-                worlds.step()
-        except KeyboardInterrupt:
+        while True:
             worlds.step()
-            print("interrupted, and goes on", flush=True)
-            worlds.close()
-        """
+    """
+
+
+def signalled(program: str, number: signal.Signals, folder: pathlib.Path) -> tuple[int, str]:
+    """How a program ended that got a signal while it was stepping worlds, and what it said."""
     with subprocess.Popen(
-        [sys.executable, "-c", textwrap.dedent(program)], stdout=subprocess.PIPE, text=True
+        [sys.executable, "-c", textwrap.dedent(program)], stdout=subprocess.PIPE, text=True, cwd=folder
     ) as running:
         assert running.stdout is not None
         assert running.stdout.readline() == "ready\n"
         time.sleep(0.5)
-        running.send_signal(signal.SIGINT)
+        running.send_signal(number)
         try:
-            assert running.communicate(timeout=60)[0] == "interrupted, and goes on\n"
+            said = running.communicate(timeout=60)[0]
         finally:
             running.kill()
-        assert running.returncode == 0
+    assert not list(folder.iterdir()), "no log of a crash"
+    return running.returncode, said
+
+
+def test_ctrl_c_is_pythons_and_the_environment_goes_on(backend: str, tmp_path: pathlib.Path) -> None:
+    program = STEPPING.format(backend=backend) + """
+    try:
+        steps()
+    except KeyboardInterrupt:
+        worlds.step()
+        print("interrupted, and goes on", flush=True)
+        worlds.close()
+    """
+    assert signalled(program, signal.SIGINT, tmp_path) == (0, "interrupted, and goes on\n")
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_ends_python_as_it_does_without_java(
+    backend: str, number: signal.Signals, tmp_path: pathlib.Path
+) -> None:
+    program = STEPPING.format(backend=backend) + "\n    steps()"
+    assert signalled(program, number, tmp_path) == (-number, "")
+
+
+def test_a_users_own_handler_runs(backend: str, tmp_path: pathlib.Path) -> None:
+    program = STEPPING.format(backend=backend) + """
+    def mine(number, frame):
+        print("mine", flush=True)
+        raise SystemExit(7)
+    signal.signal(signal.SIGTERM, mine)
+    steps()
+    """
+    assert signalled(program, signal.SIGTERM, tmp_path) == (7, "mine\n")
+
+
+def test_a_second_ctrl_c_does_not_wait_for_a_worker_that_hangs() -> None:
+    done = python(
+        """
+        import os, signal, threading, hificamsim
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        worlds = hificamsim.Worlds("campus", backend="process")
+        os.kill(worlds._backend._worker.pid, signal.SIGSTOP)
+        os.waitpid(worlds._backend._worker.pid, os.WUNTRACED)  # until it stands still
+        over = threading.Event()
+        def press():
+            while not over.wait(3):  # two at once would be one
+                os.kill(os.getpid(), signal.SIGINT)
+        threading.Thread(target=press, daemon=True).start()
+        try:
+            worlds.step()
+        except KeyboardInterrupt:
+            over.set()
+            print(worlds._backend._worker.returncode)
+        try:
+            worlds.step()
+        except hificamsim.Closed as e:
+            print(e)
+        """
+    )
+    assert done.stdout == "-9\nthe environment was closed, expected a new one\n", done.stderr
 
 
 def memory() -> int:

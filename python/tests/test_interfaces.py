@@ -150,6 +150,7 @@ def test_every_number_is_within_its_bounds(scenario: str, actions: str, detect: 
             worlds.step()
             seen = worlds.observations.reshape(-1, low.size)
             assert ((seen >= low) & (seen <= high)).all()
+            assert ((worlds.finals >= low) & (worlds.finals <= high)).all()
             assert (np.abs(worlds.state()) <= 1).all()
             assert ((worlds.rewards >= 0) & (worlds.rewards <= 1)).all()
             assert (worlds.masks.max(axis=2) == 1).all(), "something may always be done"

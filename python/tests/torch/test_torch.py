@@ -2,41 +2,96 @@
 
 from __future__ import annotations
 
+import pathlib
+
+import numpy as np
 import pytest
 
 import hificamsim
 
-pytest.importorskip("torch")
+torch = pytest.importorskip("torch")
 
 
-def test_stable_baselines_checks_the_environment_and_learns() -> None:
+def test_stable_baselines_checks_the_environment_and_learns(tmp_path: pathlib.Path) -> None:
     stable_baselines3 = pytest.importorskip("stable_baselines3")
     from stable_baselines3.common.env_checker import check_env
 
-    single = hificamsim.single_env("campus", steps=50)
+    single = hificamsim.single_env("mate-4v8-9", steps=50)
     check_env(single)
     single.close()
     env = hificamsim.sb3_vec_env("campus", 2, steps=50, reward="difference")
     model = stable_baselines3.PPO("MlpPolicy", env, n_steps=32, seed=1)
     model.learn(1_000)
     assert model.num_timesteps >= 1_000
+    model.save(tmp_path / "model")
+    read = stable_baselines3.PPO.load(tmp_path / "model", env=env)
+    observations = env.reset()
+    assert (read.predict(observations, deterministic=True)[0] == model.predict(observations, deterministic=True)[0]).all()
     env.close()
 
 
-def test_torchrl_checks_the_environment() -> None:
+def test_maskable_ppo_takes_no_view_that_its_mask_forbids() -> None:
+    contributed = pytest.importorskip("sb3_contrib")
+    env = hificamsim.sb3_vec_env("campus", 1, steps=50)
+    model = contributed.MaskablePPO("MlpPolicy", env, n_steps=32, seed=1)
+    model.learn(200)
+    observations = env.reset()
+    forbidden = 0
+    for _ in range(30):
+        masks = np.stack(env.env_method("action_masks"))
+        actions, _ = model.predict(observations, action_masks=masks)
+        assert masks[np.arange(env.num_envs), actions].all()
+        forbidden += (~masks).sum()
+        observations, *_ = env.step(actions)
+    assert forbidden > 0
+    env.close()
+
+
+@pytest.mark.parametrize("actions", ["view", "steps"])
+def test_torchrl_checks_the_environment(actions: str) -> None:
     pytest.importorskip("torchrl")
     from torchrl.envs.utils import check_env_specs
 
-    env = hificamsim.torchrl_env("campus", steps=50)
+    env = hificamsim.torchrl_env("campus", steps=50, actions=actions)
     check_env_specs(env)
     assert env.rollout(20).shape[0] == 20
     env.close()
 
 
-def test_benchmarl_has_a_task() -> None:
-    pytest.importorskip("benchmarl")
-    task = hificamsim.benchmarl_task("campus", steps=50)
-    env = task.get_env_fun(1, False, 1, "cpu")()
-    assert task.max_steps(env) == 50
-    assert list(task.group_map(env)) == ["cameras"]
+def test_torchrl_takes_no_view_that_its_mask_forbids() -> None:
+    pytest.importorskip("torchrl")
+    env = hificamsim.torchrl_env("campus", steps=50)
+    views = torch.tensor([env.worlds.views]).T
+    rollout = env.rollout(40)["cameras"]
+    masks, actions = rollout["action_mask"], rollout["action"]
+    assert len(views.unique()) > 1, "cameras differ"
+    assert (actions < views.T).all()
+    assert not masks.all() and masks.gather(-1, actions.unsqueeze(-1)).all()
     env.close()
+
+
+@pytest.mark.parametrize("algorithm", ["MappoConfig", "QmixConfig"])
+def test_benchmarl_trains_on_its_task(algorithm: str, tmp_path: pathlib.Path) -> None:
+    pytest.importorskip("benchmarl")
+    from benchmarl import algorithms
+    from benchmarl.experiment import Experiment, ExperimentConfig
+    from benchmarl.models.mlp import MlpConfig
+
+    config = ExperimentConfig.get_from_yaml()
+    config.max_n_frames = 200
+    config.on_policy_collected_frames_per_batch = config.off_policy_collected_frames_per_batch = 100
+    config.on_policy_n_envs_per_worker = config.off_policy_n_envs_per_worker = 2
+    config.on_policy_n_minibatch_iters = config.off_policy_n_optimizer_steps = 2
+    config.on_policy_minibatch_size = config.off_policy_train_batch_size = 50
+    config.evaluation_interval, config.evaluation_episodes = 200, 1
+    config.loggers, config.create_json, config.save_folder = [], False, str(tmp_path)
+    experiment = Experiment(
+        task=hificamsim.benchmarl_task("campus", steps=50, reward="difference"),
+        algorithm_config=getattr(algorithms, algorithm).get_from_yaml(),
+        model_config=MlpConfig.get_from_yaml(),
+        critic_model_config=MlpConfig.get_from_yaml(),
+        seed=1,
+        config=config,
+    )
+    experiment.run()
+    assert experiment.total_frames == 200

@@ -52,6 +52,36 @@ class CamSimCommandTest {
   }
 
   @Test
+  void writesWhoFollowsATrackAsAnObjectThatComesAndGoes() throws IOException {
+    Files.writeString(
+        folder.resolve("one.tracks"), "tracks 1\ninterval 1\ntarget 7 size 1\n2 3 4\n5 5\n");
+    Path tracked = folder.resolve("one.xml");
+    Files.writeString(
+        tracked,
+        """
+        <root><simulation min_x="0" max_x="30" min_y="0" max_y="40">
+        <optics name="dome" law="pinhole" pixels="640" hfov="60 20" pan="0"/>
+        <camera name="a" x="1" y="1" heading="0" optics="dome" ai_algorithm="Active" comm="0"/>
+        <tracks file="one.tracks"/></simulation></root>
+        """);
+    Path written = folder.resolve("for/camsim.xml");
+    Cli run = camsim("--for-camsim " + written, tracked);
+    assertEquals(0, run.exit(), run.err());
+    assertEquals(written + "\n", run.out());
+    String text = Files.readString(written);
+    assertTrue(text.contains("viewing_angle=\"60.0\" range=\"50.0\""), text);
+    assertTrue(text.contains("timestep=\"0\" participant=\"camera\" event=\"change\" name=\"a\""));
+    assertTrue(
+        text.contains(
+            "timestep=\"2\" participant=\"object\" event=\"add\" name=\"7.0\" x=\"3.0\""
+                + " y=\"4.0\" heading=\"0.0\" speed=\"0.0\""),
+        text);
+    assertTrue(text.contains("timestep=\"4\" participant=\"object\" event=\"error\" name=\"7.0\""));
+    assertFalse(text.contains("tracks"), text);
+    assertFalse(Files.exists(folder.resolve("o.csv")));
+  }
+
+  @Test
   void leavesNothingButItsFiles() throws IOException {
     camsim("-t 5", SCENARIO);
     try (Stream<Path> files = Files.list(folder)) {

@@ -170,8 +170,7 @@ class ImportCommandTest {
             "Platz-é");
     assertEquals(0, imported.exit(), imported.err());
     assertTrue(
-        imported.out().contains("odd: through a wall: 1 times, first target 1 at 5.5 s"),
-        imported::out);
+        imported.out().contains("odd: through a wall: once, target 1 at 5.5 s"), imported::out);
     String xml = Files.readString(out.resolve("Platz-é.xml"));
     assertTrue(xml.contains("<wall x1=\"10.5\" y1=\"0.0\" x2=\"10.5\" y2=\"9.0\"/>"), xml);
     assertTrue(

@@ -14,13 +14,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The recordings of the shipped sites, made anew by SUMO and JuPedSim. Needs a Python that has
- * them, {@code pip install eclipse-sumo jupedsim}: {@code python3}, or the one that
- * HIFICAMSIM_PYTHON names.
+ * The recordings of the shipped sites, made again by SUMO and JuPedSim. The build fetches both into
+ * a virtual environment; HIFICAMSIM_PYTHON names another Python that has them.
  */
 class TrackToolsTest {
   private static final String PYTHON =
-      Optional.ofNullable(System.getenv("HIFICAMSIM_PYTHON")).orElse("python3");
+      Optional.ofNullable(System.getenv("HIFICAMSIM_PYTHON"))
+          .orElse(Cli.ROOT.resolve("build/track-tools/bin/python").toString());
 
   @TempDir Path folder;
 
@@ -75,13 +75,7 @@ class TrackToolsTest {
   }
 
   private static String missing(String tool, String item) {
-    return "'"
-        + PYTHON
-        + "' has no "
-        + tool
-        + ": pip install "
-        + item
-        + ", and HIFICAMSIM_PYTHON for the Python that has it";
+    return "'" + PYTHON + "' has no " + tool + " (" + item + " of PyPI)";
   }
 
   private static int run(String... words) throws IOException, InterruptedException {

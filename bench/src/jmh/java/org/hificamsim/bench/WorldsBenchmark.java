@@ -30,7 +30,7 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * Microseconds per step of one world among {@value #WORLDS}, with random actions, observations,
- * rewards and episodes of 1,000 steps that begin anew by themselves; one thread.
+ * rewards and episodes of 1,000 steps, one after the other; one thread.
  */
 @State(Scope.Thread)
 @BenchmarkMode(Mode.AverageTime)

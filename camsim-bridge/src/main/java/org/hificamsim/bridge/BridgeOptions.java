@@ -7,6 +7,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.bridge.run.BridgeSettings;
+import org.hificamsim.bridge.run.Tracks;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
@@ -16,6 +17,7 @@ import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
@@ -51,6 +53,7 @@ final class BridgeOptions {
     OpticsOptions optics = new OpticsOptions(given);
     Optional<String> objective = text("objective", "what a step is scored by");
     Optional<String> seed = text("seed", "seed of the policy, and of luck");
+    Optional<String> tracks = text("tracks", "scenario whose tracks objects follow");
     Optional<String> out = text("out", "folder for result files");
     given.choice("strict", Strict.FALSE, "whether to stop when something is wrong");
     rejectUnknown();
@@ -71,6 +74,7 @@ final class BridgeOptions {
         optics.optics(policy.isPresent(), zooms),
         objective.map(Objective::parse).orElseGet(Objective::kMin),
         seed.map(BridgeOptions::seed).orElse(0),
+        tracks.map(BridgeOptions::tracks),
         out.map(Path::of));
   }
 
@@ -92,6 +96,15 @@ final class BridgeOptions {
             threshold.map(value -> number("threshold", value, 0, 1)),
             detect.map(rule -> DetectionRule.parse(rule.replace(';', ','))))
         .detection(DetectionSpec.parse(name, catalogue::detection));
+  }
+
+  private static Tracks tracks(String scenario) {
+    Tracks tracks = Tracks.of(ScenarioReader.read(Path.of(scenario), name -> true, warning -> {}));
+    if (tracks.isEmpty()) {
+      throw new InputException(
+          "tracks is '" + scenario + "', which has none, expected a scenario with <tracks>");
+    }
+    return tracks;
   }
 
   /** Commas separate the agent's own options: a policy's are separated by semicolons. */

@@ -55,7 +55,8 @@ public final class Installer implements BiConsumer<String, Instrumentation> {
         new Requirements(
             settings.detection().isPresent(),
             settings.policy().isPresent(),
-            settings.out().isPresent());
+            settings.out().isPresent(),
+            settings.tracks().isPresent());
     List<String> missing = shape.missing(ClassLoader.getSystemClassLoader());
     if (!missing.isEmpty()) {
       throw new InputException("not found in CamSim: " + String.join(", ", missing));
@@ -71,6 +72,6 @@ public final class Installer implements BiConsumer<String, Instrumentation> {
     LiveBridge bridge = new LiveBridge(settings, strict);
     Hooks.connect(bridge);
     Runtime.getRuntime().addShutdownHook(new Thread(bridge::close, "hificamsim-bridge"));
-    Weaver.weave(instrumentation, bridge::fail);
+    Weaver.weave(instrumentation, settings.tracks().isPresent(), bridge::fail);
   }
 }

@@ -18,8 +18,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class ShapeTest {
-  private static final Requirements ALL = new Requirements(true, true, true);
-  private static final Requirements DETECTING = new Requirements(true, false, false);
+  private static final Requirements ALL = new Requirements(true, true, true, true);
+  private static final Requirements DETECTING = new Requirements(true, false, false, false);
   private static final String LOOK =
       "method CameraController.update_visiblity(TraceableObject) returning double";
   private static final String CHANGE =
@@ -54,6 +54,8 @@ class ShapeTest {
             "method CameraController.removeVisibleObject(TraceableObject)"),
         arguments("change(", "alter(", CHANGE),
         arguments("getHeading", "heading", "method CameraController.getHeading() returning double"),
+        arguments("getY", "ordinate", "method TraceableObject.getY() returning double"),
+        arguments("getFeatures", "features", "method TraceableObject.getFeatures()"),
         arguments("SimCore", "OtherCore", "class SimCore"),
         arguments("TraceableObject", "Thing", "class TraceableObject"),
         arguments("update()", "advance()", "method SimCore.update()"),

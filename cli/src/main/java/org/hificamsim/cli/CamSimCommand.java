@@ -12,12 +12,16 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.StandingObjects;
 import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.files.RunSums;
 import org.hificamsim.runs.DetectionSpec;
@@ -91,10 +95,33 @@ final class CamSimCommand implements Callable<Integer> {
       description = "k-coverage of the same run: steps.csv, summary.json, manifest.json.")
   private Optional<Path> coverage;
 
+  @Option(
+      names = "--for-camsim",
+      paramLabel = "FILE",
+      description = {
+        "Runs nothing, and writes the scenario as CamSim itself reads it: who follows a",
+        "track comes and goes by events, and the bridge's option tracks moves it."
+      })
+  private Optional<Path> forCamSim;
+
   @Mixin private Screen screen;
 
   @Override
   public Integer call() throws IOException {
+    return forCamSim.isPresent() ? write(forCamSim.get()) : run();
+  }
+
+  private int write(Path to) throws IOException {
+    Catalogue catalogue = Catalogue.load();
+    Scenario scenario =
+        StandingObjects.of(plan(catalogue, options.settings(screen.err())).scenario());
+    OutputFolder.made(to.toAbsolutePath().getParent());
+    new OutputFile(to.toAbsolutePath()).write(ScenarioWriter.write(scenario));
+    screen.out().println(to);
+    return 0;
+  }
+
+  private int run() throws IOException {
     Instant started = Instant.now();
     Catalogue catalogue = Catalogue.load();
     NetworkSettings settings = options.settings(screen.err());

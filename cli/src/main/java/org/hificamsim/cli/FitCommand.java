@@ -11,6 +11,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.Counted;
+import org.hificamsim.profiling.fit.CovariateChoice;
 import org.hificamsim.profiling.fit.DetectorShapes;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
@@ -27,6 +28,9 @@ import org.hificamsim.profiling.measure.OwnConfidences;
 import org.hificamsim.profiling.measure.PipReading;
 import org.hificamsim.profiling.measure.ThresholdsFile;
 import org.hificamsim.profiling.report.FitReport;
+import org.hificamsim.profiling.trial.TrialRun;
+import org.hificamsim.profiling.trial.Trials;
+import org.hificamsim.profiling.trial.TrialsFile;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -40,6 +44,7 @@ import picocli.CommandLine.Spec;
     description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
+  private static final int WIDTH = 16; // of the models' names, at least
 
   @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
   private Path folder;
@@ -49,7 +54,8 @@ final class FitCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "Confidences of your own instead of measurements.csv:"
-              + " image,q,d,z,confidence[,object][,pip], q, d and z in metres.")
+              + " image,q,d,z,confidence[,object][,pip][,aperture][,distortion][,light],"
+              + " q, d and z in metres.")
   private Path confidences;
 
   @Option(
@@ -88,6 +94,15 @@ final class FitCommand implements Callable<Integer> {
   private String shape;
 
   @Option(
+      names = "--covariates",
+      paramLabel = "A,B",
+      split = ",",
+      description =
+          "What else the models depend on: none, best (what helps on unseen objects), or some of"
+              + " aperture, distortion, light.")
+  private List<String> covariates;
+
+  @Option(
       names = "--parsimony",
       paramLabel = "X",
       description = "What each node of a formula costs, in squared error.")
@@ -116,12 +131,15 @@ final class FitCommand implements Callable<Integer> {
     List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
     int models = new ModelFolder(folder.resolve("models"), name).write(result);
+    List<Trials> trials = TrialRun.all(result, count);
+    TrialsFile.write(folder, trials);
     FitReport.write(
         result,
+        trials,
         confidences == null ? PipReading.ofDataset(folder) : PipReading.RECTANGLE,
         folder.toAbsolutePath().normalize().getFileName().toString(),
         folder);
-    print(result, models);
+    print(result, trials, models);
     return 0;
   }
 
@@ -131,18 +149,24 @@ final class FitCommand implements Callable<Integer> {
         : OwnConfidences.read(confidences, camera);
   }
 
-  private void print(FitResult result, int models) {
+  private void print(FitResult result, List<Trials> trials, int models) {
     PrintWriter out = spec.commandLine().getOut();
     List<FittedModel> all = FittedModel.all(result);
     PrintWriter err = spec.commandLine().getErr();
     all.stream()
         .filter(model -> model.fit().refused())
         .forEach(model -> err.println("warning: " + model.refusal()));
-    out.printf("%-16s %7s %7s %8s  g%n", "model", "R2", "unseen", "RMSE");
+    int width = all.stream().mapToInt(model -> model.name().length()).max().orElse(0);
+    String column = "%-" + Math.max(WIDTH, width) + "s";
+    out.printf(column + " %7s %7s %8s  g%n", "model", "R2", "unseen", "RMSE");
     all.stream()
         .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
-        .forEach(model -> out.println(row(model)));
+        .forEach(model -> out.println(row(column, model)));
+    result.detectors().stream()
+        .flatMap(detector -> result.shifts(detector).sentence(detector).stream())
+        .forEach(out::println);
     Recommendation.all(result).forEach(one -> out.println(one.sentence()));
+    trials.forEach(one -> out.println(one.sentence()));
     out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve("models"));
     out.printf("report: %s%n", folder.resolve("report.html"));
     if (models == 0) {
@@ -152,11 +176,11 @@ final class FitCommand implements Callable<Integer> {
     }
   }
 
-  private static String row(FittedModel model) {
+  private static String row(String column, FittedModel model) {
     ShapeFit g = model.fit().chosen();
     return String.format(
         Locale.ROOT,
-        "%-16s %7.3f %7.3f %8.4f  %s",
+        column + " %7.3f %7.3f %8.4f  %s",
         model.name(),
         g.scores().r2(),
         g.unseen().r2(),
@@ -186,6 +210,7 @@ final class FitCommand implements Callable<Integer> {
         new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
         shape(),
+        CovariateChoice.of(covariates),
         ThresholdsFile.read(folder));
   }
 }

@@ -23,17 +23,22 @@ public record FittedOn(
     double betweenObjects,
     double withinObjects) {
   /**
-   * From the least to the greatest value that was there.
+   * From the least to the greatest value that was there; of lengths, metres.
    *
-   * @param least metres
-   * @param most metres, {@code least} or more
+   * @param most {@code least} or more
    */
   public record Span(double least, double most) {
     private static final double ROUNDING = 1e-9;
 
     /** Whether a value lies inside, but for rounding. */
     public boolean contains(double value) {
-      return value >= least * (1 - ROUNDING) && value <= most * (1 + ROUNDING);
+      return value >= least - ROUNDING * Math.abs(least)
+          && value <= most + ROUNDING * Math.abs(most);
+    }
+
+    /** The nearest value inside. */
+    public double held(double value) {
+      return Math.max(least, Math.min(most, value));
     }
 
     /** The span of some values. */

@@ -35,7 +35,7 @@ final class TrainedNetwork {
   private final NodeInfo output;
 
   /**
-   * The network of a file, opened anew when its content has changed.
+   * The network of a file, opened again when its content has changed.
    *
    * @throws InputException when it cannot be read, or is no such network
    */

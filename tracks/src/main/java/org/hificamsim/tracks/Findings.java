@@ -126,7 +126,10 @@ final class Findings {
       odd.add(single + " targets with one sample alone");
     }
     if (blocked > 0) {
-      odd.add("through a wall: " + blocked + " times, first " + firstBlocked);
+      odd.add(
+          "through a wall: "
+              + (blocked == 1 ? "once, " : blocked + " times, first ")
+              + firstBlocked);
     }
     return odd;
   }

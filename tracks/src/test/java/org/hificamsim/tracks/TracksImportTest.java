@@ -72,7 +72,7 @@ class TracksImportTest {
     assertTrue(odd.contains("1 targets with one sample alone"), odd);
     assertTrue(odd.contains("1 samples are there twice and count once, the first at "), odd);
     assertTrue(odd.contains("recording:101:1"), odd);
-    assertTrue(odd.contains("through a wall: 1 times, first target 1 at 11.0 s"), odd);
+    assertTrue(odd.contains("through a wall: once, target 1 at 11.0 s"), odd);
   }
 
   @Test

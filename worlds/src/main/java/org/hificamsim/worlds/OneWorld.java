@@ -30,20 +30,29 @@ final class OneWorld implements StepListener {
   private StepListener watcher = (network, coverage) -> {};
   private Simulation simulation;
   private CameraObserver observer;
+  private CameraObserver like; // the first episode's observer of the first world
   private Masks masks;
   private long seed;
   private long episode;
   private int step;
 
-  OneWorld(Setup setup, long seed) {
+  /**
+   * @param first the first of the worlds; null for itself
+   */
+  OneWorld(Setup setup, long seed, OneWorld first) {
     this.setup = setup;
-    world = new World(setup.scenario(), setup.movements(), seed);
+    like = first == null ? null : first.like;
+    world =
+        first == null
+            ? new World(setup.scenario(), setup.movements(), seed)
+            : first.world.another(seed);
     policy = new PlayedPolicy(setup.actions());
     reward = setup.reward().get();
     int cameras = world.cameras().count();
     rewards = new float[cameras];
     actions = new int[cameras * setup.actions().numbers()];
     reset(seed);
+    like = first == null ? observer : like;
     masks = new Masks(network(), setup.actions());
   }
 
@@ -68,7 +77,14 @@ final class OneWorld implements StepListener {
         new Simulation(world, setup.detection(), policy, ofEpisode, List.of(this, watcher));
     step = 0;
     simulation.untilDecision();
-    observer = new CameraObserver(network(), setup.layout());
+    observer = observer();
+  }
+
+  /** All episodes of all worlds have the same cameras, as long as nothing happens to them. */
+  private CameraObserver observer() {
+    return like == null
+        ? new CameraObserver(network(), setup.layout())
+        : new CameraObserver(network(), setup.layout(), like);
   }
 
   /** The seed of an episode: the first one has the world's. */

@@ -41,7 +41,7 @@ public final class Worlds implements AutoCloseable {
   private final Workers.Share resetting = this::resetShare;
   private final Workers.Share telling = this::stateShare;
   private long seed;
-  private boolean anew;
+  private boolean restarted;
 
   /**
    * Worlds at the beginning of their first episode.
@@ -72,7 +72,7 @@ public final class Worlds implements AutoCloseable {
     this.setup = setup;
     this.seed = seed;
     worlds = new OneWorld[count];
-    Arrays.setAll(worlds, i -> new OneWorld(setup, seed + i));
+    Arrays.setAll(worlds, i -> new OneWorld(setup, seed + i, worlds[0]));
     NetworkView network = worlds[0].network();
     block = Block.of(count, worlds[0], setup);
     memory = source.of(block.bytes());
@@ -138,14 +138,14 @@ public final class Worlds implements AutoCloseable {
    */
   public void reset(long newSeed, boolean fresh) {
     seed = newSeed;
-    anew = fresh;
+    restarted = fresh;
     workers.run(resetting);
   }
 
   private void resetShare(int worker) {
     int end = workers.first(worker + 1, worlds.length);
     for (int i = workers.first(worker, worlds.length); i < end; i++) {
-      if (anew) {
+      if (restarted) {
         worlds[i].reset(seed + i);
       } else {
         worlds[i].next();
@@ -208,11 +208,17 @@ public final class Worlds implements AutoCloseable {
         throw new InputException(
             "the episode of " + setup.steps() + " steps is over, expected a reset");
       }
-      for (int at = 0; at < each; at++) {
-        int action = actions.get(i * each + at);
-        if (action < 0 || action >= choices[at % choices.length]) {
-          refuse(i, at, action);
-        }
+      for (int at = 0; at < each; at += choices.length) {
+        checkActions(i, i * each, at);
+      }
+    }
+  }
+
+  private void checkActions(int world, int first, int at) {
+    for (int number = 0; number < choices.length; number++) {
+      int action = actions.get(first + at + number);
+      if (action < 0 || action >= choices[number]) {
+        refuse(world, at + number, action);
       }
     }
   }

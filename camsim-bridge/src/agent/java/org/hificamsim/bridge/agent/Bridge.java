@@ -24,4 +24,13 @@ public interface Bridge {
    * @param confidence above 0 where the object is visible
    */
   void looked(Object camera, Object object, double confidence);
+
+  /**
+   * {@code TraceableObject.getX()} or {@code getY()} is about to return.
+   *
+   * @param upwards whether it is y
+   * @param own what CamSim has, metres
+   * @return metres
+   */
+  double place(Object object, boolean upwards, double own);
 }

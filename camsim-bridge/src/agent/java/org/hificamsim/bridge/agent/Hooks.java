@@ -38,4 +38,9 @@ public final class Hooks {
   public static void looked(Object camera, Object object, double confidence) {
     bridge.looked(camera, object, confidence);
   }
+
+  /** See {@link Bridge#place}. */
+  public static double place(Object object, boolean upwards, double own) {
+    return bridge.place(object, upwards, own);
+  }
 }

@@ -42,6 +42,11 @@ final class Names {
           Returned.ANYTHING,
           false);
 
+  /** Needed to have objects follow tracks: what is woven has to be in the class itself. */
+  static final CamSimMethod TRACKED_X = woven(OBJECT, "getX", List.of(), Returned.NUMBER);
+
+  static final CamSimMethod TRACKED_Y = woven(OBJECT, "getY", List.of(), Returned.NUMBER);
+
   /** Needed by any setup. */
   static final List<CamSimMethod> ALWAYS =
       List.of(
@@ -64,6 +69,9 @@ final class Names {
 
   /** Needed to write files. */
   static final List<CamSimMethod> TO_RECORD = List.of(CLOSE_FILES, FEATURES);
+
+  /** Needed to have objects follow tracks. */
+  static final List<CamSimMethod> TO_TRACK = List.of(TRACKED_X, TRACKED_Y, FEATURES);
 
   private Names() {}
 

@@ -15,8 +15,9 @@ import net.bytebuddy.pool.TypePool;
  * @param detects whether the bridge decides what cameras see
  * @param steers whether the bridge sets ranges
  * @param records whether the bridge writes files
+ * @param tracks whether objects follow tracks
  */
-public record Requirements(boolean detects, boolean steers, boolean records) {
+public record Requirements(boolean detects, boolean steers, boolean records, boolean tracks) {
   /** Those names that a class path lacks, or has in another form; empty when all is there. */
   public List<String> missing(ClassLoader loader) {
     TypePool pool = TypePool.Default.of(ClassFileLocator.ForClassLoader.of(loader));
@@ -27,7 +28,9 @@ public record Requirements(boolean detects, boolean steers, boolean records) {
         needed().stream()
             .filter(method -> method.type().equals(type))
             .filter(method -> !isThere(method, found.resolve()))
-            .forEach(method -> missing.add("method " + method));
+            .map(method -> "method " + method)
+            .distinct()
+            .forEach(missing::add);
       } else {
         missing.add("class " + type);
       }
@@ -45,6 +48,9 @@ public record Requirements(boolean detects, boolean steers, boolean records) {
     }
     if (records) {
       needed.addAll(Names.TO_RECORD);
+    }
+    if (tracks) {
+      needed.addAll(Names.TO_TRACK);
     }
     return needed;
   }

@@ -7,6 +7,7 @@ import static net.bytebuddy.matcher.ElementMatchers.takesArguments;
 import java.lang.instrument.ClassFileTransformer;
 import java.lang.instrument.Instrumentation;
 import java.security.ProtectionDomain;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
@@ -23,25 +24,33 @@ import net.bytebuddy.pool.TypePool;
 
 /** Weaves the hooks into CamSim's classes when the JVM loads them. */
 public final class Weaver implements ClassFileTransformer {
-  private final Map<String, List<AsmVisitorWrapper>> hooks =
-      Map.of(
-          Names.CORE,
-          List.of(hook(StepAdvice.class, Names.UPDATE), hook(EndAdvice.class, Names.CLOSE_FILES)),
-          Names.CAMERA,
-          List.of(hook(LookAdvice.class, Names.LOOK)));
+  private final Map<String, List<AsmVisitorWrapper>> hooks = new HashMap<>();
   private final Consumer<Throwable> onFailure;
 
-  private Weaver(Consumer<Throwable> onFailure) {
+  private Weaver(boolean tracks, Consumer<Throwable> onFailure) {
     this.onFailure = onFailure;
+    hooks.put(
+        Names.CORE,
+        List.of(hook(StepAdvice.class, Names.UPDATE), hook(EndAdvice.class, Names.CLOSE_FILES)));
+    hooks.put(Names.CAMERA, List.of(hook(LookAdvice.class, Names.LOOK)));
+    if (tracks) {
+      hooks.put(
+          Names.OBJECT,
+          List.of(
+              hook(PlaceXAdvice.class, Names.TRACKED_X),
+              hook(PlaceYAdvice.class, Names.TRACKED_Y)));
+    }
   }
 
   /**
    * Has the hooks woven from now on.
    *
+   * @param tracks whether objects follow tracks
    * @param onFailure called when a class cannot be changed; CamSim then gets it as it was
    */
-  public static void weave(Instrumentation instrumentation, Consumer<Throwable> onFailure) {
-    instrumentation.addTransformer(new Weaver(onFailure));
+  public static void weave(
+      Instrumentation instrumentation, boolean tracks, Consumer<Throwable> onFailure) {
+    instrumentation.addTransformer(new Weaver(tracks, onFailure));
   }
 
   @Override

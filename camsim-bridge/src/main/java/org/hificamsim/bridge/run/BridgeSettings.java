@@ -12,7 +12,8 @@ import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.runs.output.Detail;
 
 /**
- * What the bridge is asked to do; without any of detection, policy and out it has nothing to do.
+ * What the bridge is asked to do; without any of detection, policy, tracks and out it has nothing
+ * to do.
  *
  * @param detection decides what cameras see; CamSim's own rule where it is missing
  * @param size edge of every target's bounding box, metres, above 0
@@ -21,6 +22,7 @@ import org.hificamsim.runs.output.Detail;
  * @param optics of all cameras that the policy steers, each with its own range for a reach
  * @param objective what a step is scored by
  * @param seed of the first run's policy; run i uses seed + i
+ * @param tracks that objects follow
  * @param out folder of the result files
  */
 public record BridgeSettings(
@@ -31,6 +33,7 @@ public record BridgeSettings(
     Optional<OpticsSpec> optics,
     Objective objective,
     int seed,
+    Optional<Tracks> tracks,
     Optional<Path> out) {
   /**
    * A policy by its name and options, made for each run.
@@ -45,7 +48,7 @@ public record BridgeSettings(
 
   /** Whether CamSim has to be changed at all. */
   public boolean asksForAnything() {
-    return detection.isPresent() || policy.isPresent() || out.isPresent();
+    return detection.isPresent() || policy.isPresent() || out.isPresent() || tracks.isPresent();
   }
 
   /** What cameras see by: the given detection, else CamSim's own. */
@@ -65,6 +68,7 @@ public record BridgeSettings(
 
   /** The same with result files elsewhere, or nowhere. */
   BridgeSettings with(Optional<Path> newOut) {
-    return new BridgeSettings(detection, size, policy, zooms, optics, objective, seed, newOut);
+    return new BridgeSettings(
+        detection, size, policy, zooms, optics, objective, seed, tracks, newOut);
   }
 }

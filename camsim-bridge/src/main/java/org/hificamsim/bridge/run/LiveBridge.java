@@ -73,6 +73,20 @@ public final class LiveBridge implements Bridge {
   }
 
   @Override
+  public double place(Object object, boolean upwards, double own) {
+    Run run = current.get();
+    if (off || run == null) {
+      return own;
+    }
+    try {
+      return run.place(object, upwards, own);
+    } catch (Throwable e) {
+      fail(e);
+      return own;
+    }
+  }
+
+  @Override
   public void stepEnds(Object core) {
     guarded(() -> current.get().stepEnds());
   }

@@ -3,6 +3,7 @@ package org.hificamsim.bridge.run;
 import java.util.List;
 import org.hificamsim.bridge.camsim.Aiming;
 import org.hificamsim.bridge.camsim.CamSim;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
@@ -154,6 +155,24 @@ final class LiveNetwork implements OracleView {
       cameras.get(eye).seen().set(target, visible);
       targets.get(target).cover(visible ? 1 : -1);
     }
+  }
+
+  /**
+   * Whether what CamSim sees of an object comes from where the object says that it is, by CamSim's
+   * own formula (behaviour 6.1). Where nothing is seen and nothing was to be, that is not known.
+   *
+   * @throws IllegalStateException when it does not
+   */
+  boolean agrees(Object camera, Object object, double confidence) {
+    int target = targets.number(object);
+    double expected = confidence(cameras.number(camera), target);
+    double seen = DetectionModel.clamp(confidence);
+    if (Math.abs(seen - expected) > 1e-9) {
+      throw new InputException(
+          "CamSim sees object %s with confidence %s, and its track gives %s: another version of CamSim"
+              .formatted(targetName(target), seen, expected));
+    }
+    return seen > 0;
   }
 
   @Override

@@ -34,10 +34,12 @@ final class Run {
   private final LiveNetwork network;
   private final Optional<Steering> steering;
   private final Optional<SingleRun> files;
+  private final Optional<TrackedObjects> tracked;
   private final StepCoverage coverage;
   private Optional<ScenarioFile> scenario = Optional.empty();
   private long step;
   private boolean prepared;
+  private boolean checked; // that CamSim looks where the tracks have its objects
   private boolean ended;
 
   /**
@@ -56,6 +58,7 @@ final class Run {
             settings.size(),
             settings.views(),
             settings.objective());
+    this.tracked = settings.tracks().map(tracks -> new TrackedObjects(tracks, camsim));
     this.coverage = new StepCoverage(settings.objective());
     this.steering = settings.policy().map(policy -> new Steering(policy, seed()));
     this.files =
@@ -87,6 +90,7 @@ final class Run {
   /** A step begins. */
   void stepBegins() {
     prepared = false;
+    tracked.ifPresent(objects -> objects.begin(step));
   }
 
   /**
@@ -109,6 +113,14 @@ final class Run {
   /** CamSim has looked itself. */
   void looked(Object camera, Object object, double confidence) {
     network.saw(camera, object, confidence > 0);
+    if (!checked && tracked.isPresent() && tracked.get().hasLeft(object)) {
+      checked = network.agrees(camera, object, confidence);
+    }
+  }
+
+  /** Where an object is, on one axis. */
+  double place(Object object, boolean upwards, double own) {
+    return tracked.isPresent() ? tracked.get().place(object, upwards, own) : own;
   }
 
   /** A step is over. */

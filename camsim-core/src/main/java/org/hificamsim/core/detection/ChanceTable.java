@@ -4,42 +4,26 @@ package org.hificamsim.core.detection;
  * The chance that a target of one size is detected at one zoom level, by distance: found once, so
  * that neither a draw nor an expectation has to ask the model in nearly all cases.
  *
- * <p>The distances from 0 to the radius are cut into {@value #BINS} equal bins. A bin has a cubic
- * through four of its {@value #SAMPLES} samples and one more; where that misses none of the others
- * by more than {@value #TOLERANCE}, it stands for the {@linkplain #chance chance}. For draws a bin
- * keeps the least and the greatest chance of its samples; between two samples a chance is taken to
- * leave that range by no more than a tenth of its width. A draw within the range asks the model in
- * full: it is decided as the model alone would.
+ * <p>For draws each bin of a {@link DistanceTable} keeps the least and the greatest chance of its
+ * samples; between two samples a chance is taken to leave that range by no more than a tenth of its
+ * width. A draw within the range asks the model in full: it is decided as the model alone would.
  */
 public final class ChanceTable {
-  private static final int BINS = 512;
-  private static final int SAMPLES = 12;
-  private static final int TERMS = 4;
-  private static final double TOLERANCE = 5e-9;
   private static final double MARGIN = 0.1;
   private static final double ROUNDING = 1e-9;
 
   private final Detection detection;
   private final double size;
   private final ZoomLevel zoom;
-  private final double binsPerMetre;
-  private final float[] least = new float[BINS];
-  private final float[] greatest = new float[BINS];
-  private final double[] cubic = new double[BINS * TERMS];
+  private final float[] least = new float[DistanceTable.BINS];
+  private final float[] greatest = new float[DistanceTable.BINS];
+  private final DistanceTable chances;
 
   ChanceTable(Detection detection, double size, ZoomLevel zoom) {
     this.detection = detection;
     this.size = size;
     this.zoom = zoom;
-    this.binsPerMetre = BINS / zoom.radius();
-    double[] samples = new double[SAMPLES + 1];
-    for (int bin = 0; bin < BINS; bin++) {
-      for (int i = 0; i <= SAMPLES; i++) {
-        samples[i] = inFull(zoom.radius() * ((bin + (double) i / SAMPLES) / BINS));
-      }
-      bracket(bin, samples);
-      interpolate(bin, samples);
-    }
+    this.chances = new DistanceTable(zoom.radius(), this::inFull, this::bracket);
   }
 
   private void bracket(int bin, double[] samples) {
@@ -54,35 +38,6 @@ public final class ChanceTable {
     greatest[bin] = Math.nextUp((float) (high + margin));
   }
 
-  /** Newton's forward differences over thirds of the bin; NaN where the cubic is not close. */
-  private void interpolate(int bin, double[] samples) {
-    int third = SAMPLES / 3;
-    double first = samples[third] - samples[0];
-    double second = samples[2 * third] - samples[third];
-    double last = samples[SAMPLES] - samples[2 * third];
-    int at = bin * TERMS;
-    cubic[at] = samples[0];
-    cubic[at + 1] = first;
-    cubic[at + 2] = (second - first) / 2;
-    cubic[at + 3] = (last - 2 * second + first) / 6;
-    for (int i = 0; i <= SAMPLES; i++) {
-      if (!(Math.abs(cubic(at, 3.0 * i / SAMPLES) - samples[i]) <= TOLERANCE)) {
-        cubic[at] = Double.NaN;
-        return;
-      }
-    }
-  }
-
-  /**
-   * The cubic of a bin.
-   *
-   * @param s thirds of the bin, [0, 3]
-   */
-  private double cubic(int at, double s) {
-    double sum = cubic[at + 2] + (s - 2) * cubic[at + 3];
-    return cubic[at] + s * (cubic[at + 1] + (s - 1) * sum);
-  }
-
   /**
    * Whether a target is detected.
    *
@@ -90,7 +45,7 @@ public final class ChanceTable {
    * @param luck in [0, 1)
    */
   public boolean detects(double distance, double luck) {
-    int bin = Math.min((int) (distance * binsPerMetre), BINS - 1);
+    int bin = chances.bin(distance);
     if (luck < least[bin]) {
       return true;
     }
@@ -103,15 +58,12 @@ public final class ChanceTable {
   }
 
   /**
-   * The chance that a target is detected, to about twice {@value #TOLERANCE}, in [0, 1].
+   * The chance that a target is detected, to about 1e-8, in [0, 1].
    *
    * @param distance to it, metres; within the radius
    */
   public double chance(double distance) {
-    double bins = distance * binsPerMetre;
-    int bin = Math.min((int) bins, BINS - 1);
-    double chance = cubic(bin * TERMS, 3 * (bins - bin));
-    return Double.isNaN(chance) ? inFull(distance) : Math.max(0, Math.min(1, chance));
+    return Math.max(0, Math.min(1, chances.value(distance)));
   }
 
   private double inFull(double distance) {

@@ -20,6 +20,7 @@ public final class Detection {
   private final DoubleUnaryOperator chance;
   private final Map<Pair, DetectedDistances> found = new ConcurrentHashMap<>();
   private final Map<Pair, ChanceTable> tables = new ConcurrentHashMap<>();
+  private final Map<Pair, DistanceTable> values = new ConcurrentHashMap<>();
 
   private Detection(
       String name,
@@ -142,6 +143,17 @@ public final class Detection {
   /** The chances at a zoom level by distance; the model must not depend on the bearing. */
   public ChanceTable chances(double size, ZoomLevel zoom) {
     return tables.computeIfAbsent(new Pair(size, zoom), pair -> new ChanceTable(this, size, zoom));
+  }
+
+  /** The model's values at a zoom level by distance; it must not depend on the bearing. */
+  public DistanceTable values(double size, ZoomLevel zoom) {
+    return values.computeIfAbsent(
+        new Pair(size, zoom),
+        pair ->
+            new DistanceTable(
+                zoom.radius(),
+                distance -> model.confidence(size, distance, 0, zoom),
+                (bin, samples) -> {}));
   }
 
   private record Pair(double size, ZoomLevel zoom) {}

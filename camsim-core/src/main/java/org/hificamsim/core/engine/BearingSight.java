@@ -79,6 +79,16 @@ final class BearingSight implements Sight {
         through(camera, target));
   }
 
+  @Override
+  public double value(int camera, int view, int target) {
+    return visibility.valueInView(
+        cameras.pose(camera, view),
+        cameras.zoom(camera, view),
+        targets.x(target),
+        targets.y(target),
+        targets.size(target));
+  }
+
   private double through(int camera, int target) {
     return lines.open() ? 1 : lines.transmittance(camera, target);
   }

@@ -18,6 +18,7 @@ final class ChanceSight implements Sight {
   private final boolean open;
   private final Visibility visibility;
   private final ViewRows rows;
+  private final ValueTables values;
   private ChanceTable[] tables = new ChanceTable[1];
   private long step;
 
@@ -27,11 +28,13 @@ final class ChanceSight implements Sight {
     this.lines = world.sightLines();
     this.open = lines.open();
     this.visibility = visibility;
+    this.values = new ValueTables(visibility.detection());
     this.rows = new ViewRows(cameras, targets, this::newRow);
     rows.refresh();
   }
 
   private void newRow(ZoomLevel zoom, int row) {
+    values.add(zoom, row, rows.sizes());
     int entries = row + rows.sizes();
     if (entries > tables.length) {
       tables = Arrays.copyOf(tables, Math.max(entries, 2 * tables.length));
@@ -71,6 +74,12 @@ final class ChanceSight implements Sight {
     return isInView(camera, view, target, distance)
         ? through(camera, target) * table(camera, view, target).chance(distance)
         : 0;
+  }
+
+  @Override
+  public double value(int camera, int view, int target) {
+    double distance = distance(camera, target);
+    return values.value(rows.entry(camera, view, target), targets.size(target), distance);
   }
 
   private double distance(int camera, int target) {

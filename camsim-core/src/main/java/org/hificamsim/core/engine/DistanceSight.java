@@ -26,6 +26,7 @@ final class DistanceSight implements Sight {
   private final boolean open;
   private final Visibility visibility;
   private final ViewRows rows;
+  private final ValueTables values;
   private DetectedDistances[] reach = new DetectedDistances[1];
   private double[] from = new double[1];
   private double[] to = new double[1];
@@ -38,6 +39,7 @@ final class DistanceSight implements Sight {
     this.lines = world.sightLines();
     this.open = lines.open();
     this.visibility = visibility;
+    this.values = new ValueTables(visibility.detection());
     this.rows = new ViewRows(cameras, targets, this::newRow);
     rows.refresh();
   }
@@ -49,6 +51,7 @@ final class DistanceSight implements Sight {
 
   private void newRow(ZoomLevel zoom, int row) {
     makeRoom(row + rows.sizes());
+    values.add(zoom, row, rows.sizes());
     for (int size = 0; size < rows.sizes(); size++) {
       fill(row + size, visibility.detection().distances(rows.size(size), zoom));
     }
@@ -121,6 +124,12 @@ final class DistanceSight implements Sight {
     double value =
         visibility.detection().model().confidence(targets.size(target), distance, 0, zoom);
     return visibility.detection().detects(value, 0, transmittance);
+  }
+
+  @Override
+  public double value(int camera, int view, int target) {
+    double distance = cameras.pose(camera).distance(targets.x(target), targets.y(target));
+    return values.value(rows.entry(camera, view, target), targets.size(target), distance);
   }
 
   @Override

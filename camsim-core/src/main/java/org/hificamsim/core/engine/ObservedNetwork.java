@@ -279,14 +279,7 @@ final class ObservedNetwork implements OracleView {
   /** What is seen is not hidden: only what lets a part of the light through is asked. */
   @Override
   public double seenConfidence(int camera, int target) {
-    int view = cameras.seeing(camera);
-    double value =
-        visibility.valueInView(
-            cameras.pose(camera, view),
-            cameras.zoom(camera, view),
-            targets.x(target),
-            targets.y(target),
-            targets.size(target));
+    double value = sight.value(camera, cameras.seeing(camera), target);
     double through = lines.partial() ? lines.transmittance(camera, target) : 1;
     return DetectionModel.clamp(value * through);
   }

@@ -37,6 +37,12 @@ interface Sight {
     return detects(camera, view, target) ? 1 : 0;
   }
 
+  /**
+   * The model's value for a target that the camera detects at this view, as it would be with
+   * nothing in between; to about 1e-8.
+   */
+  double value(int camera, int view, int target);
+
   /** Whether {@code view} is proven to detect whatever {@code other} does. */
   boolean dominates(int camera, int view, int other);
 

@@ -62,7 +62,7 @@ public final class Workers implements AutoCloseable {
 
   /** The first of {@code all} items that belong to a worker; its last is before the next one's. */
   public int first(int worker, int all) {
-    return (int) ((long) all * worker / count());
+    return threads.length == 0 ? all * worker : (int) ((long) all * worker / count());
   }
 
   /**

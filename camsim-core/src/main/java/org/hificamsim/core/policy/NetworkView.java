@@ -109,7 +109,8 @@ public interface NetworkView extends CoveredTargets {
   double confidence(int camera, int target);
 
   /**
-   * The {@link #confidence} for a target that the camera {@link #sees}, which need not be tested.
+   * The {@link #confidence} for a target that the camera {@link #sees}, which is not tested; to
+   * about 1e-8, since it may come from a table.
    */
   default double seenConfidence(int camera, int target) {
     return confidence(camera, target);

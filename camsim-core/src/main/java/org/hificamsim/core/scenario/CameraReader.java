@@ -63,6 +63,7 @@ final class CameraReader {
         range,
         agent,
         itsOptics,
+        ConditionsReader.of(attributes),
         attributes.leftOver(warnings, "min_zoom", "max_zoom", "zoom_steps"));
   }
 

@@ -1,19 +1,15 @@
 package org.hificamsim.core.scenario;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.util.ArrayDeque;
-import java.util.Deque;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.detection.Condition;
+import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.obstacle.Obstacle;
 
 /**
@@ -21,18 +17,16 @@ import org.hificamsim.core.obstacle.Obstacle;
  * layout of an original file are not kept.
  */
 public final class ScenarioWriter {
-  private static final double NANOS = 1e9; // in a second
+  private final XmlWriter xml = new XmlWriter();
+  private final Optional<String> tracksFile;
 
-  private final StringBuilder out = new StringBuilder();
-  private final Deque<String> open = new ArrayDeque<>();
-
-  private Optional<String> tracksFile = Optional.empty();
-
-  private ScenarioWriter() {}
+  private ScenarioWriter(Optional<String> tracksFile) {
+    this.tracksFile = tracksFile;
+  }
 
   /** The scenario as an XML document. */
   public static String write(Scenario scenario) {
-    return new ScenarioWriter().document(scenario);
+    return new ScenarioWriter(Optional.empty()).document(scenario);
   }
 
   /**
@@ -42,15 +36,12 @@ public final class ScenarioWriter {
    * @param tracks the file's path from the scenario's folder
    */
   public static String write(Scenario scenario, String tracks) {
-    ScenarioWriter writer = new ScenarioWriter();
-    writer.tracksFile = Optional.of(tracks);
-    return writer.document(scenario);
+    return new ScenarioWriter(Optional.of(tracks)).document(scenario);
   }
 
   private String document(Scenario scenario) {
-    out.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
     scenario(scenario);
-    return out.append("\n").toString();
+    return xml.document();
   }
 
   private void scenario(Scenario scenario) {
@@ -72,41 +63,47 @@ public final class ScenarioWriter {
     }
     surroundings(attributes, scenario.surroundings());
     attributes.putAll(new TreeMap<>(scenario.extras()));
-    open("root", Map.of());
-    open("simulation", attributes);
+    xml.open("root", Map.of());
+    xml.open("simulation", attributes);
     obstacles(scenario.surroundings().obstacles());
-    open("cameras", Map.of());
+    xml.open("cameras", Map.of());
     scenario
         .everyCamera()
         .flatMap(camera -> camera.optics().stream())
         .distinct()
-        .forEach(optics -> empty("optics", optics(optics)));
+        .forEach(optics -> xml.empty("optics", optics(optics)));
     if (!scenario.zooms().isEmpty()) {
-      indent();
-      out.append("<zoom>")
-          .append(listed(scenario.zooms().stream().map(String::valueOf)))
-          .append("</zoom>");
+      xml.text("zoom", listed(scenario.zooms().stream().map(String::valueOf)));
     }
     for (CameraSpec camera : scenario.cameras()) {
-      empty("camera", camera(camera));
+      xml.empty("camera", camera(camera));
     }
-    close();
-    open("objects", Map.of());
+    xml.close();
+    xml.open("objects", Map.of());
     for (TargetSpec target : scenario.targets()) {
       target(target);
     }
-    List<ScenarioEvent.AddTarget> tracked = tracked(scenario.events());
-    tracksFile.ifPresent(file -> empty("tracks", Map.of("file", file)));
-    if (!tracked.isEmpty()) {
-      tracks(tracked);
+    TrackedTargets tracked = TrackedTargets.of(scenario.events());
+    tracksFile.ifPresent(file -> xml.empty("tracks", Map.of("file", file)));
+    if (!tracked.additions().isEmpty()) {
+      xml.lines("tracks", tracked::write); // in the element itself: the text is all of the scenario
     }
-    close();
-    events(untracked(scenario.events(), tracked));
+    xml.close();
+    events(tracked.others(scenario.events()));
     if (scenario.visionGraph().isPresent()) {
       visionGraph(scenario.visionGraph().get());
     }
-    close();
-    close();
+    xml.close();
+    xml.close();
+  }
+
+  private static void conditions(Map<String, Object> attributes, Conditions conditions) {
+    for (Condition condition : Condition.values()) {
+      double value = conditions.value(condition);
+      if (!Double.isNaN(value)) {
+        attributes.put(condition.key(), value);
+      }
+    }
   }
 
   private static void surroundings(Map<String, Object> attributes, Surroundings surroundings) {
@@ -123,15 +120,16 @@ public final class ScenarioWriter {
               attributes.put("floorplan_min_y", floorplan.area().minY());
               attributes.put("floorplan_max_y", floorplan.area().maxY());
             });
+    conditions(attributes, surroundings.conditions());
   }
 
   private void obstacles(List<Obstacle> obstacles) {
     if (obstacles.isEmpty()) {
       return;
     }
-    open("obstacles", Map.of());
+    xml.open("obstacles", Map.of());
     obstacles.forEach(this::obstacle);
-    close();
+    xml.close();
   }
 
   private void obstacle(Obstacle obstacle) {
@@ -155,7 +153,7 @@ public final class ScenarioWriter {
     if (obstacle.transmittance() != 0) {
       attributes.put("transmittance", obstacle.transmittance());
     }
-    empty(name, attributes);
+    xml.empty(name, attributes);
   }
 
   private static Map<String, Object> optics(OpticsSpec optics) {
@@ -187,6 +185,7 @@ public final class ScenarioWriter {
     attributes.put("viewing_angle", camera.viewingAngle());
     attributes.put("range", camera.range());
     camera.optics().ifPresent(optics -> attributes.put("optics", optics.name()));
+    conditions(attributes, camera.conditions());
     AgentSpec agent = camera.agent();
     agent.algorithm().ifPresent(value -> attributes.put("ai_algorithm", value));
     agent.comm().ifPresent(value -> attributes.put("comm", value));
@@ -238,73 +237,11 @@ public final class ScenarioWriter {
     attributes.putAll(new TreeMap<>(target.extras()));
   }
 
-  private static List<ScenarioEvent.AddTarget> tracked(List<ScenarioEvent> events) {
-    return events.stream()
-        .filter(ScenarioEvent.AddTarget.class::isInstance)
-        .map(ScenarioEvent.AddTarget.class::cast)
-        .filter(ScenarioWriter::tracked)
-        .toList();
-  }
-
-  /** The events that no track brings with it. */
-  private static List<ScenarioEvent> untracked(
-      List<ScenarioEvent> events, List<ScenarioEvent.AddTarget> tracked) {
-    Set<ScenarioEvent> ofTracks = new HashSet<>();
-    for (ScenarioEvent.AddTarget add : tracked) {
-      ofTracks.add(track(add).removal(add.target().features()));
-    }
-    return events.stream()
-        .filter(event -> !(event instanceof ScenarioEvent.AddTarget add) || !tracked(add))
-        .filter(event -> !ofTracks.contains(event))
-        .toList();
-  }
-
-  private static boolean tracked(ScenarioEvent.AddTarget add) {
-    return add.target().movement().track().isPresent();
-  }
-
-  private static Track track(ScenarioEvent.AddTarget add) {
-    return add.target().movement().track().orElseThrow();
-  }
-
-  /** Their file, in the element itself, so that the text is all of the scenario. */
-  private void tracks(List<ScenarioEvent.AddTarget> tracked) {
-    open("tracks", Map.of());
-    out.append('\n');
-    try {
-      TrackWriter writer = new TrackWriter(out, interval(track(tracked.get(0))), 0);
-      for (ScenarioEvent.AddTarget add : tracked) {
-        track(writer, add.target(), track(add));
-      }
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-    open.removeLast();
-    out.append("    </tracks>");
-  }
-
-  private static void track(TrackWriter writer, TargetSpec target, Track track) throws IOException {
-    if (target.extent().isPresent()) {
-      writer.target(target.features(), target.extent().get());
-    } else {
-      writer.target(target.features(), target.size());
-    }
-    for (int i = 0; i < track.samples(); i++) {
-      writer.sample(track.time(i), track.x(i), track.y(i));
-    }
-  }
-
-  /** Between its first two samples, to the nanosecond. */
-  private static double interval(Track track) {
-    double interval = track.samples() == 1 ? 1 : track.time(1) - track.time(0);
-    return Math.max(1, Math.rint(interval * NANOS)) / NANOS;
-  }
-
   private void events(List<ScenarioEvent> events) {
     if (events.isEmpty()) {
       return;
     }
-    open("events", Map.of());
+    xml.open("events", Map.of());
     for (ScenarioEvent event : events) {
       Map<String, Object> attributes = new LinkedHashMap<>();
       attributes.put("timestep", event.step());
@@ -316,7 +253,7 @@ public final class ScenarioWriter {
               ? add.target().movement().waypoints()
               : List.of());
     }
-    close();
+    xml.close();
   }
 
   private static void describe(ScenarioEvent event, Map<String, Object> attributes) {
@@ -365,71 +302,30 @@ public final class ScenarioWriter {
   }
 
   private void visionGraph(VisionGraph graph) {
-    open("visiongraph", Map.of("static", graph.isStatic()));
+    xml.open("visiongraph", Map.of("static", graph.isStatic()));
     for (Map.Entry<String, List<String>> node : graph.neighbours().entrySet()) {
-      open("graphnode", Map.of("name", node.getKey()));
+      xml.open("graphnode", Map.of("name", node.getKey()));
       for (String neighbour : node.getValue()) {
-        empty("neighbour", Map.of("name", neighbour));
+        xml.empty("neighbour", Map.of("name", neighbour));
       }
-      close();
+      xml.close();
     }
-    close();
+    xml.close();
   }
 
   private void withWaypoints(
       String name, Map<String, Object> attributes, List<Waypoint> waypoints) {
     if (waypoints.isEmpty()) {
-      empty(name, attributes);
+      xml.empty(name, attributes);
       return;
     }
-    open(name, attributes);
+    xml.open(name, attributes);
     for (Waypoint waypoint : waypoints) {
       Map<String, Object> place = new LinkedHashMap<>();
       place.put("x", waypoint.x());
       place.put("y", waypoint.y());
-      empty("waypoint", place);
+      xml.empty("waypoint", place);
     }
-    close();
-  }
-
-  private void open(String name, Map<String, Object> attributes) {
-    tag(name, attributes, ">");
-    open.addLast(name);
-  }
-
-  private void empty(String name, Map<String, Object> attributes) {
-    tag(name, attributes, "/>");
-  }
-
-  private void close() {
-    String name = open.removeLast();
-    indent();
-    out.append("</").append(name).append('>');
-  }
-
-  private void tag(String name, Map<String, Object> attributes, String end) {
-    indent();
-    out.append('<').append(name);
-    attributes.forEach(
-        (key, value) ->
-            out.append(' ').append(key).append("=\"").append(escaped(value)).append('"'));
-    out.append(end);
-  }
-
-  /** A value between double quotes; tabs and line ends would be read as spaces if left as is. */
-  private static String escaped(Object value) {
-    return value
-        .toString()
-        .replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;")
-        .replace("\t", "&#9;")
-        .replace("\n", "&#10;")
-        .replace("\r", "&#13;");
-  }
-
-  private void indent() {
-    out.append('\n').append("  ".repeat(open.size()));
+    xml.close();
   }
 }

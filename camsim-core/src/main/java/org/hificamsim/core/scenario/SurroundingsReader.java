@@ -6,10 +6,11 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 
-/** Reads obstacles, occlusion and the floorplan. */
+/** Reads obstacles, occlusion, the floorplan and the conditions. */
 final class SurroundingsReader {
   private static final Set<String> OBSTACLES = Set.of("wall", "polygon", "pillar");
 
@@ -39,7 +40,10 @@ final class SurroundingsReader {
     Occlusion occlusion =
         faults.of(() -> simulation.choice("occlusion", Occlusion.NONE)).orElse(Occlusion.NONE);
     Optional<Floorplan> floorplan = faults.of(() -> floorplan(simulation)).orElse(Optional.empty());
-    return new Surroundings(faults.each(elements, this::obstacle), occlusion, floorplan);
+    Conditions conditions =
+        faults.of(() -> ConditionsReader.of(simulation)).orElse(Conditions.UNKNOWN);
+    return new Surroundings(
+        faults.each(elements, this::obstacle), occlusion, floorplan, conditions);
   }
 
   private Obstacle obstacle(XmlElement element) {

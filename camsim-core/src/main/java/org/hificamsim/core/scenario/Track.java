@@ -14,6 +14,7 @@ public final class Track {
 
   private final double[] samples;
   private final double stepTime;
+  private StepPlaces places;
 
   /**
    * @param samples seconds from step 0, rising, x and y in metres, of each
@@ -57,6 +58,16 @@ public final class Track {
   /** The last step at which the target is there; before the first one where no step meets it. */
   public long lastStep() {
     return (long) Math.floor((time(samples() - 1) + SLACK) / stepTime);
+  }
+
+  /** Keeps where it is at each step, before anybody else knows the track. */
+  void keep(StepPlaces itsPlaces) {
+    places = itsPlaces;
+  }
+
+  /** Where it is at each step; null where that is worked out on the way. */
+  StepPlaces places() {
+    return places;
   }
 
   /** The speed from the first sample to the last along the way, metres a step. */

@@ -52,6 +52,7 @@ final class TracksReader {
   }
 
   private List<ScenarioEvent> events(XmlElement element, List<TrackReader.Tracked> tracks) {
+    StepPlaces.keep(tracks.stream().map(TrackReader.Tracked::track).toList());
     List<ScenarioEvent> events = new ArrayList<>();
     int missed = 0;
     int outside = 0;

@@ -18,12 +18,10 @@ public final class Cameras {
   private static final Pose NOWHERE = Pose.of(0, 0, 0);
 
   private final String[] names;
-  private final Pose[] mounted;
-  private final ViewSet[] sets;
-  private final Pose[][] poses; // by camera and view
-  private final ZoomLevel[][] zooms; // likewise
+  private final Mount[] mounts;
   private final int[] view;
   private final boolean[] aimed;
+  private final Pose[] aimedPose;
   private final double[] aimedPan;
   private final boolean[] online;
   private Motion motion;
@@ -32,27 +30,25 @@ public final class Cameras {
 
   Cameras(int count) {
     names = new String[count];
-    mounted = new Pose[count];
-    sets = new ViewSet[count];
-    poses = new Pose[count][];
-    zooms = new ZoomLevel[count][];
+    mounts = new Mount[count];
     view = new int[count];
     aimed = new boolean[count];
+    aimedPose = new Pose[count];
     aimedPan = new double[count];
     online = new boolean[count];
   }
 
-  /** Not there yet. */
-  void define(int camera, String name, ViewSet set) {
+  /** Not there yet, and nowhere; its views are those that it will have. */
+  void define(int camera, String name, Mount later) {
     names[camera] = name;
-    mounted[camera] = NOWHERE;
     online[camera] = false;
-    fit(camera, set);
-    view[camera] = set.home();
+    mount(camera, later.at(NOWHERE));
+    view[camera] = later.set().home();
   }
 
   /** Lets moves take time, once all cameras are defined. */
   void startMotion(double stepTime) {
+    ViewSet[] sets = Arrays.stream(mounts).map(Mount::set).toArray(ViewSet[]::new);
     if (Motion.takesTime(sets)) {
       motion = new Motion(sets, stepTime);
       for (int camera = 0; camera < view.length; camera++) {
@@ -61,15 +57,17 @@ public final class Cameras {
     }
   }
 
-  void place(int camera, Pose pose) {
-    mounted[camera] = pose;
-    turn(camera);
+  void place(int camera, Mount mount) {
+    mount(camera, mount);
     revision++;
   }
 
+  void place(int camera, Pose pose) {
+    place(camera, mounts[camera].at(pose));
+  }
+
   void refit(int camera, ViewSet set) {
-    fit(camera, set);
-    revision++;
+    place(camera, new Mount(mounts[camera].pose(), set));
   }
 
   void switchTo(int camera, boolean on) {
@@ -77,27 +75,18 @@ public final class Cameras {
     revision++;
   }
 
-  private void fit(int camera, ViewSet set) {
-    sets[camera] = set;
-    zooms[camera] = new ZoomLevel[set.count()];
-    Arrays.setAll(zooms[camera], set::zoom);
-    turn(camera);
-  }
-
-  private void turn(int camera) {
+  private void mount(int camera, Mount mount) {
+    mounts[camera] = mount;
     aimed[camera] = false;
-    Pose pose = mounted[camera];
-    ViewSet set = sets[camera];
-    Pose[] byPan = new Pose[set.pans().size()];
-    Arrays.setAll(byPan, pan -> pose.turned(set.pans().get(pan)));
-    poses[camera] = new Pose[set.count()];
-    Arrays.setAll(poses[camera], one -> byPan[set.panOf(one)]);
+    if (motion != null) {
+      motion.refit(camera, mount.set());
+    }
   }
 
   /** Sends a camera towards a view. */
   public void turnTo(int camera, int newView) {
-    looks += newView != view[camera] || aimed[camera] ? 1 : 0;
     release(camera);
+    looks += newView ^ view[camera]; // 0 for the same; a branch would often be guessed wrong
     view[camera] = newView;
   }
 
@@ -117,7 +106,7 @@ public final class Cameras {
    */
   public void aim(int camera, int newView, double pan) {
     jumpTo(camera, newView);
-    poses[camera][newView] = mounted[camera].turned(pan);
+    aimedPose[camera] = mounts[camera].pose().turned(pan);
     aimed[camera] = true;
     aimedPan[camera] = pan;
     looks++;
@@ -127,7 +116,7 @@ public final class Cameras {
   private void release(int camera) {
     if (aimed[camera]) {
       aimed[camera] = false;
-      poses[camera][view[camera]] = mounted[camera].turned(sets[camera].pan(view[camera]));
+      looks++;
     }
   }
 
@@ -141,7 +130,7 @@ public final class Cameras {
 
   /** How many cameras there will ever be. */
   public int count() {
-    return mounted.length;
+    return mounts.length;
   }
 
   /** The name in the scenario file. */
@@ -156,37 +145,39 @@ public final class Cameras {
 
   /** Where the camera stands and which way it is mounted. */
   public Pose pose(int camera) {
-    return mounted[camera];
+    return mounts[camera].pose();
   }
 
   /** Where the camera stands and which way it looks in one of its views. */
   public Pose pose(int camera, int ofView) {
-    return poses[camera][ofView];
+    return aimed[camera] && ofView == view[camera]
+        ? aimedPose[camera]
+        : mounts[camera].pose(ofView);
   }
 
   /** Metres. */
   public double x(int camera) {
-    return mounted[camera].x();
+    return mounts[camera].pose().x();
   }
 
   /** Metres. */
   public double y(int camera) {
-    return mounted[camera].y();
+    return mounts[camera].pose().y();
   }
 
   /** The mounted heading: radians, 0 is +y and pi/2 is +x; not normalised. */
   public double heading(int camera) {
-    return mounted[camera].heading();
+    return mounts[camera].pose().heading();
   }
 
   /** The number of views, 1 or more. */
   public int views(int camera) {
-    return zooms[camera].length;
+    return mounts[camera].views();
   }
 
   /** The number of zoom levels, 1 or more. */
   public int zooms(int camera) {
-    return sets[camera].zooms().size();
+    return mounts[camera].set().zooms().size();
   }
 
   /** The view that was chosen last, from 0. */
@@ -204,15 +195,15 @@ public final class Cameras {
    * and one pan angle at a time.
    */
   public boolean reaches(int camera, int otherView) {
-    return sets[camera].takesTime()
+    return mounts[camera].set().takesTime()
         ? motion.reaches(camera, otherView)
-        : sets[camera].isNextTo(view[camera], otherView); // thesis 7.4.1
+        : mounts[camera].set().isNextTo(view[camera], otherView); // thesis 7.4.1
   }
 
   /** How far the camera sees now, metres; 0 while it moves blindly. */
   public double range(int camera) {
     int through = seeing(camera);
-    return through == NO_VIEW ? 0 : zooms[camera][through].radius();
+    return through == NO_VIEW ? 0 : mounts[camera].zoom(through).radius();
   }
 
   /** Whether the camera is on its way to the view that was chosen last. */
@@ -222,12 +213,14 @@ public final class Cameras {
 
   /** The zoom level of one of the views. */
   public ZoomLevel zoom(int camera, int ofView) {
-    return zooms[camera][ofView];
+    return mounts[camera].zoom(ofView);
   }
 
   /** The pan angle of one of the views, radians off the mounted heading. */
   public double pan(int camera, int ofView) {
-    return aimed[camera] && ofView == view[camera] ? aimedPan[camera] : sets[camera].pan(ofView);
+    return aimed[camera] && ofView == view[camera]
+        ? aimedPan[camera]
+        : mounts[camera].set().pan(ofView);
   }
 
   /** Changes whenever a camera is added, moved, refitted or switched off. */

@@ -17,7 +17,7 @@ final class Motion {
       passing; // the view that a camera on its way passes: asked far more than moved
 
   /**
-   * @param views of each camera, live
+   * @param views of each camera
    * @param stepTime seconds
    */
   Motion(ViewSet[] views, double stepTime) {
@@ -27,6 +27,10 @@ final class Motion {
     zoom = new double[views.length];
     moving = new boolean[views.length];
     passing = new int[views.length];
+  }
+
+  void refit(int camera, ViewSet set) {
+    views[camera] = set;
   }
 
   /** Puts a camera into a view at once. */

@@ -16,7 +16,7 @@ public final class RandomStreams {
     this.move = new Random(seed);
   }
 
-  /** Begins anew: the same as new streams with this seed. */
+  /** Begins again: the same as new streams with this seed. */
   void restart(long seed) {
     turn.setSeed(seed);
     move.setSeed(seed);

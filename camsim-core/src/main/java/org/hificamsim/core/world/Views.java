@@ -1,26 +1,31 @@
 package org.hificamsim.core.world;
 
-import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
+import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 
-/** Makes a camera's views from its optics, from a scenario's zoom list, or from its range alone. */
+/**
+ * Makes a camera's views from its optics, from a scenario's zoom list, or from its range alone. Any
+ * number of threads may ask.
+ */
 final class Views {
   /** CamSim's constant: a camera created with this range or more gets {@link #CLAMPED} instead. */
   private static final double MAX_RANGE = 20;
 
   private static final double CLAMPED = MAX_RANGE - MAX_RANGE * 0.2;
 
-  private record Kind(double range, double viewingAngle, Optional<OpticsSpec> optics) {}
+  private record Kind(
+      double range, double viewingAngle, Optional<OpticsSpec> optics, Conditions conditions) {}
 
   private final Scenario scenario;
-  private final Map<Kind, ViewSet> made = new HashMap<>();
+  private final Map<Kind, ViewSet> made = new ConcurrentHashMap<>();
 
   Views(Scenario scenario) {
     this.scenario = scenario;
@@ -34,18 +39,21 @@ final class Views {
   /** The views of a camera as the scenario gives it; cameras of a kind share them. */
   ViewSet of(CameraSpec camera) {
     double range = camera.optics().isPresent() ? camera.range() : clampedRange(camera.range());
-    return of(range, Math.toRadians(camera.viewingAngle()), camera.optics());
+    return of(range, Math.toRadians(camera.viewingAngle()), camera);
   }
 
   /**
-   * The views of a camera; cameras of a kind share them.
+   * The views of a camera that was changed; cameras of a kind share them.
    *
    * @param range used where the scenario has no zoom list, metres
    * @param viewingAngle radians
+   * @param camera whose the rest is
    */
-  ViewSet of(double range, double viewingAngle, Optional<OpticsSpec> optics) {
+  ViewSet of(double range, double viewingAngle, CameraSpec camera) {
     double own = scenario.inCoverageDialect() ? 0 : range;
-    return made.computeIfAbsent(new Kind(own, viewingAngle, optics), this::make);
+    Conditions conditions = camera.conditions().or(scenario.surroundings().conditions());
+    Kind kind = new Kind(own, viewingAngle, camera.optics(), conditions);
+    return made.computeIfAbsent(kind, one -> make(one).under(one.conditions));
   }
 
   private ViewSet make(Kind kind) {

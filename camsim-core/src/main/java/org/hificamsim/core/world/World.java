@@ -1,11 +1,6 @@
 package org.hificamsim.core.world;
 
-import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.Comparator;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacles;
@@ -23,20 +18,12 @@ import org.hificamsim.core.visibility.Pose;
  * those that events add, in the order in which they appear.
  */
 public final class World {
-  private static final int NONE = -1;
-
-  private final Scenario scenario;
+  private final Cast cast;
   private final Cameras cameras;
   private final Targets targets;
-  private final List<CameraSpec> cameraSpecs = new ArrayList<>();
-  private final List<TargetSpec> targetSpecs = new ArrayList<>();
-  private final Map<String, Integer> cameraNumbers = new HashMap<>();
-  private final Views views;
   private final SightLines sightLines;
   private final Registry<Movement> registry;
   private final Movement[] movements;
-  private final ScenarioEvent[] events;
-  private final int[] removed; // the target that each event removes, or none
   private final RandomStreams random;
   private WorldObserver observer = WorldObserver.NONE;
   private int nextEvent;
@@ -49,33 +36,39 @@ public final class World {
    * @throws InputException when a target asks for a movement that is not registered
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
-    this.scenario = scenario;
+    this(new Cast(scenario), registry, seed);
+  }
+
+  private World(Cast cast, Registry<Movement> registry, long seed) {
+    this.cast = cast;
     this.registry = registry;
-    this.views = new Views(scenario);
     this.random = new RandomStreams(seed);
-    this.events =
-        scenario.events().stream()
-            .sorted(Comparator.comparingInt(ScenarioEvent::step))
-            .toArray(ScenarioEvent[]::new);
-    collectSpecs();
-    removed = removed();
-    cameras = new Cameras(cameraSpecs.size());
+    Scenario scenario = cast.scenario();
+    cameras = new Cameras(cast.cameras());
     Obstacles obstacles = new Obstacles(scenario.surroundings().obstacles());
-    targets = new Targets(scenario.field(), obstacles, scenario.order(), targetSpecs.size());
-    movements = new Movement[targetSpecs.size()];
+    targets = new Targets(scenario.field(), obstacles, scenario.order(), cast.targets());
+    movements = new Movement[cast.targets()];
     start();
     sightLines = new SightLines(obstacles, scenario.surroundings().occlusion(), cameras, targets);
+  }
+
+  /**
+   * Another world of the same scenario at its start. What does not change is there once for both;
+   * otherwise they have nothing to do with each other, and threads of their own may run them.
+   */
+  public World another(long seed) {
+    return new World(cast, registry, seed);
   }
 
   /** Defines all there will ever be, and adds those of the start. */
   private void start() {
     defineAll();
-    scenario.cameras().forEach(camera -> addCamera());
-    scenario.targets().forEach(target -> addTarget());
+    scenario().cameras().forEach(camera -> addCamera());
+    scenario().targets().forEach(target -> addTarget());
   }
 
   /**
-   * Begins anew: the same as a new world with this seed, but what obstacles hide from cameras that
+   * Begins again: the same as a new world with this seed, but what obstacles hide from cameras that
    * stand where they stood is known. A {@link org.hificamsim.core.engine.Simulation} of this world
    * ends with it; the next one is a new one.
    */
@@ -104,7 +97,7 @@ public final class World {
 
   /** The scenario that this world was made from. */
   public Scenario scenario() {
-    return scenario;
+    return cast.scenario();
   }
 
   /** The cameras, live. */
@@ -124,12 +117,12 @@ public final class World {
 
   /** How the scenario describes a camera, also one that is yet to be added. */
   public CameraSpec cameraSpec(int camera) {
-    return cameraSpecs.get(camera);
+    return cast.camera(camera);
   }
 
   /** How the scenario describes a target, also one that is yet to appear. */
   public TargetSpec targetSpec(int target) {
-    return targetSpecs.get(target);
+    return cast.target(target);
   }
 
   /** Sets the one observer of the events that fire from now on. */
@@ -164,7 +157,7 @@ public final class World {
 
   /** Fires the events of this step. */
   public void fireEvents(long step) {
-    while (nextEvent < events.length && events[nextEvent].step() <= step) {
+    while (nextEvent < cast.events() && cast.event(nextEvent).step() <= step) {
       fire(nextEvent++);
     }
     sightLines.refresh();
@@ -180,7 +173,7 @@ public final class World {
   }
 
   private void fire(int number) {
-    ScenarioEvent event = events[number];
+    ScenarioEvent event = cast.event(number);
     if (event instanceof ScenarioEvent.AddCamera) {
       observer.cameraAdded(addCamera());
     } else if (event instanceof ScenarioEvent.ChangeCamera change) {
@@ -189,14 +182,13 @@ public final class World {
       failCamera(fail);
     } else if (event instanceof ScenarioEvent.AddTarget) {
       observer.targetAppeared(addTarget());
-    } else if (removed[number] != NONE) {
-      removeTarget(removed[number]);
+    } else if (cast.removed(number) != Cast.NONE) {
+      removeTarget(cast.removed(number));
     }
   }
 
   private int addCamera() {
-    CameraSpec spec = cameraSpecs.get(nextCamera);
-    cameras.place(nextCamera, Pose.of(spec.x(), spec.y(), Math.toRadians(spec.heading())));
+    cameras.place(nextCamera, cast.mount(nextCamera));
     cameras.switchTo(nextCamera, true);
     return nextCamera++;
   }
@@ -222,7 +214,7 @@ public final class World {
 
   /** A camera with optics keeps its views, but for round ones. */
   private void refit(int camera, double range, double viewingAngle) {
-    cameras.refit(camera, views.of(range, viewingAngle, cameraSpecs.get(camera).optics()));
+    cameras.refit(camera, cast.views().of(range, viewingAngle, cast.camera(camera)));
   }
 
   private static double changed(double given, double before) {
@@ -238,13 +230,13 @@ public final class World {
   }
 
   private int onlineCamera(String name) {
-    int camera = cameraNumbers.getOrDefault(name, -1);
+    int camera = cast.cameraNumber(name);
     return camera >= 0 && cameras.online(camera) ? camera : -1;
   }
 
   private int addTarget() {
-    TargetSpec spec = targetSpecs.get(nextTarget);
-    double heading = scenario.headings().radians(spec.heading());
+    TargetSpec spec = cast.target(nextTarget);
+    double heading = scenario().headings().radians(spec.heading());
     targets.appear(nextTarget, spec.x(), spec.y(), heading, spec.speed());
     movements[nextTarget].start(nextTarget, targets, spec);
     return nextTarget++;
@@ -255,47 +247,13 @@ public final class World {
     observer.targetVanished(target);
   }
 
-  /** Who removes whom is known from the start: a search in each step would cost and allocate. */
-  private int[] removed() {
-    Map<Double, Integer> present = new HashMap<>();
-    int next = 0;
-    for (TargetSpec target : scenario.targets()) {
-      present.putIfAbsent(target.features(), next++);
-    }
-    int[] numbers = new int[events.length];
-    Arrays.fill(numbers, NONE);
-    for (int i = 0; i < events.length; i++) {
-      if (events[i] instanceof ScenarioEvent.AddTarget add) {
-        present.putIfAbsent(add.target().features(), next++);
-      } else if (events[i] instanceof ScenarioEvent.RemoveTarget remove) {
-        Integer target = present.remove(remove.features());
-        numbers[i] = target == null ? NONE : target;
-      }
-    }
-    return numbers;
-  }
-
-  private void collectSpecs() {
-    cameraSpecs.addAll(scenario.cameras());
-    targetSpecs.addAll(scenario.targets());
-    for (ScenarioEvent event : events) {
-      if (event instanceof ScenarioEvent.AddCamera add) {
-        cameraSpecs.add(add.camera());
-      } else if (event instanceof ScenarioEvent.AddTarget add) {
-        targetSpecs.add(add.target());
-      }
-    }
-  }
-
   private void defineAll() {
-    for (int camera = 0; camera < cameraSpecs.size(); camera++) {
-      CameraSpec spec = cameraSpecs.get(camera);
-      cameraNumbers.putIfAbsent(spec.name(), camera);
-      cameras.define(camera, spec.name(), views.of(spec));
+    for (int camera = 0; camera < cast.cameras(); camera++) {
+      cameras.define(camera, cast.camera(camera).name(), cast.mount(camera));
     }
-    cameras.startMotion(scenario.stepTime());
-    for (int target = 0; target < targetSpecs.size(); target++) {
-      TargetSpec spec = targetSpecs.get(target);
+    cameras.startMotion(scenario().stepTime());
+    for (int target = 0; target < movements.length; target++) {
+      TargetSpec spec = cast.target(target);
       targets.define(target, spec.name(), spec.size(), spec.width());
       movements[target] = registry.create(movementName(spec));
     }
@@ -303,6 +261,6 @@ public final class World {
 
   private String movementName(TargetSpec spec) {
     String name = spec.movement().shortName();
-    return scenario.inCoverageDialect() && name.equals("Waypoints") ? "Scripted" : name;
+    return scenario().inCoverageDialect() && name.equals("Waypoints") ? "Scripted" : name;
   }
 }

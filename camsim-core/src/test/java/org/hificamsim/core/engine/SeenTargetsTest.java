@@ -52,7 +52,8 @@ class SeenTargetsTest {
     assertEquals(seen.size(), network.findSeen(camera, who, ahead, right));
     for (int i = 0; i < seen.size(); i++) {
       Seen one = seen.get(who[i]);
-      assertEquals(network.confidence(camera, who[i]), network.seenConfidence(camera, who[i]));
+      assertEquals(
+          network.confidence(camera, who[i]), network.seenConfidence(camera, who[i]), 1e-8);
       assertEquals(one.distance * Math.cos(one.bearing), ahead[i], 1e-12);
       assertEquals(one.distance * Math.sin(one.bearing), right[i], 1e-12);
     }

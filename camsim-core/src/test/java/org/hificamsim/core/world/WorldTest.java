@@ -52,6 +52,21 @@ class WorldTest {
   }
 
   @Test
+  void anotherWorldBeginsAgainAndIsOnItsOwn() {
+    World world = new TestScenario().zooms(2, 5).camera(1, 2).target(3, 4).world();
+    world.moveCamera(0, 8, 9);
+    world.cameras().aim(0, 1, Math.PI / 2);
+    world.targets().put(0, 6, 7);
+    World other = world.another(1);
+    assertEquals(1, other.cameras().x(0), EXACT);
+    assertEquals(0, other.cameras().pose(0, 1).headingX(), EXACT);
+    assertEquals(3, other.targets().x(0), EXACT);
+    other.moveCamera(0, -1, -2);
+    assertEquals(8, world.cameras().x(0), EXACT);
+    assertEquals(1, world.cameras().pose(0, 1).headingX(), 1e-15);
+  }
+
+  @Test
   void aCameraTurnsWhereItStandsAndIsNoticed() {
     World world = new TestScenario().camera(1, 2).camera(3, 4).world();
     int before = world.cameras().revision();
@@ -162,6 +177,21 @@ class WorldTest {
     assertEquals("", present(world));
     world.fireEvents(4);
     assertEquals("", present(world), "nothing left to remove, nothing happens");
+  }
+
+  /** No file has two at a time, but who builds a scenario may. */
+  @Test
+  void ofTwoWithTheSameFeaturesTheFirstIsRemovedFirst() {
+    World world =
+        new TestScenario()
+            .target(TestScenario.target(4.5, 0, 0, 0, 0))
+            .target(TestScenario.target(4.5, 1, 0, 0, 0))
+            .events(new RemoveTarget(1, 4.5), new RemoveTarget(2, 4.5))
+            .world();
+    world.fireEvents(1);
+    assertEquals("1", present(world));
+    world.fireEvents(2);
+    assertEquals("", present(world));
   }
 
   @Test

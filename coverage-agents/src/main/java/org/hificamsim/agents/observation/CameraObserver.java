@@ -10,23 +10,46 @@ import org.hificamsim.core.policy.NetworkView;
  * decision; a policy and an environment that ask at the same points get the same numbers.
  */
 public final class CameraObserver {
+  private static final int MOVING = ObservationLayout.at("moving");
+  private static final int WAY = ObservationLayout.at("way");
+  private static final int DETECTED = ObservationLayout.at("detected");
+
   private final ObservationLayout layout;
   private final int size;
   private final Standpoints standpoints;
-  private final OwnFeatures own;
   private final NearestCameras nearest;
   private final SeenTargets seen;
-  private final int[] ways;
+  private final Shares ofTargets;
+  private final int[] ways; // decisions since the camera set out
+  private ViewFeatures views;
+  private int revision;
 
   /** Of the network as it is before the first decision. */
   public CameraObserver(NetworkView network, ObservationLayout layout) {
     this.layout = layout;
     size = layout.size();
     standpoints = new Standpoints(network);
-    own = new OwnFeatures(network, standpoints);
     nearest = new NearestCameras(network, layout.neighbours());
-    seen = new SeenTargets(network, layout.targets());
+    seen = new SeenTargets(network, layout);
+    ofTargets = new Shares(Math.max(1, network.targets()));
     ways = new int[network.cameras()];
+    note(network);
+  }
+
+  /**
+   * Of a network that may have the same cameras as another's: what it knows alike is kept once.
+   *
+   * @param other with the same layout
+   */
+  public CameraObserver(NetworkView network, ObservationLayout layout, CameraObserver other) {
+    this(network, layout);
+    views = views.or(other.views);
+  }
+
+  private void note(NetworkView network) {
+    revision = network.revision();
+    nearest.update(network);
+    views = new ViewFeatures(network, layout, standpoints, nearest);
   }
 
   /**
@@ -35,32 +58,36 @@ public final class CameraObserver {
    * @param out receives the observations, one camera after the other
    */
   public void observe(NetworkView network, float[] out) {
-    own.update(network);
-    nearest.update(network);
-    Arrays.fill(out, 0, ways.length * size, 0);
+    if (network.revision() != revision) {
+      note(network);
+    }
     for (int camera = 0; camera < ways.length; camera++) {
       ways[camera] = network.moving(camera) ? ways[camera] + 1 : 0;
+      int at = camera * size;
       if (network.online(camera)) {
-        write(network, camera, out, camera * size);
+        write(network, camera, out, at);
+      } else {
+        Arrays.fill(out, at, at + size, 0);
       }
     }
   }
 
   private void write(NetworkView network, int camera, float[] out, int at) {
-    own.write(network, camera, ways[camera], out, at);
+    int seeing = network.seeing(camera);
+    views.write(camera, network.view(camera), seeing, out, at);
+    int way = ways[camera];
+    out[at + MOVING] = way > 0 ? 1 : 0;
+    out[at + WAY] = way / (way + 1f);
+    out[at + DETECTED] = ofTargets.of(network.detected(camera));
     writeNeighbours(network, camera, out, at + layout.firstNeighbour());
-    if (layout.targets() > 0) {
-      seen.write(network, camera, out, at + layout.firstTarget());
-    }
+    seen.write(network, camera, seeing, views, out, at + layout.firstTarget());
   }
 
+  /** What they detected; where they are is known. */
   private void writeNeighbours(NetworkView network, int camera, float[] out, int first) {
-    int at = first;
-    for (int i = 0; i < nearest.count(camera); i++) {
-      int other = nearest.neighbour(camera, i);
-      out[at] = standpoints.between(network.cameraX(other) - network.cameraX(camera));
-      out[at + 1] = standpoints.between(network.cameraY(other) - network.cameraY(camera));
-      out[at + 2] = Bounds.share((double) network.detected(other) / network.targets());
+    int at = first + ObservationLayout.NEIGHBOUR.size() - 1;
+    for (int other : views.neighbours(camera)) {
+      out[at] = ofTargets.of(network.detected(other));
       at += ObservationLayout.NEIGHBOUR.size();
     }
   }

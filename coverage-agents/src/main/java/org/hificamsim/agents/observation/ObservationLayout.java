@@ -2,6 +2,7 @@ package org.hificamsim.agents.observation;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 
 /**
@@ -16,7 +17,7 @@ public record ObservationLayout(int targets, int neighbours) {
   /** What there is room for where nothing else is asked for. */
   public static final ObservationLayout DEFAULT = new ObservationLayout(4, 2);
 
-  private static final int MOST = 1_000;
+  private static final int MAX_OBSERVED = 1_000;
 
   static final List<Feature> OWN =
       List.of(
@@ -60,9 +61,18 @@ public record ObservationLayout(int targets, int neighbours) {
   }
 
   private static void check(String what, int number) {
-    if (number < 0 || number > MOST) {
-      throw new InputException("observed " + what + " is " + number + ", expected 0 to " + MOST);
+    if (number < 0 || number > MAX_OBSERVED) {
+      throw new InputException(
+          "observed " + what + " is " + number + ", expected 0 to " + MAX_OBSERVED);
     }
+  }
+
+  /** Where a number of the camera itself is. */
+  static int at(String name) {
+    return IntStream.range(0, OWN_SIZE)
+        .filter(i -> OWN.get(i).name().equals(name))
+        .findFirst()
+        .orElseThrow();
   }
 
   /** How many numbers an observation has. */

@@ -29,8 +29,13 @@ final class FittedOnFormat {
   }
 
   private static Span span(JsonObject json) {
-    double least = json.number("least", 0, LONGEST);
-    double most = json.number("most", 0, LONGEST);
+    return span(json, 0, LONGEST);
+  }
+
+  /** {@code least} and {@code most} of an object, each in a range. */
+  static Span span(JsonObject json, double from, double to) {
+    double least = json.number("least", from, to);
+    double most = json.number("most", from, to);
     if (most < least) {
       throw json.error("most", "expected " + least + " or more, the least");
     }

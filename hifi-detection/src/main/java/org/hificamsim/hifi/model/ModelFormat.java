@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
+import org.hificamsim.hifi.CovariateTerm;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
@@ -41,13 +42,20 @@ final class ModelFormat {
     double threshold =
         json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g.model());
     checkUnits(json);
-    Optional<FittedOn> on = version > LINES_ALONE ? FittedOnFormat.read(json) : Optional.empty();
-    return new HiFiDetection(name, f, g.model(), optics, threshold, g.rmse(), on, provenance(json));
+    boolean newer = version > LINES_ALONE;
+    Optional<FittedOn> on = newer ? FittedOnFormat.read(json) : Optional.empty();
+    List<CovariateTerm> covariates = newer ? CovariatesFormat.read(json) : List.of();
+    return new HiFiDetection(
+        name, f, g.model(), covariates, optics, threshold, g.rmse(), on, provenance(json));
   }
 
   /** The oldest version that can hold a model: what needs no newer one keeps its bytes. */
   static int version(HiFiDetection model) {
-    return model.g() instanceof DetectorLine && model.fitted().isEmpty() ? LINES_ALONE : NEWEST;
+    return model.g() instanceof DetectorLine
+            && model.fitted().isEmpty()
+            && model.covariates().isEmpty()
+        ? LINES_ALONE
+        : NEWEST;
   }
 
   static int version(JsonObject json, String schema, int... versions) {

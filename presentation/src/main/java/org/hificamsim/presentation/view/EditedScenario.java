@@ -123,7 +123,7 @@ final class EditedScenario {
 
   private void change(List<Obstacle> obstacles) {
     Surroundings before = now.surroundings();
-    now = now.withSurroundings(new Surroundings(obstacles, before.occlusion(), before.floorplan()));
+    now = now.withSurroundings(before.with(obstacles));
   }
 
   /** Where a scenario file may have nothing solid: cameras and the starts and ways of targets. */

@@ -2,7 +2,6 @@ package org.hificamsim.profiling.dataset;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -52,7 +51,7 @@ final class SampleReader {
     ImageHeader frame = image == null ? level() : image.header();
     Patch patch = object == null ? null : check(() -> patch(object, frame));
     Optional<Path> mask = Optional.ofNullable(check(() -> mask(frame)));
-    Map<Covariate, Double> covariates = check(this::covariates);
+    Map<Covariate, Double> covariates = check(() -> Covariate.given(row));
     return problems.size() > before
         ? Optional.empty()
         : Optional.of(
@@ -97,17 +96,6 @@ final class SampleReader {
       throw cell.error("mask", "a picture that is as wide and high as its image");
     }
     return mask.file();
-  }
-
-  private Map<Covariate, Double> covariates() {
-    Map<Covariate, Double> values = new EnumMap<>(Covariate.class);
-    for (Covariate covariate : Covariate.given()) {
-      Cell cell = row.get(covariate.column());
-      if (cell != null && !cell.text().isEmpty()) {
-        values.put(covariate, covariate.read(cell));
-      }
-    }
-    return values;
   }
 
   /** A picture in the folder, of the camera's size. */

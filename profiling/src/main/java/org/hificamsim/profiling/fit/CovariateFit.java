@@ -7,74 +7,70 @@ import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.measure.Measurement;
 
 /**
- * What something else than PIP adds to a detector's confidence: {@code g(PIP) + weight (x - mean)}.
+ * What something else than PIP does to a detector's confidence: {@code g(PIP exp(weight (x -
+ * mean)))}.
  *
- * @param weight confidence per unit of the covariate, with 95% intervals as those of {@link
- *     RisingSlope}
+ * @param weight logarithm of the share per unit of the covariate, with 95% intervals as those of
+ *     {@link RisingSlope}, by the curve's slope where it was found
  * @param without R2 of g alone on what it has not seen
  * @param with the same with the covariate
  * @param helps whether the error there is less by more than a standard error
  */
 public record CovariateFit(
     Covariate covariate, RisingSlope weight, double without, double with, boolean helps) {
+  private static final double STEP = 1e-4; // of the logarithm of the share
+
   /** One for each covariate that every photo has and that varies; about g on measured PIP. */
   public static List<CovariateFit> all(FitResult result, String detector) {
-    return Arrays.stream(Covariate.values())
-        .filter(covariate -> varies(result, covariate))
-        .map(covariate -> of(result, detector, covariate))
-        .toList();
-  }
-
-  private static boolean varies(FitResult result, Covariate covariate) {
-    return result.measurements().stream().allMatch(m -> m.covariates().containsKey(covariate))
-        && Scores.vary(values(result, covariate));
-  }
-
-  private static double[] values(FitResult result, Covariate covariate) {
-    return result.measurements().stream().mapToDouble(m -> m.covariates().get(covariate)).toArray();
-  }
-
-  private static CovariateFit of(FitResult result, String detector, Covariate covariate) {
-    List<Measurement> rows = result.measurements();
-    double[] x = values(result, covariate);
-    double[] y = result.confidences(detector);
-    double[] pip = result.measuredPip();
-    ShapeFit alone = result.model(detector, FitResult.GROUND_TRUTH).chosen();
-    Groups groups = result.unseen();
-    double[] predicted = new double[y.length];
-    double[] errors = new double[groups.count()];
-    for (int group = 0; group < errors.length; group++) {
-      int[] held = groups.rows().get(group);
-      Added added = Added.to(alone.shape(), groups.others(group), pip, x, y);
-      for (int row : held) {
-        predicted[row] = added.confidence(pip[row], x[row]);
-      }
-      errors[group] = Scores.of(Groups.at(held, y), Groups.at(held, predicted)).mse();
+    List<Covariate> known = CovariateChoice.known(result.measurements());
+    if (known.isEmpty()) {
+      return List.of();
     }
-    double[] residuals = new double[y.length];
-    Arrays.setAll(residuals, i -> y[i] - alone.g().confidence(pip[i]));
+    double[] y = result.confidences(detector);
+    ShapeFit alone = alone(result, detector, y);
+    return known.stream().map(covariate -> of(result, covariate, alone, y)).toList();
+  }
+
+  /** The chosen shape without any covariate. */
+  private static ShapeFit alone(FitResult result, String detector, double[] y) {
+    ShapeFit chosen = result.model(detector, FitResult.GROUND_TRUTH).chosen();
+    if (result.shifts(detector).all().terms().isEmpty()) {
+      return chosen;
+    }
+    double[][] same = new double[result.unseen().count()][];
+    Arrays.fill(same, result.measuredPip());
+    DetectorRegression shape = DetectorShapes.of(chosen.shape());
+    return ShapeFit.of(shape, result.measuredPip(), same, y, result.unseen());
+  }
+
+  private static CovariateFit of(
+      FitResult result, Covariate covariate, ShapeFit alone, double[] y) {
+    List<Measurement> photos = result.measurements();
+    Groups groups = result.unseen();
+    ShiftedFit fit = ShiftedFit.of(alone, List.of(covariate), photos, y, groups);
     return new CovariateFit(
         covariate,
-        RisingSlope.plain(x, residuals, Groups.byObject(rows), 0),
+        weight(fit, photos, y),
         alone.unseen().r2(),
-        Scores.of(y, predicted).r2(),
-        OneStandardError.simplest(List.of(alone.groupErrors(), errors)) == 1);
+        fit.g().unseen().r2(),
+        fit.helpsBeside(ShiftedFit.plain(groups, alone)));
   }
 
-  /** A g and what is added to it. */
-  private record Added(DetectorModel g, double weight, double mean) {
-    /** Of some rows. */
-    static Added to(String shape, int[] rows, double[] pip, double[] x, double[] y) {
-      double[] own = Groups.at(rows, x);
-      DetectorModel g = DetectorShapes.of(shape).fit(Groups.at(rows, pip), Groups.at(rows, y));
-      double[] residuals = new double[rows.length];
-      Arrays.setAll(residuals, i -> y[rows[i]] - g.confidence(pip[rows[i]]));
-      double weight = Scores.vary(own) ? LineFit.of(own, residuals).slope().value() : 0;
-      return new Added(g, weight, Arrays.stream(own).average().orElseThrow());
+  /** One step of Gauss and Newton from where the fit ended, which leaves the weight as it is. */
+  private static RisingSlope weight(ShiftedFit fit, List<Measurement> photos, double[] y) {
+    Shift.Term term = fit.shifts().all().terms().get(0);
+    double[] pip = photos.stream().mapToDouble(Measurement::pip).toArray();
+    double[] x = fit.shifts().all().applied(pip, photos);
+    double[] values = ShiftFitting.values(term.covariate(), photos);
+    DetectorModel g = fit.g().g();
+    double[] slopes = new double[y.length];
+    double[] heights = new double[y.length];
+    for (int i = 0; i < y.length; i++) {
+      double rise = g.confidence(x[i] * (1 + STEP)) - g.confidence(x[i] * (1 - STEP));
+      slopes[i] = rise / (2 * STEP) * (values[i] - term.mean());
+      heights[i] = y[i] - g.confidence(x[i]) + term.weight() * slopes[i];
     }
-
-    double confidence(double pip, double x) {
-      return g.confidence(pip) + weight * (x - mean);
-    }
+    RisingSlope interval = RisingSlope.plain(slopes, heights, Groups.byObject(photos), 0);
+    return new RisingSlope(term.weight(), interval.low(), interval.high(), interval.sure());
   }
 }

@@ -2,6 +2,7 @@ package org.hificamsim.profiling.fit;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -23,6 +24,7 @@ public final class Fitting {
    * @throws org.hificamsim.core.InputException when the measurements do not determine a fit
    */
   public FitResult fit(PhotoCamera camera, List<Measurement> measurements, int threads) {
+    settings.covariates().requireKnown(measurements);
     Groups objects = Groups.byObject(measurements);
     Groups folds = CrossValidation.folds(measurements.size(), settings.folds(), settings.seed());
     Groups unseen = objects.count() > 1 ? objects : folds;
@@ -40,10 +42,14 @@ public final class Fitting {
             unseen,
             settings.thresholds(),
             Map.of(),
+            Map.of(),
             Map.of());
     Map<String, Map<String, LineFit>> lines = new LinkedHashMap<>();
     detectors.forEach(detector -> lines.put(detector, lines(plain, detector)));
-    return plain.with(lines, models(plain, objects, threads));
+    DetectorFitting fitting =
+        new DetectorFitting(objects, unseen, settings.shape(), settings.seed());
+    FitResult shifted = plain.with(shifts(plain, fitting, threads), lines, Map.of());
+    return shifted.with(shifted.shifts(), lines, models(shifted, fitting, threads));
   }
 
   /** Every way to fit f, the simplest first. */
@@ -68,13 +74,34 @@ public final class Fitting {
     return lines;
   }
 
+  private Map<String, Shifts> shifts(FitResult result, DetectorFitting fitting, int threads) {
+    List<Shifts> fits =
+        Parallel.map(
+            result.detectors(),
+            threads,
+            detector ->
+                settings.covariates().any()
+                    ? shifts(result, fitting, result.confidences(detector))
+                    : Shifts.none(result.unseen()));
+    Map<String, Shifts> shifts = new LinkedHashMap<>();
+    for (int i = 0; i < fits.size(); i++) {
+      shifts.put(result.detectors().get(i), fits.get(i));
+    }
+    return shifts;
+  }
+
+  private Shifts shifts(FitResult result, DetectorFitting fitting, double[] y) {
+    double[][] same = new double[result.unseen().count()][];
+    Arrays.fill(same, result.measuredPip());
+    ShapeFit alone = fitting.fit(result.measuredPip(), same, y).chosen();
+    return settings.covariates().of(alone, result.measurements(), y, result.unseen()).shifts();
+  }
+
   /** One g that has to be fitted. */
   private record Job(String detector, String on, double[] x, double[][] unseenX) {}
 
   private Map<String, Map<String, DetectorFit>> models(
-      FitResult result, Groups objects, int threads) {
-    DetectorFitting fitting =
-        new DetectorFitting(objects, result.unseen(), settings.shape(), settings.seed());
+      FitResult result, DetectorFitting fitting, int threads) {
     List<Job> jobs = new ArrayList<>();
     result.detectors().forEach(detector -> jobs.addAll(jobs(result, detector)));
     List<DetectorFit> fits =
@@ -93,14 +120,23 @@ public final class Fitting {
 
   private static List<Job> jobs(FitResult result, String detector) {
     List<Job> jobs = new ArrayList<>();
-    double[][] measured = new double[result.unseen().count()][];
-    Arrays.fill(measured, result.measuredPip());
-    jobs.add(new Job(detector, FitResult.GROUND_TRUTH, result.measuredPip(), measured));
+    List<double[]> measured = Collections.nCopies(result.unseen().count(), result.measuredPip());
+    jobs.add(job(result, detector, FitResult.GROUND_TRUTH, result.measuredPip(), measured));
     for (FeatureResult f : result.features()) {
-      double[][] unseen =
-          f.unseen().fits().stream().map(result::predictedPip).toArray(double[][]::new);
-      jobs.add(new Job(detector, f.name(), result.predictedPip(f.name()), unseen));
+      List<double[]> unseen = f.unseen().fits().stream().map(result::predictedPip).toList();
+      jobs.add(job(result, detector, f.name(), result.predictedPip(f.name()), unseen));
     }
     return jobs;
+  }
+
+  /** Each share as the covariates have it, unseen ones as those that have not seen them. */
+  private static Job job(
+      FitResult result, String detector, String on, double[] pip, List<double[]> unseenPip) {
+    Shifts shifts = result.shifts(detector);
+    double[][] unseen = new double[unseenPip.size()][];
+    Arrays.setAll(
+        unseen,
+        group -> shifts.unseen().get(group).applied(unseenPip.get(group), result.measurements()));
+    return new Job(detector, on, shifts.all().applied(pip, result.measurements()), unseen);
   }
 }

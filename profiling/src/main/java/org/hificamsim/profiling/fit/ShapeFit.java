@@ -1,5 +1,8 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import org.hificamsim.hifi.detector.DetectorModel;
 
 /**
@@ -8,6 +11,7 @@ import org.hificamsim.hifi.detector.DetectorModel;
  * @param shape its name
  * @param g fitted to all rows
  * @param scores on all rows
+ * @param fits without each group
  * @param predicted what a fit without its group says of each row
  * @param unseen the scores of that
  * @param groupErrors the mean squared error of that in each group
@@ -16,6 +20,7 @@ public record ShapeFit(
     String shape,
     DetectorModel g,
     Scores scores,
+    List<DetectorModel> fits,
     double[] predicted,
     Scores unseen,
     double[] groupErrors) {
@@ -30,18 +35,26 @@ public record ShapeFit(
     DetectorModel g = regression.fit(x, y);
     double[] predicted = new double[y.length];
     double[] errors = new double[groups.count()];
+    List<DetectorModel> fits = new ArrayList<>();
     for (int group = 0; group < errors.length; group++) {
       int[] others = groups.others(group);
       double[] seen = unseenX[group];
       DetectorModel without = regression.fit(Groups.at(others, seen), Groups.at(others, y));
+      fits.add(without);
       int[] held = groups.rows().get(group);
       for (int row : held) {
         predicted[row] = without.confidence(seen[row]);
       }
       errors[group] = Scores.of(Groups.at(held, y), Groups.at(held, predicted)).mse();
     }
-    double[] fitted = java.util.Arrays.stream(x).map(g::confidence).toArray();
+    double[] fitted = Arrays.stream(x).map(g::confidence).toArray();
     return new ShapeFit(
-        regression.name(), g, Scores.of(y, fitted), predicted, Scores.of(y, predicted), errors);
+        regression.name(),
+        g,
+        Scores.of(y, fitted),
+        fits,
+        predicted,
+        Scores.of(y, predicted),
+        errors);
   }
 }

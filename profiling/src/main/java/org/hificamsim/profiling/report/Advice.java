@@ -24,9 +24,10 @@ final class Advice {
           + " texture counts, too. Their standard deviation is the SD between objects above.";
 
   static final String COVARIATES =
-      "What else is known of every photo, each added alone to g on measured PIP: g + weight (x -"
-          + " mean). It helps where the error on what was not seen is less by more than a standard"
-          + " error. Models hold at the mean: the simulation knows no covariates.";
+      "What else is known of every photo, each alone: g is asked at PIP exp(weight (x - mean)). It"
+          + " helps where the error on what was not seen is less by more than a standard error. A"
+          + " model has those that profile fit --covariates names, of aperture, distortion and"
+          + " light, and a scenario says their values; without them it holds at the mean.";
 
   static final String NO_COVARIATES =
       "Nothing else varies that is known of every photo: distinctiveness, aperture, distortion and"

@@ -9,6 +9,7 @@ import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.measure.PipReading;
+import org.hificamsim.profiling.trial.Trials;
 
 /**
  * Writes {@code report.html}, a page in one file, and its pictures once more as files for papers.
@@ -19,6 +20,7 @@ public final class FitReport {
       Map.of("orb", "5.3", "sift", "5.5", "surf", "5.7");
 
   private final FitResult result;
+  private final List<Trials> trials;
   private final Path folder;
   private final HtmlPage page;
   private final Figures figures;
@@ -27,7 +29,9 @@ public final class FitReport {
   private final HeldOut heldOut;
   private final Remarks remarks;
 
-  private FitReport(FitResult result, PipReading pip, Path folder, String title) {
+  private FitReport(
+      FitResult result, List<Trials> trials, PipReading pip, Path folder, String title) {
+    this.trials = trials;
     this.heldOut = new HeldOut(pip);
     this.result = result;
     this.folder = folder;
@@ -41,11 +45,13 @@ public final class FitReport {
   /**
    * Writes the report on a data set of this name into a folder.
    *
+   * @param trials how the recommended models do in the simulation
    * @param pip how its PIP was counted
    */
-  public static void write(FitResult result, PipReading pip, String name, Path folder)
+  public static void write(
+      FitResult result, List<Trials> trials, PipReading pip, String name, Path folder)
       throws IOException {
-    new FitReport(result, pip, folder, "Detection models fitted to " + name).write();
+    new FitReport(result, trials, pip, folder, "Detection models fitted to " + name).write();
   }
 
   private void write() throws IOException {
@@ -53,6 +59,7 @@ public final class FitReport {
     shapes();
     ownFeatures();
     models();
+    simulation();
     ladder();
     data();
     page.heading("Beside the thesis");
@@ -76,6 +83,7 @@ public final class FitReport {
     Recommendation.all(result).stream()
         .filter(one -> !one.detector().equals(first.detector()))
         .forEach(one -> page.paragraph(one.sentence()));
+    trials.forEach(one -> page.paragraph(one.sentence()));
     page.paragraph(Advice.unseen(result));
   }
 
@@ -95,6 +103,9 @@ public final class FitReport {
     page.paragraph(Advice.OBJECTS);
     page.heading("Covariates");
     page.paragraph(own.covariates(page) ? Advice.COVARIATES : Advice.NO_COVARIATES);
+    result.detectors().stream()
+        .flatMap(detector -> result.shifts(detector).sentence(detector).stream())
+        .forEach(sentence -> page.paragraph("In the models: " + sentence + "."));
   }
 
   private void ownFeatures() {
@@ -107,6 +118,18 @@ public final class FitReport {
     page.heading("Models g(f)");
     own.models(page);
     page.paragraph(Advice.decisions(result));
+  }
+
+  private void simulation() {
+    if (!trials.isEmpty()) {
+      page.heading("In the simulation");
+      SimulationTables tables = new SimulationTables(trials);
+      tables.photos(page);
+      page.paragraph(SimulationTables.PHOTOS);
+      tables.distances(page);
+      tables.scenes(page);
+      page.paragraph(SimulationTables.SCENES);
+    }
   }
 
   private void ladder() throws IOException {

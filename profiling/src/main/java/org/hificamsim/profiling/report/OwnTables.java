@@ -13,6 +13,7 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.ShapeFit;
+import org.hificamsim.profiling.fit.Shift;
 import org.hificamsim.profiling.measure.Measurement;
 
 /** The tables of the data set's own numbers. */
@@ -163,9 +164,11 @@ final class OwnTables {
             List.of(name, Cells.significant(own.get(0).size()), String.valueOf(own.size())));
     for (String detector : result.detectors()) {
       ShapeFit g = result.model(detector, FitResult.GROUND_TRUTH).chosen();
+      Shift shift = result.shifts(detector).all();
       double above =
           own.stream()
-              .mapToDouble(m -> m.confidence(detector) - g.g().confidence(m.pip()))
+              .mapToDouble(
+                  m -> m.confidence(detector) - g.g().confidence(m.pip() * shift.factor(m)))
               .average()
               .orElseThrow();
       row.add(Cells.fixed(above, 3));
@@ -188,7 +191,7 @@ final class OwnTables {
                     + Cells.significant(fit.weight().high()),
                 Cells.fixed(fit.without(), 3),
                 Cells.fixed(fit.with(), 3),
-                fit.helps() ? "helps" : "does not help"));
+                helps(fit, detector)));
       }
     }
     if (!rows.isEmpty()) {
@@ -197,6 +200,13 @@ final class OwnTables {
           rows);
     }
     return !rows.isEmpty();
+  }
+
+  private String helps(CovariateFit fit, String detector) {
+    boolean taken =
+        result.shifts(detector).all().terms().stream()
+            .anyMatch(term -> term.covariate() == fit.covariate());
+    return (fit.helps() ? "helps" : "does not help") + (taken ? "; in the models" : "");
   }
 
   /** The ladder, with every detector. */

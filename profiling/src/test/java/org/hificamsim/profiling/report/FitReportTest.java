@@ -31,6 +31,7 @@ import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.PipReading;
+import org.hificamsim.profiling.trial.TrialRun;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -47,7 +48,7 @@ class FitReportTest {
   static void fitAndWrite() throws IOException {
     result = new Fitting(SETTINGS).fit(new PhotoCamera(0.0224, 0.015, 1296, 864), photos(), 2);
     assertEquals(36, new ModelFolder(folder.resolve("models"), "mine").write(result));
-    FitReport.write(result, PipReading.SILHOUETTE, "test & trial", folder);
+    FitReport.write(result, TrialRun.all(result, 2), PipReading.SILHOUETTE, "test & trial", folder);
   }
 
   @Test
@@ -89,6 +90,17 @@ class FitReportTest {
   }
 
   @Test
+  void whatTheSimulatorDetectsStandsBesideWhatWasMeasured() throws IOException {
+    String page = Files.readString(folder.resolve("report.html"));
+    assertTrue(page.contains("<h2>In the simulation"), "the section");
+    for (String detector : List.of("orb", "sift", "surf")) {
+      assertTrue(page.contains("In the simulation " + detector + "-"), detector);
+      assertTrue(page.contains(detector + " detects"), detector);
+    }
+    assertTrue(page.contains("k of 1 or more: photos"), "coverage");
+  }
+
+  @Test
   void everyFOfTheTableIsInFigure61AndInTheLadder() {
     for (String f : List.of("pinhole", "power", "lin", "svr-lin", "sr", "svr-rbf")) {
       assertTrue(result.features().stream().anyMatch(one -> one.name().equals(f)), f);
@@ -126,7 +138,7 @@ class FitReportTest {
         new Photos().detector("hog", p -> 0.9 * p / (p + 0.01)).scatter(0.02, 0.02).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
     Path page = Files.createDirectories(folder.resolve("hog"));
-    FitReport.write(own, PipReading.SILHOUETTE, "people", page);
+    FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "people", page);
     String text = Files.readString(page.resolve("report.html"));
     assertTrue(text.contains("Take hog-pinhole"), text.substring(0, 1500));
     assertFalse(text.contains("0 of 0"), "a count of nothing");
@@ -148,7 +160,7 @@ class FitReportTest {
     Files.writeString(earlier, "of an earlier fit");
     assertEquals(0, new ModelFolder(page.resolve("models"), "mine").write(own));
     assertFalse(Files.exists(earlier), "a refused model keeps no file");
-    FitReport.write(own, PipReading.SILHOUETTE, "noise", page);
+    FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "noise", page);
     String text = Files.readString(page.resolve("report.html"));
     assertTrue(text.contains("No model of noise is one"), text.substring(0, 1500));
   }
@@ -159,7 +171,7 @@ class FitReportTest {
         new Photos().objects(1).lenses(0.05).detector("orb", p -> 0.1 + 0.5 * p).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
     Path page = Files.createDirectories(folder.resolve("one"));
-    FitReport.write(own, PipReading.SILHOUETTE, "one", page);
+    FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "one", page);
     assertTrue(Files.readString(page.resolve("report.html")).contains("10 photos of 1 object."));
     assertTrue(new ModelFolder(page.resolve("models"), "mine").write(own) >= 8);
     assertTrue(Files.exists(page.resolve("models/orb-pinhole.json")));

@@ -25,10 +25,7 @@ final class Taken {
   /** Targets hide none, and all have one size: the mean of all. */
   static Scenario occlusion(Scenario scenario) {
     Surroundings around = scenario.surroundings();
-    return withOneSize(scenario)
-        .withSurroundings(
-            new Surroundings(
-                around.obstacles(), Surroundings.NONE.occlusion(), around.floorplan()));
+    return withOneSize(scenario).withSurroundings(around.with(Surroundings.NONE.occlusion()));
   }
 
   private static Scenario withOneSize(Scenario scenario) {
@@ -47,8 +44,7 @@ final class Taken {
   /** No obstacles. */
   static Scenario walls(Scenario scenario) {
     Surroundings around = occlusion(scenario).surroundings();
-    return named("time", scenario, occlusion(scenario))
-        .withSurroundings(new Surroundings(List.of(), around.occlusion(), around.floorplan()));
+    return named("time", scenario, occlusion(scenario)).withSurroundings(around.with(List.of()));
   }
 
   /** Moves are done at once. */

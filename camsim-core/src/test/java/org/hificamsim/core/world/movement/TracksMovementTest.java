@@ -2,12 +2,14 @@ package org.hificamsim.core.world.movement;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.core.AllocatedBytes;
 import org.hificamsim.core.InputException;
@@ -27,6 +29,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class TracksMovementTest {
   private static final Detection DETECTION = Detection.of(new GeometricDetection());
@@ -103,6 +106,68 @@ class TracksMovementTest {
     assertEquals(
         "target 3.0 moves by Tracks and has no track, expected one of <tracks>",
         error.getMessage());
+  }
+
+  /** Whether places are worked out beforehand, or, being too many, on the way. */
+  @ParameterizedTest
+  @ValueSource(strings = {"", "target 999 size 1\n0 0 0\n9000000 1 1\n"})
+  void isOnTheStraightLineBetweenTwoSamplesToTheBit(String tooLongForMemory) throws IOException {
+    for (StepOrder order : StepOrder.values()) {
+      List<double[]> tracks = new ArrayList<>();
+      String text = randomTracks(new SplittableRandom(5), tracks) + tooLongForMemory;
+      Scenario scenario = scenario(0.7, text).withOrder(order);
+      World world = world(scenario);
+      int[] compared = new int[1];
+      run(
+          world,
+          120,
+          (network, coverage) -> compared[0] += compare(world.targets(), network.step(), tracks));
+      assertTrue(compared[0] > 2000, "places compared: " + compared[0]);
+    }
+  }
+
+  /** Fifty tracks of targets 0 to 49; what is written is added to the list, time, x and y. */
+  private static String randomTracks(SplittableRandom random, List<double[]> tracks) {
+    StringBuilder text = new StringBuilder("tracks 1\ninterval 1\n");
+    for (int target = 0; target < 50; target++) {
+      double[] samples = new double[3 * random.nextInt(1, 60)];
+      double time = random.nextDouble(20);
+      text.append("target " + target + " size 1\n");
+      for (int i = 0; i < samples.length; i += 3) {
+        samples[i] = time;
+        samples[i + 1] = random.nextDouble(-10, 10);
+        samples[i + 2] = random.nextDouble(-10, 10);
+        text.append(samples[i] + " " + samples[i + 1] + " " + samples[i + 2] + "\n");
+        time += random.nextDouble(0.1, 3);
+      }
+      tracks.add(samples);
+    }
+    return text.toString();
+  }
+
+  private static int compare(Targets targets, long step, List<double[]> tracks) {
+    int compared = 0;
+    for (int i = 0; i < targets.count(); i++) {
+      int target = (int) Double.parseDouble(targets.name(i));
+      if (targets.present(i) && target < tracks.size()) {
+        assertEquals(place(tracks.get(target), step * 0.7, 1), targets.x(i));
+        assertEquals(place(tracks.get(target), step * 0.7, 2), targets.y(i));
+        compared++;
+      }
+    }
+    return compared;
+  }
+
+  private static double place(double[] samples, double time, int axis) {
+    int leg = 0;
+    while (leg + 3 < samples.length && samples[leg + 3] <= time) {
+      leg += 3;
+    }
+    if (leg + 3 == samples.length) {
+      return samples[leg + axis];
+    }
+    double part = Math.max(0, (time - samples[leg]) / (samples[leg + 3] - samples[leg]));
+    return samples[leg + axis] + part * (samples[leg + 3 + axis] - samples[leg + axis]);
   }
 
   @Test

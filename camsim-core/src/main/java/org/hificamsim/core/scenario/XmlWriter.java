@@ -1,0 +1,93 @@
+package org.hificamsim.core.scenario;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Map;
+
+/** An XML document under way, an element a line. */
+final class XmlWriter {
+  private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
+  private final Deque<String> open = new ArrayDeque<>();
+
+  /** What fills an element with lines of its own. */
+  @FunctionalInterface
+  interface Lines {
+    /** Writes them, each with its end. */
+    void write(Appendable out) throws IOException;
+  }
+
+  /** Starts an element that others follow in. */
+  void open(String name, Map<String, Object> attributes) {
+    tag(name, attributes, ">");
+    open.addLast(name);
+  }
+
+  /** Ends the element that was started last. */
+  void close() {
+    String name = open.removeLast();
+    indent();
+    end(name);
+  }
+
+  /** An element without content. */
+  void empty(String name, Map<String, Object> attributes) {
+    tag(name, attributes, "/>");
+  }
+
+  /** An element with a text, in which nothing needs to be escaped. */
+  void text(String name, String text) {
+    tag(name, Map.of(), ">");
+    out.append(text);
+    end(name);
+  }
+
+  /** An element with lines, in which nothing needs to be escaped. */
+  void lines(String name, Lines lines) {
+    tag(name, Map.of(), ">");
+    out.append('\n');
+    try {
+      lines.write(out);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    out.append("    ");
+    end(name);
+  }
+
+  /** The document, all of whose elements have ended. */
+  String document() {
+    return out + "\n";
+  }
+
+  private void tag(String name, Map<String, Object> attributes, String end) {
+    indent();
+    out.append('<').append(name);
+    attributes.forEach(
+        (key, value) ->
+            out.append(' ').append(key).append("=\"").append(escaped(value)).append('"'));
+    out.append(end);
+  }
+
+  private void end(String name) {
+    out.append("</").append(name).append('>');
+  }
+
+  /** A value between double quotes; tabs and line ends would be read as spaces if left as is. */
+  private static String escaped(Object value) {
+    return value
+        .toString()
+        .replace("&", "&amp;")
+        .replace("<", "&lt;")
+        .replace(">", "&gt;")
+        .replace("\"", "&quot;")
+        .replace("\t", "&#9;")
+        .replace("\n", "&#10;")
+        .replace("\r", "&#13;");
+  }
+
+  private void indent() {
+    out.append('\n').append("  ".repeat(open.size()));
+  }
+}

@@ -1,0 +1,59 @@
+package org.hificamsim.core.world;
+
+import java.util.Arrays;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.visibility.Pose;
+
+/**
+ * Where a camera stands, and how it looks in each of its views; never changes, so that worlds share
+ * it.
+ */
+final class Mount {
+  private final Pose pose;
+  private final ViewSet set;
+  private final ZoomLevel[] zooms; // by view
+  private final Pose[] poses; // likewise
+
+  Mount(Pose pose, ViewSet set) {
+    this(pose, set, new ZoomLevel[set.count()]);
+    Arrays.setAll(zooms, set::zoom);
+  }
+
+  private Mount(Pose pose, ViewSet set, ZoomLevel[] zooms) {
+    this.pose = pose;
+    this.set = set;
+    this.zooms = zooms;
+    Pose[] byPan = new Pose[set.pans().size()];
+    Arrays.setAll(byPan, pan -> pose.turned(set.pans().get(pan)));
+    poses = new Pose[set.count()];
+    Arrays.setAll(poses, view -> byPan[set.panOf(view)]);
+  }
+
+  /** The same camera elsewhere. */
+  Mount at(Pose other) {
+    return new Mount(other, set, zooms);
+  }
+
+  /** Where the camera stands and which way it is mounted. */
+  Pose pose() {
+    return pose;
+  }
+
+  ViewSet set() {
+    return set;
+  }
+
+  /** The number of views, 1 or more. */
+  int views() {
+    return zooms.length;
+  }
+
+  ZoomLevel zoom(int view) {
+    return zooms[view];
+  }
+
+  /** Where the camera stands and which way it looks in a view. */
+  Pose pose(int view) {
+    return poses[view];
+  }
+}

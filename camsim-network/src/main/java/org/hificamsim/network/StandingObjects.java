@@ -1,0 +1,83 @@
+package org.hificamsim.network;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.TargetSpec;
+
+/**
+ * A scenario as CamSim itself reads it: who follows a track is an object that comes and goes by
+ * events and stands where its track begins. In CamSim the bridge has it follow the track. A camera
+ * with optics has its widest angle, and a range of 20 m and more is set by an event of step 0,
+ * since CamSim makes 16 m of it otherwise (behaviour 6.3).
+ */
+public final class StandingObjects {
+  private static final double CLAMPED = 20; // m
+  private static final double AS_IT_IS = -1;
+  private static final MovementSpec STRAIGHT = new MovementSpec("", 0, 1, List.of());
+
+  private StandingObjects() {}
+
+  /** The scenario for CamSim. */
+  public static Scenario of(Scenario scenario) {
+    Scenario seen = scenario.withCameras(one -> withoutOptics(one, scenario));
+    List<ScenarioEvent> events = new ArrayList<>();
+    seen.cameras().stream()
+        .filter(camera -> camera.range() >= CLAMPED)
+        .forEach(camera -> events.add(widened(camera)));
+    seen.events().forEach(event -> events.add(standing(event)));
+    return seen.with(scenario.name(), scenario.targets(), events);
+  }
+
+  private static CameraSpec withoutOptics(CameraSpec camera, Scenario scenario) {
+    return new CameraSpec(
+        camera.name(),
+        camera.x(),
+        camera.y(),
+        camera.heading(),
+        camera.optics().map(one -> widest(one.anglesOfView())).orElse(camera.viewingAngle()),
+        camera.range() > 0 || camera.optics().isEmpty() ? camera.range() : diagonal(scenario),
+        camera.agent(),
+        Optional.empty(),
+        camera.extras());
+  }
+
+  private static double widest(List<Double> angles) {
+    return angles.stream().mapToDouble(angle -> angle).max().orElse(2 * Math.toDegrees(Math.PI));
+  }
+
+  private static double diagonal(Scenario scenario) {
+    return Math.ceil(Math.hypot(scenario.field().width(), scenario.field().height()));
+  }
+
+  private static ScenarioEvent widened(CameraSpec camera) {
+    return new ScenarioEvent.ChangeCamera(
+        0, camera.name(), AS_IT_IS, AS_IT_IS, AS_IT_IS, AS_IT_IS, camera.range());
+  }
+
+  private static ScenarioEvent standing(ScenarioEvent event) {
+    return event instanceof ScenarioEvent.AddTarget add
+            && add.target().movement().track().isPresent()
+        ? new ScenarioEvent.AddTarget(add.step(), standing(add.target()))
+        : event;
+  }
+
+  private static TargetSpec standing(TargetSpec target) {
+    return new TargetSpec(
+        TargetSpec.Origin.EVENT,
+        target.features(),
+        target.x(),
+        target.y(),
+        0,
+        0,
+        target.size(),
+        target.extent(),
+        STRAIGHT,
+        Map.of());
+  }
+}

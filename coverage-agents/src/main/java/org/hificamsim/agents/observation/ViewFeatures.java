@@ -1,0 +1,122 @@
+package org.hificamsim.agents.observation;
+
+import java.util.Arrays;
+import org.hificamsim.agents.voting.NearestCameras;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * What an observation has of a camera in each of its views wherever targets are: a row for each,
+ * with the numbers of the camera itself and where its neighbours stand. Good until the network's
+ * revision changes.
+ */
+final class ViewFeatures {
+  private static final int GOAL = ObservationLayout.at("goal_pan");
+  private static final int SEEING = ObservationLayout.at("pan");
+  private static final int BLIND = ObservationLayout.at("blind");
+  private static final int OF_A_VIEW = 3; // pan, zoom and angle
+
+  private final int size;
+  private final int[] firstRow;
+  private final float[] rows;
+  private final double[] perReach;
+  private final double[] perAngle;
+  private final int[][] neighbours;
+
+  ViewFeatures(
+      NetworkView network,
+      ObservationLayout layout,
+      Standpoints standpoints,
+      NearestCameras nearest) {
+    size = layout.firstTarget();
+    firstRow = new int[network.cameras() + 1];
+    neighbours = new int[network.cameras()][];
+    for (int camera = 0; camera < neighbours.length; camera++) {
+      firstRow[camera + 1] = firstRow[camera] + network.views(camera);
+      neighbours[camera] = new int[nearest.count(camera)];
+      int of = camera;
+      Arrays.setAll(neighbours[camera], i -> nearest.neighbour(of, i));
+    }
+    rows = new float[firstRow[neighbours.length] * size];
+    perReach = new double[firstRow[neighbours.length]];
+    perAngle = new double[perReach.length];
+    for (int camera = 0; camera < neighbours.length; camera++) {
+      for (int view = 0; view < network.views(camera); view++) {
+        fill(network, standpoints, camera, view);
+      }
+    }
+  }
+
+  private void fill(NetworkView network, Standpoints standpoints, int camera, int view) {
+    int row = firstRow[camera] + view;
+    double angle = network.zoom(camera, view).viewingAngle();
+    perReach[row] = 1 / network.reach(camera, view);
+    perAngle[row] = 1 / angle;
+    int zooms = network.zooms(camera);
+    int at = row * size;
+    rows[at] = 1;
+    rows[at + 1] = standpoints.x(network.cameraX(camera));
+    rows[at + 2] = standpoints.y(network.cameraY(camera));
+    rows[at + 3] = Bounds.signed(Math.sin(network.cameraHeading(camera)));
+    rows[at + 4] = Bounds.signed(Math.cos(network.cameraHeading(camera)));
+    rows[at + SEEING] = Bounds.signed(network.pan(camera, view) / Math.PI);
+    rows[at + SEEING + 1] = zooms == 1 ? 1 : Bounds.share(view % zooms / (zooms - 1.0));
+    rows[at + SEEING + 2] = Bounds.share(angle / (2 * Math.PI));
+    System.arraycopy(rows, at + SEEING, rows, at + GOAL, 2);
+    fillNeighbours(network, standpoints, camera, at + ObservationLayout.OWN_SIZE);
+  }
+
+  private void fillNeighbours(NetworkView network, Standpoints standpoints, int camera, int first) {
+    int at = first;
+    for (int other : neighbours[camera]) {
+      rows[at] = standpoints.between(network.cameraX(other) - network.cameraX(camera));
+      rows[at + 1] = standpoints.between(network.cameraY(other) - network.cameraY(camera));
+      at += ObservationLayout.NEIGHBOUR.size();
+    }
+  }
+
+  /**
+   * Writes them.
+   *
+   * @param goal the view that the camera chose last
+   * @param seeing the view that it sees through, -1 while it sees nothing
+   */
+  void write(int camera, int goal, int seeing, float[] out, int at) {
+    System.arraycopy(rows, (firstRow[camera] + goal) * size, out, at, size);
+    if (seeing < 0) {
+      Arrays.fill(out, at + SEEING, at + SEEING + OF_A_VIEW, 0);
+      out[at + BLIND] = 1;
+    } else if (seeing != goal) {
+      int from = (firstRow[camera] + seeing) * size + SEEING;
+      System.arraycopy(rows, from, out, at + SEEING, OF_A_VIEW);
+    }
+  }
+
+  /** The camera's neighbours, the nearest first. */
+  int[] neighbours(int camera) {
+    return neighbours[camera];
+  }
+
+  /** One by the distance beyond which the camera detects nothing in a view, per metre. */
+  double perReach(int camera, int view) {
+    return perReach[firstRow[camera] + view];
+  }
+
+  /** One by the opening angle of a view, per radian. */
+  double perAngle(int camera, int view) {
+    return perAngle[firstRow[camera] + view];
+  }
+
+  /** Others, if they are the same numbers: kept once for many worlds, they stay near. */
+  ViewFeatures or(ViewFeatures others) {
+    return isLike(others) ? others : this;
+  }
+
+  private boolean isLike(ViewFeatures others) {
+    return size == others.size
+        && Arrays.equals(firstRow, others.firstRow)
+        && Arrays.equals(rows, others.rows)
+        && Arrays.equals(perReach, others.perReach)
+        && Arrays.equals(perAngle, others.perAngle)
+        && Arrays.deepEquals(neighbours, others.neighbours);
+  }
+}

@@ -1,0 +1,138 @@
+package org.hificamsim.profiling.trial;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import java.util.SplittableRandom;
+import org.hificamsim.core.detection.Condition;
+import org.hificamsim.core.detection.Conditions;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.profiling.dataset.Covariate;
+import org.hificamsim.profiling.dataset.PhotoCamera;
+import org.hificamsim.profiling.measure.Measurement;
+
+/**
+ * Photos of one object as a scenario: the object is a target in the middle, and each photo a camera
+ * with its lens, at its distance and under its conditions, which looks at it.
+ *
+ * @param photos of one object, one or more
+ * @param bearings where the cameras stand as seen from the target, degrees
+ */
+record Scene(List<Measurement> photos, List<Double> bearings) {
+  private static final double ROOM = 1.1;
+
+  /** One photo. */
+  static Scene of(Measurement photo) {
+    return new Scene(List.of(photo), List.of(0.0));
+  }
+
+  /** Photos drawn from those of an object, around it in directions that are drawn too. */
+  static Scene drawn(List<Measurement> ofObject, int cameras, SplittableRandom random) {
+    List<Measurement> left = new ArrayList<>(ofObject);
+    List<Measurement> photos = new ArrayList<>();
+    List<Double> bearings = new ArrayList<>();
+    for (int camera = 0; camera < cameras && !left.isEmpty(); camera++) {
+      photos.add(left.remove(random.nextInt(left.size())));
+      bearings.add(random.nextDouble(360));
+    }
+    return new Scene(photos, bearings);
+  }
+
+  /**
+   * The scenario.
+   *
+   * @param farthest a distance that no photo of the data set exceeds, so that scenes share zooms
+   * @param conditions whether it says those of the photos
+   */
+  Scenario scenario(PhotoCamera sensor, double farthest, boolean conditions) {
+    double half = ROOM * farthest;
+    List<CameraSpec> cameras = new ArrayList<>();
+    for (int i = 0; i < photos.size(); i++) {
+      cameras.add(camera("photo " + i, photos.get(i), bearings.get(i), sensor, conditions));
+    }
+    return new Scenario(
+        "photos",
+        new Field(-half, half, -half, half),
+        StepOrder.COVERAGE,
+        Headings.DEGREES,
+        OptionalDouble.empty(),
+        Optional.empty(),
+        Objective.kMin(),
+        OptionalDouble.empty(),
+        List.of(),
+        cameras,
+        List.of(target()),
+        List.of(),
+        Optional.empty(),
+        Map.of());
+  }
+
+  private TargetSpec target() {
+    return new TargetSpec(
+        TargetSpec.Origin.OBJECT,
+        1,
+        0,
+        0,
+        0,
+        0,
+        photos.get(0).size(),
+        new MovementSpec("Straight", 0, 1, List.of()),
+        Map.of());
+  }
+
+  private static CameraSpec camera(
+      String name, Measurement photo, double bearing, PhotoCamera sensor, boolean conditions) {
+    double radians = StrictMath.toRadians(bearing);
+    double angle =
+        StrictMath.toDegrees(2 * StrictMath.atan(sensor.sensorWidth() / (2 * photo.focalLength())));
+    return new CameraSpec(
+        name,
+        photo.distance() * StrictMath.sin(radians),
+        photo.distance() * StrictMath.cos(radians),
+        bearing + 180,
+        angle,
+        0,
+        AgentSpec.NONE,
+        Optional.of(lens(angle)),
+        conditions ? conditions(photo) : Conditions.UNKNOWN,
+        Map.of());
+  }
+
+  private static OpticsSpec lens(double angle) {
+    return new OpticsSpec(
+        "lens of " + angle,
+        OpticsLaw.PINHOLE,
+        OptionalInt.empty(),
+        List.of(angle),
+        OptionalDouble.empty(),
+        List.of(0.0),
+        OptionalDouble.empty(),
+        0,
+        Moving.BLIND);
+  }
+
+  private static Conditions conditions(Measurement photo) {
+    return new Conditions(
+        value(photo, Condition.APERTURE),
+        value(photo, Condition.DISTORTION),
+        value(photo, Condition.LIGHT));
+  }
+
+  private static double value(Measurement photo, Condition condition) {
+    return photo.covariates().getOrDefault(Covariate.valueOf(condition.name()), Double.NaN);
+  }
+}

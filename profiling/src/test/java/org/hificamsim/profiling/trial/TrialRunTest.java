@@ -1,0 +1,165 @@
+package org.hificamsim.profiling.trial;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import org.hificamsim.core.detection.Conditions;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.profiling.dataset.Covariate;
+import org.hificamsim.profiling.fit.CovariateChoice;
+import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.fit.FitSettings;
+import org.hificamsim.profiling.fit.FittedModel;
+import org.hificamsim.profiling.fit.Fitting;
+import org.hificamsim.profiling.fit.Photos;
+import org.hificamsim.profiling.fit.SupportVectorSettings;
+import org.hificamsim.profiling.fit.SymbolicSettings;
+import org.hificamsim.profiling.measure.Measurement;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The simulator, asked about photos whose truth is known. */
+class TrialRunTest {
+  private static final double THRESHOLD = 0.3;
+
+  @TempDir Path folder;
+
+  /** A curve through all photos: nothing is left to disagree about but rounding. */
+  @Test
+  void aDetectorAsTheModelSaysIsDetectedAsMeasured() {
+    Trials trials = trials(curve().take(1), "none");
+    assertEquals("d-pinhole", trials.model().name());
+    assertEquals(THRESHOLD, trials.threshold());
+    assertEquals(1, trials.share(Trial::agrees));
+    assertTrue(trials.share(Trial::measured) > 0.2 && trials.share(Trial::measured) < 0.8);
+    assertEquals(trials.measured(), trials.simulated());
+    assertEquals(0, trials.error());
+    assertEquals(1, trials.balanced());
+    assertTrue(trials.measured().once() > trials.measured().more());
+  }
+
+  @Test
+  void theSimulatorSaysWhatTheModelWithoutTheObjectSays() {
+    Trials trials = trials(curve().scatter(0.1, 0.05).take(2), "none");
+    List<String> objects =
+        trials.photos().stream().map(one -> one.photo().object()).distinct().toList();
+    for (Trial one : trials.photos()) {
+      HiFiDetection without = trials.model().without(objects.indexOf(one.photo().object()));
+      boolean detects = confidence(without, one.photo()) >= THRESHOLD;
+      assertEquals(detects, one.simulated(), one.toString());
+      assertEquals(one.photo().confidence("d") >= THRESHOLD, one.measured(), one.toString());
+    }
+  }
+
+  /** Nobody who has not seen the object knows that it is never found. */
+  @Test
+  void anObjectThatIsNeverFoundIsInvented() {
+    UnaryOperator<Measurement> blank = m -> m.object().equals("o6") ? with(m, 0, Map.of()) : m;
+    Trials trials = trials(curve().take(1).stream().map(blank).toList(), "none");
+    double invented = trials.share(Trial::invented);
+    assertTrue(invented > 0.02, "" + invented);
+    assertTrue(
+        trials.photos().stream()
+            .filter(Trial::invented)
+            .allMatch(one -> one.photo().object().equals("o6")));
+    assertTrue(trials.leastOfObject() < 0.9, "" + trials.leastOfObject());
+    assertTrue(trials.simulated().once() > trials.measured().once() + 0.01);
+    assertTrue(trials.error() > 0.01, "" + trials.error());
+    assertTrue(trials.balanced() < 1);
+  }
+
+  /** By chance the share of the detected is right though no single draw is known. */
+  @Test
+  void chanceExpectsAsMuchAsIsMeasured() {
+    Trials trials = trials(curve().scatter(0, 0.12).take(3), "none");
+    Covered expected = trials.byChance().orElseThrow();
+    assertEquals(trials.measuredByChance().once(), expected.once(), 0.05);
+    assertEquals(trials.measuredByChance().meanK(), expected.meanK(), 0.15);
+    double mean = trials.photos().stream().mapToDouble(Trial::chance).average().orElseThrow();
+    assertEquals(trials.share(Trial::measuredByChance), mean, 0.04);
+  }
+
+  @Test
+  void conditionsAreThoseOfThePhotos() {
+    List<Measurement> photos = new ArrayList<>();
+    for (Measurement m : curve().take(1)) {
+      double light = 0.5 + photos.size() % 2;
+      double share = m.pip() * Math.exp(2 * (light - 1));
+      photos.add(with(m, g(share), Map.of(Covariate.LIGHT, light)));
+    }
+    Trials lit = trials(photos, "light");
+    assertTrue(lit.share(Trial::agrees) > 0.98, "" + lit.share(Trial::agrees));
+    assertTrue(trials(photos, "none").share(Trial::agrees) < lit.share(Trial::agrees) - 0.02);
+  }
+
+  @Test
+  void everyPhotoIsARowAndAsManyThreadsAsThereAreChangeNothing() throws IOException {
+    FitResult result = fit(curve().scatter(0.1, 0.05).take(2), "none");
+    TrialsFile.write(folder, TrialRun.all(result, 1));
+    String one = Files.readString(folder.resolve(TrialsFile.NAME));
+    TrialsFile.write(folder, TrialRun.all(result, 2));
+    assertEquals(one, Files.readString(folder.resolve(TrialsFile.NAME)));
+    assertEquals(1 + result.measurements().size(), one.lines().count());
+    assertTrue(
+        one.startsWith(
+            "detector,model,image,object,size_m,distance_m,focal_length_m,confidence,threshold,"
+                + "detected,simulated,chance\n"));
+    assertTrue(
+        TrialRun.all(result, 1).get(0).sentence().startsWith("In the simulation d-pinhole agrees"),
+        TrialRun.all(result, 1).get(0).sentence());
+  }
+
+  private static double confidence(HiFiDetection model, Measurement photo) {
+    double angle = 2 * StrictMath.atan(0.0224 / (2 * photo.focalLength()));
+    ZoomLevel zoom = new ZoomLevel(99, 99, 99, Double.NaN, angle, angle, 0);
+    return model.confidence(photo.size(), photo.distance(), 0, zoom.under(Conditions.UNKNOWN));
+  }
+
+  private static double g(double share) {
+    return 0.05 + 0.7 * (1 - Math.exp(-share / 0.01));
+  }
+
+  private static Photos curve() {
+    return new Photos().detector("d", TrialRunTest::g).scatter(0, 0);
+  }
+
+  private static Trials trials(List<Measurement> photos, String covariates) {
+    FitResult result = fit(photos, covariates);
+    return TrialRun.of(FittedModel.of(result, "d").get(0));
+  }
+
+  private static FitResult fit(List<Measurement> photos, String covariates) {
+    FitSettings settings =
+        new FitSettings(
+            5,
+            0,
+            new SymbolicSettings(50, 1, 0.001, 0),
+            SupportVectorSettings.THESIS,
+            Optional.of("saturating-exponential"),
+            CovariateChoice.of(List.of(covariates)),
+            Map.of("d", THRESHOLD));
+    return new Fitting(settings).fit(Photos.CAMERA, photos, 2);
+  }
+
+  private static Measurement with(
+      Measurement m, double confidence, Map<Covariate, Double> covariates) {
+    return new Measurement(
+        m.image(),
+        m.object(),
+        m.size(),
+        m.distance(),
+        m.focalLength(),
+        m.pip(),
+        Map.of("d", confidence),
+        covariates);
+  }
+}

@@ -1,0 +1,71 @@
+"""BenchMARL: the TorchRL environment as a task. Experiments are pickled, and so the class has a module of its own."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from collections.abc import Callable
+from typing import Any
+
+from benchmarl.environments.common import TaskClass
+from torchrl.data import Composite
+
+from .torch_envs import GROUP, torchrl_env
+
+
+class CameraTask(TaskClass):  # type: ignore[misc]
+    """A network of cameras; its name is that of the scenario, since folders of results are called by it."""
+
+    def __init__(self, scenario: str | os.PathLike[str], settings: dict[str, Any]) -> None:
+        super().__init__(pathlib.Path(scenario).stem, settings)
+        self.scenario = os.fspath(scenario)
+
+    def get_env_fun(
+        self, num_envs: int, continuous_actions: bool, seed: int | None, device: Any
+    ) -> Callable[[], Any]:
+        seeded = {} if seed is None else {"seed": seed}
+        return lambda: torchrl_env(self.scenario, device=device, **{**self.config, **seeded})
+
+    def supports_continuous_actions(self) -> bool:
+        return False
+
+    def supports_discrete_actions(self) -> bool:
+        return True
+
+    def max_steps(self, env: Any) -> int:
+        return int(self.config.get("steps", 1000))
+
+    def has_render(self, env: Any) -> bool:
+        return False
+
+    def group_map(self, env: Any) -> Any:
+        return env.group_map
+
+    def state_spec(self, env: Any) -> Any:
+        return Composite({"state": env.observation_spec["state"].clone()}, device=env.device)
+
+    def action_mask_spec(self, env: Any) -> Any:
+        return _only(env, "action_mask")
+
+    def observation_spec(self, env: Any) -> Any:
+        return _only(env, "observation")
+
+    def info_spec(self, env: Any) -> Any:
+        return _only(env, "info")
+
+    def action_spec(self, env: Any) -> Any:
+        return env.full_action_spec
+
+    @staticmethod
+    def env_name() -> str:
+        return "hificamsim"
+
+
+def _only(env: Any, part: str) -> Any:
+    """What an environment says of one part of what cameras get."""
+    spec = env.observation_spec.clone()
+    del spec["state"]
+    for key in list(spec[GROUP].keys()):
+        if key != part:
+            del spec[GROUP, key]
+    return spec

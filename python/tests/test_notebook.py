@@ -1,0 +1,51 @@
+"""The notebook runs from its top to its bottom, and says what is true."""
+
+from __future__ import annotations
+
+import os
+import pathlib
+from typing import Any
+
+import pytest
+
+EXAMPLES = pathlib.Path(__file__).resolve().parents[1] / "examples"
+NOTEBOOK = EXAMPLES / "cameras-that-learn.ipynb"
+CHECKS = """
+assert (len(beside), len(table)) == (5, 7)
+assert curve.score.iloc[-3:].mean() > 1.5 * curve.score.iloc[0]
+assert table["mean"]["mine"] > 1.2 * table["mean"]["epsilon-greedy"]
+assert table["mean"]["trained for longer"] > 0.9 * table["mean"]["best-fixed"]
+assert (folder / "report.html").exists()
+"""
+
+
+@pytest.fixture
+def notebook() -> Any:
+    return pytest.importorskip("nbformat").read(NOTEBOOK, as_version=4)
+
+
+def code(notebook: Any) -> list[Any]:
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+def test_the_notebook_has_no_outputs_so_that_changes_can_be_read(notebook: Any) -> None:
+    assert not any(cell.outputs or cell.execution_count for cell in code(notebook))
+
+
+def test_the_notebook_runs(notebook: Any) -> None:
+    import nbformat
+
+    nbclient = pytest.importorskip("nbclient")
+    for name in ("ipykernel", "matplotlib", "onnx"):
+        pytest.importorskip(name)
+    if not (EXAMPLES.parents[1] / "onnx/build/install/onnx").exists():
+        pytest.skip("no ONNX Runtime: gradle :onnx:libraries")
+    training = next(cell for cell in notebook.cells if "UPDATES = 60" in cell.source)
+    training.source = training.source.replace("UPDATES = 60", "UPDATES = 20")  # that is enough to see it learn
+    notebook.cells.append(nbformat.v4.new_code_cell(CHECKS))
+    client = nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(EXAMPLES)}})
+    client.execute(env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+    if os.environ.get("NOTEBOOK_OUT"):  # to look at
+        nbformat.write(notebook, os.environ["NOTEBOOK_OUT"])
+    shown = [out.data for cell in code(notebook) for out in cell.outputs if "data" in out]
+    assert sum("image/png" in data for data in shown) == 3
