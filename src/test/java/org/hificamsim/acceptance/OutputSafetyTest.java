@@ -188,6 +188,23 @@ class OutputSafetyTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"", "--resume"})
+  void anotherProcessLeavesTheJournalOfAComparisonAlone(String resume) throws Exception {
+    Path journal = folder.resolve(".compare.journal");
+    try (OutputFolder held = new OutputFolder(folder)) {
+      Files.writeString(journal, "runs of who holds the folder\n");
+      List<Object> words = new ArrayList<>(List.of("compare", SCENARIO, "--steps", 5));
+      words.addAll(List.of("--repeat", 1, "--out", held.path()));
+      words.addAll(resume.isEmpty() ? List.of() : List.of(resume));
+      Process other = Java.main(System.getProperty("java.class.path"), words.toArray());
+      String said = new String(other.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(2, other.waitFor(), said);
+      assertTrue(said.contains("is in use by another run"), said);
+      assertEquals("runs of who holds the folder\n", Files.readString(journal));
+    }
+  }
+
   private static List<Cli> atOnce(IntFunction<Cli> command) {
     List<CompletableFuture<Cli>> all =
         IntStream.range(0, 4)

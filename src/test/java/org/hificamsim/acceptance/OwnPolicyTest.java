@@ -11,9 +11,11 @@ import java.net.URLClassLoader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.ServiceLoader;
 import java.util.stream.Stream;
 import org.hificamsim.agents.ZoomPolicyContract;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.BeforeAll;
@@ -80,6 +82,49 @@ class OwnPolicyTest {
     assertEquals(1, said.lines().count(), said);
     assertTrue(said.startsWith("error: ") && said.contains("org.example.Missing"), said);
     assertFalse(Files.exists(jar.resolve("none")));
+  }
+
+  @Test
+  void aThrownExceptionIsOneLineAndWithDebugItsStackTraceToo(@TempDir Path jar) throws Exception {
+    Path services = Files.createDirectories(jar.resolve("META-INF/services"));
+    Files.writeString(services.resolve(ZoomPolicy.class.getName()), Broken.class.getName());
+    List<String> brief = said(jar, List.of());
+    List<String> debug = said(jar, List.of("-Dhificamsim.debug=true"));
+    String frame = " at " + Broken.class.getName() + ".decide(OwnPolicyTest.java:";
+    assertEquals(1, brief.size(), brief.toString());
+    assertTrue(brief.get(0).contains("step 0: IllegalStateException: torn" + frame), brief + "");
+    assertEquals(brief.get(0), debug.get(debug.size() - 1));
+    assertTrue(debug.stream().anyMatch(line -> line.startsWith("\t" + frame.strip())), debug + "");
+  }
+
+  private static List<String> said(Path jar, List<String> options) throws Exception {
+    Process run =
+        Java.main(
+            Path.of("."),
+            options,
+            System.getProperty("java.class.path") + File.pathSeparator + jar,
+            "run",
+            Cli.scenario("lattice-random"),
+            "--policy",
+            "broken",
+            "--out",
+            jar.resolve("none"));
+    String said = new String(run.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(1, run.waitFor(), said);
+    return said.lines().toList();
+  }
+
+  /** A policy whose author has made a mistake. */
+  public static final class Broken implements ZoomPolicy {
+    @Override
+    public String name() {
+      return "broken";
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] views) {
+      throw new IllegalStateException("torn");
+    }
   }
 
   @TestFactory

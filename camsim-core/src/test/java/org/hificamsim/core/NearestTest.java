@@ -31,6 +31,14 @@ class NearestTest {
   @Test
   void fewNamesAreAllThereInTheirOrder() {
     assertEquals("view, run", Nearest.to("rnu", List.of("view", "run")));
+    assertEquals("a, b, c, d, e", Nearest.to("e", List.of("a", "b", "c", "d", "e")));
+  }
+
+  @Test
+  void twoLettersSwappedAreOneMistake() {
+    List<String> names = List.of("rat", "run", "to", "tap", "lists", "views");
+    assertTrue(Nearest.to("rnu", names).startsWith("run, rat, "));
+    assertTrue(Nearest.to("ot", names).startsWith("to, "));
   }
 
   @Test

@@ -161,6 +161,13 @@ class XmlParserTest {
   }
 
   @Test
+  void whatIsCutOffIsToldByTheElementThatIsOpen() throws IOException {
+    assertEquals(
+        "1:7: the file ends inside <b>, expected </b>",
+        fault("<a><b>".getBytes(StandardCharsets.UTF_8)));
+  }
+
+  @Test
   void depthIsBounded() throws IOException {
     parse("<a>".repeat(XmlParser.MAX_DEPTH) + "</a>".repeat(XmlParser.MAX_DEPTH));
     int most = XmlParser.MAX_DEPTH;

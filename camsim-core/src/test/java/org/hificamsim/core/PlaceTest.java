@@ -1,0 +1,28 @@
+package org.hificamsim.core;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import org.junit.jupiter.api.Test;
+
+class PlaceTest {
+  private static final Place PLACE = new Place("town.xml", 3, 14);
+
+  @Test
+  void aFaultBeginsWithItsPlace() {
+    assertEquals("town.xml:3:14", PLACE.toString());
+    assertEquals("town.xml:3:14: no width", PLACE.error("no width").getMessage());
+  }
+
+  @Test
+  void controlCharactersOfTextsAndFilesNeverReachTheTerminal() {
+    assertEquals("a [31mb c d", Place.printable("a\u001b[31mb\r\n\u2028c\u009bd"));
+    assertEquals("a b:1:1: c d", new Place("a\nb", 1, 1).line("c\td"));
+  }
+
+  @Test
+  void aLongTextIsCutOff() {
+    String longest = "x".repeat(500);
+    assertEquals("town.xml:3:14: " + longest, PLACE.line(longest));
+    assertEquals("town.xml:3:14: " + longest + "...", PLACE.line(longest + "y"));
+  }
+}
