@@ -3,6 +3,7 @@ package org.hificamsim.core.engine;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.lang.reflect.Proxy;
+import org.hificamsim.core.metrics.DetectionChances;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 import org.junit.jupiter.api.Test;
@@ -19,6 +20,53 @@ class RunCoverageTest {
     assertEquals(1, coverage.zoomChanges());
     step(1, 2, 0);
     assertEquals(3, coverage.zoomChanges());
+  }
+
+  @Test
+  void whatIsExpectedIsSummedOrAveragedOverTheSteps() {
+    StepCoverage half = new StepCoverage();
+    half.expect(new Coins());
+    coverage.stepped(at(0, 0), half);
+    coverage.stepped(at(0, 0), half);
+    assertEquals(2 * 0.75 * 0.5, coverage.expectedPerformance());
+    assertEquals(0.75, coverage.expectedMeanK());
+    assertEquals(0.5, coverage.leastExpectedK());
+    assertEquals(0.5, coverage.leastChance());
+  }
+
+  @Test
+  void withoutChanceNothingIsExpected() {
+    step(0);
+    assertEquals(Double.NaN, coverage.expectedPerformance());
+    assertEquals(Double.NaN, coverage.leastChance());
+  }
+
+  /** Both cameras detect target 0, the first one target 1 too, each with a chance of a half. */
+  private static final class Coins implements DetectionChances {
+    @Override
+    public int cameras() {
+      return 2;
+    }
+
+    @Override
+    public int targets() {
+      return 2;
+    }
+
+    @Override
+    public boolean present(int target) {
+      return true;
+    }
+
+    @Override
+    public int chances(int camera, int[] targets, double[] chances) {
+      int count = camera == 0 ? 2 : 1;
+      for (int i = 0; i < count; i++) {
+        targets[i] = i;
+        chances[i] = 0.5;
+      }
+      return count;
+    }
   }
 
   private void step(int... views) {

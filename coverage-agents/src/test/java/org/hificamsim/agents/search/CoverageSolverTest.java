@@ -111,6 +111,26 @@ class CoverageSolverTest {
   }
 
   @Test
+  void eachCallHasTheWholeLimitAndCountsItsOwnNodes() {
+    SplittableRandom random = new SplittableRandom(7);
+    int searched = 0;
+    for (int trial = 0; trial < 300; trial++) {
+      long[][] sets = Problems.random(random, 7, 4, 8, 0.4);
+      CoverageSolver solver = new CoverageSolver(Problems.problem(8, sets), 2);
+      solver.solve();
+      long nodes = solver.nodes();
+      int bound = solver.bound();
+      int[] choice = choice(solver, sets);
+      solver.solve();
+      assertEquals(nodes, solver.nodes());
+      assertEquals(bound, solver.bound());
+      assertArrayEquals(choice, choice(solver, sets));
+      searched += nodes > 0 ? 1 : 0;
+    }
+    assertTrue(searched > 0, "no case that is searched");
+  }
+
+  @Test
   void provesANetworkOfTwoHundredCameras() {
     SplittableRandom random = new SplittableRandom(6);
     boolean[][][] sets = new boolean[200][5][40];
