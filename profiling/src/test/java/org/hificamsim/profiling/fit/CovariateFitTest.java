@@ -112,7 +112,7 @@ class CovariateFitTest {
           rows.isEmpty()
               ? Map.of(Covariate.APERTURE, 8.0)
               : Map.of(Covariate.APERTURE, 8.0, Covariate.LIGHT, rows.size() * 0.01);
-      rows.add(with(m, m.confidence("d"), covariates));
+      rows.add(Photos.with(m, m.confidence("d"), covariates));
     }
     FitResult result = new Fitting(QUICK).fit(Photos.CAMERA, rows, 2);
     assertEquals(List.of(), CovariateFit.all(result, "d"));
@@ -149,25 +149,12 @@ class CovariateFitTest {
       double share = m.pip() * Math.exp(WEIGHT * (light - 1));
       double confidence = 0.05 + 0.7 * (1 - Math.exp(-share / 0.02));
       rows.add(
-          with(
+          Photos.with(
               m,
               confidence + 0.02 * random.nextGaussian(),
               Map.of(Covariate.LIGHT, light, Covariate.APERTURE, 2 + random.nextDouble())));
     }
     FitSettings settings = QUICK.with(CovariateChoice.of(covariates));
     return new Fitting(settings).fit(Photos.CAMERA, rows, 2);
-  }
-
-  private static Measurement with(
-      Measurement m, double confidence, Map<Covariate, Double> covariates) {
-    return new Measurement(
-        m.image(),
-        m.object(),
-        m.size(),
-        m.distance(),
-        m.focalLength(),
-        m.pip(),
-        Map.of("d", confidence),
-        covariates);
   }
 }

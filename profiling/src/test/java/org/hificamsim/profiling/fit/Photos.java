@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
+import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
@@ -72,5 +73,19 @@ public final class Photos {
       }
     }
     return photos;
+  }
+
+  /** A photo with another confidence of the detector d, and these covariates. */
+  public static Measurement with(
+      Measurement photo, double confidence, Map<Covariate, Double> covariates) {
+    return new Measurement(
+        photo.image(),
+        photo.object(),
+        photo.size(),
+        photo.distance(),
+        photo.focalLength(),
+        photo.pip(),
+        Map.of("d", confidence),
+        covariates);
   }
 }

@@ -63,7 +63,8 @@ class TrialRunTest {
   /** Nobody who has not seen the object knows that it is never found. */
   @Test
   void anObjectThatIsNeverFoundIsInvented() {
-    UnaryOperator<Measurement> blank = m -> m.object().equals("o6") ? with(m, 0, Map.of()) : m;
+    UnaryOperator<Measurement> blank =
+        m -> m.object().equals("o6") ? Photos.with(m, 0, Map.of()) : m;
     Trials trials = trials(curve().take(1).stream().map(blank).toList(), "none");
     double invented = trials.share(Trial::invented);
     assertTrue(invented > 0.02, "" + invented);
@@ -94,7 +95,7 @@ class TrialRunTest {
     for (Measurement m : curve().take(1)) {
       double light = 0.5 + photos.size() % 2;
       double share = m.pip() * Math.exp(2 * (light - 1));
-      photos.add(with(m, g(share), Map.of(Covariate.LIGHT, light)));
+      photos.add(Photos.with(m, g(share), Map.of(Covariate.LIGHT, light)));
     }
     Trials lit = trials(photos, "light");
     assertTrue(lit.share(Trial::agrees) > 0.98, "" + lit.share(Trial::agrees));
@@ -151,18 +152,5 @@ class TrialRunTest {
             CovariateChoice.of(List.of(covariates)),
             Map.of("d", THRESHOLD));
     return new Fitting(settings).fit(Photos.CAMERA, photos, 2);
-  }
-
-  private static Measurement with(
-      Measurement m, double confidence, Map<Covariate, Double> covariates) {
-    return new Measurement(
-        m.image(),
-        m.object(),
-        m.size(),
-        m.distance(),
-        m.focalLength(),
-        m.pip(),
-        Map.of("d", confidence),
-        covariates);
   }
 }
