@@ -7,6 +7,7 @@ import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.world.World;
 
 /**
@@ -110,10 +111,11 @@ final class OneWorld implements StepListener {
   /**
    * What the cameras know before the next decision; to be asked once for each.
    *
+   * @param pairs is used meanwhile
    * @param out one camera after the other
    */
-  void observe(float[] out) {
-    observer.observe(network(), out);
+  void observe(SeenPairs pairs, float[] out) {
+    observer.observe(network(), pairs, out);
   }
 
   @Override

@@ -5,6 +5,7 @@ import java.util.function.ToDoubleFunction;
 import org.hificamsim.agents.temporal.RewardReading;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 
@@ -42,29 +43,18 @@ public final class Rewards {
 
   /** The difference reward of Wolpert and Tumer (2002): targets that it alone detects. */
   private static final class Difference implements Reward {
-    private int[] who = {};
-    private double[] ahead = {};
-    private double[] right = {};
+    private final SeenPairs pairs = new SeenPairs();
 
     @Override
     public void pay(NetworkView network, StepCoverage coverage, float[] out) {
-      if (who.length < network.targets()) {
-        who = new int[network.targets()];
-        ahead = new double[network.targets()];
-        right = new double[network.targets()];
+      Arrays.fill(out, 0);
+      network.findSeen(pairs);
+      for (int i = 0; i < pairs.count(); i++) {
+        out[pairs.camera(i)] += network.coverage(pairs.target(i)) == 1 ? 1 : 0;
       }
       for (int camera = 0; camera < out.length; camera++) {
-        out[camera] = (float) alone(network, camera) / Math.max(1, coverage.targets());
+        out[camera] /= Math.max(1, coverage.targets());
       }
-    }
-
-    private int alone(NetworkView network, int camera) {
-      int seen = network.detected(camera) == 0 ? 0 : network.findSeen(camera, who, ahead, right);
-      int alone = 0;
-      for (int i = 0; i < seen; i++) {
-        alone += network.coverage(who[i]) == 1 ? 1 : 0;
-      }
-      return alone;
     }
   }
 

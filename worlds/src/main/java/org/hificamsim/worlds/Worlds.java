@@ -9,6 +9,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
 
 /**
  * Simulations side by side, stepped by one call and shared out among threads. Actions are read from
@@ -37,6 +38,7 @@ public final class Worlds implements AutoCloseable {
   private final boolean maskOften;
   private final float[][] state; // of each worker
   private final float[][] observed; // likewise
+  private final SeenPairs[] pairs; // likewise
   private final Workers.Share stepping = this::stepShare;
   private final Workers.Share resetting = this::resetShare;
   private final Workers.Share telling = this::stateShare;
@@ -89,6 +91,8 @@ public final class Worlds implements AutoCloseable {
     maskOften = setup.actions() == ActionKind.STEPS || takesTime();
     workers = Workers.of(threads);
     observed = new float[threads][network.cameras() * setup.layout().size()];
+    pairs = new SeenPairs[threads];
+    Arrays.setAll(pairs, worker -> new SeenPairs());
     state = new float[threads][StateLayout.size(network.cameras(), network.targets())];
     reset(seed, true);
   }
@@ -150,7 +154,7 @@ public final class Worlds implements AutoCloseable {
       } else {
         worlds[i].next();
       }
-      observe(i, observations, observed[worker]);
+      observe(i, observations, worker);
       writeMasks(i);
     }
   }
@@ -168,11 +172,11 @@ public final class Worlds implements AutoCloseable {
   private void stepShare(int worker) {
     int end = workers.first(worker + 1, worlds.length);
     for (int i = workers.first(worker, worlds.length); i < end; i++) {
-      step(i, observed[worker]);
+      step(i, worker);
     }
   }
 
-  private void step(int i, float[] out) {
+  private void step(int i, int worker) {
     OneWorld world = worlds[i];
     actions.get(i * world.actions().length, world.actions());
     world.step();
@@ -180,18 +184,19 @@ public final class Worlds implements AutoCloseable {
     measures.put(i * OneWorld.MEASURES, world.measures());
     ends.put(i, (byte) (world.over() ? 1 : 0));
     if (world.over() && setup.autoReset()) {
-      observe(i, finals, out);
+      observe(i, finals, worker);
       world.next();
     }
-    observe(i, observations, out);
+    observe(i, observations, worker);
     if (maskOften || world.network().revision() != maskedRevision[i]) {
       writeMasks(i);
     }
   }
 
-  /** By way of an array that all worlds of a worker share: it stays near. */
-  private void observe(int i, FloatBuffer into, float[] out) {
-    worlds[i].observe(out);
+  /** By way of arrays that all worlds of a worker share: they stay near. */
+  private void observe(int i, FloatBuffer into, int worker) {
+    float[] out = observed[worker];
+    worlds[i].observe(pairs[worker], out);
     into.put(i * out.length, out);
   }
 

@@ -31,7 +31,8 @@ final class DistanceSight implements Sight {
   private double[] from = new double[1];
   private double[] to = new double[1];
   private boolean[] single = new boolean[1];
-  private double[] disc = new double[1];
+  private double[] disc = new double[1]; // of each entry
+  private double[] discs = {}; // of each view
 
   DistanceSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
@@ -41,12 +42,17 @@ final class DistanceSight implements Sight {
     this.visibility = visibility;
     this.values = new ValueTables(visibility.detection());
     this.rows = new ViewRows(cameras, targets, this::newRow);
-    rows.refresh();
+    refresh(0);
   }
 
   @Override
   public void refresh(long step) {
-    rows.refresh();
+    if (rows.refresh()) {
+      discs = discs.length == rows.views() ? discs : new double[rows.views()];
+      for (int number = 0; number < discs.length; number++) {
+        discs[number] = rows.allRound(number) ? disc[rows.row(number)] : Double.NaN;
+      }
+    }
   }
 
   private void newRow(ZoomLevel zoom, int row) {
@@ -143,8 +149,8 @@ final class DistanceSight implements Sight {
 
   @Override
   public int look(int camera, int view, PointGrid grid, int begin, int end, int[] counts) {
-    double below = disc[rows.row(camera, view)];
-    return below > 0 && rows.allRound(camera, view)
+    double below = discs[rows.number(camera, view)];
+    return below > 0
         ? lookAllRound(cameras.pose(camera), below, grid, begin, end, counts)
         : Sight.super.look(camera, view, grid, begin, end, counts);
   }
@@ -169,20 +175,22 @@ final class DistanceSight implements Sight {
 
   @Override
   public int find(
-      int camera, int view, PointGrid grid, int begin, int end, int[] found, int count) {
-    double below = disc[rows.row(camera, view)];
-    return below > 0 && rows.allRound(camera, view)
-        ? findAllRound(cameras.pose(camera), below, grid, begin, end, found, count)
+      int camera, int view, PointGrid grid, int begin, int end, long[] found, int count) {
+    double below = discs[rows.number(camera, view)];
+    return below > 0
+        ? findAllRound(camera, below, grid, begin, end, found, count)
         : Sight.super.find(camera, view, grid, begin, end, found, count);
   }
 
   /** The same as {@link #lookAllRound}; the entry behind the last may be written, and is none. */
-  private static int findAllRound(
-      Pose camera, double below, PointGrid grid, int begin, int end, int[] found, int count) {
+  private int findAllRound(
+      int camera, double below, PointGrid grid, int begin, int end, long[] found, int count) {
+    Pose pose = cameras.pose(camera);
+    long first = (long) camera << Integer.SIZE;
     int filled = count;
     for (int i = begin; i < end; i++) {
-      double difference = camera.squaredDistance(grid.x(i), grid.y(i)) - below;
-      found[filled] = i;
+      double difference = pose.squaredDistance(grid.x(i), grid.y(i)) - below;
+      found[filled] = first + i;
       filled += (int) (Double.doubleToRawLongBits(difference) >>> 63);
     }
     return filled;

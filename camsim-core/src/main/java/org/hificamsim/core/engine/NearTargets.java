@@ -1,6 +1,7 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
+import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.policy.SeenTask;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Pose;
@@ -86,38 +87,42 @@ final class NearTargets {
     }
   }
 
-  /**
-   * As {@link org.hificamsim.core.policy.NetworkView#findSeen}.
-   *
-   * @param view {@link Cameras#NO_VIEW} sees none
-   */
-  int findSeen(int camera, int view, int[] who, double[] ahead, double[] sideways) {
-    if (view == Cameras.NO_VIEW) {
-      return 0;
+  /** As {@link org.hificamsim.core.policy.NetworkView#findSeen}. */
+  void findSeen(SeenPairs pairs) {
+    int count = 0;
+    long[] found = pairs.scratch(0);
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      int view = cameras.seeing(camera);
+      if (view != Cameras.NO_VIEW && cameras.online(camera)) {
+        found = pairs.scratch(count + grid.count() + 1);
+        count = find(camera, view, found, count);
+      }
     }
-    int count = find(camera, view, who);
-    Pose pose = cameras.pose(camera, view);
-    for (int seen = 0; seen < count; seen++) {
-      int i = who[seen];
-      double dx = grid.x(i) - pose.x();
-      double dy = grid.y(i) - pose.y();
-      who[seen] = grid.point(i);
-      ahead[seen] = dx * pose.headingX() + dy * pose.headingY();
-      sideways[seen] = dx * pose.headingY() - dy * pose.headingX();
+    pairs.clear(found.length);
+    for (int i = 0; i < count; i++) {
+      add((int) (found[i] >>> Integer.SIZE), (int) found[i], pairs);
     }
-    return count;
   }
 
-  /** Finds the targets that a camera detects, by index in the grid. */
-  private int find(int camera, int view, int[] found) {
+  private void add(int camera, int i, SeenPairs pairs) {
+    Pose pose = cameras.pose(camera, cameras.seeing(camera));
+    double dx = grid.x(i) - pose.x();
+    double dy = grid.y(i) - pose.y();
+    double ahead = dx * pose.headingX() + dy * pose.headingY();
+    double right = dx * pose.headingY() - dy * pose.headingX();
+    pairs.add(camera, grid.point(i), ahead, right);
+  }
+
+  /** Finds the targets that a camera detects, from an entry of what was found on. */
+  private int find(int camera, int view, long[] found, int first) {
     if (grid.cells() == 1) {
-      return sight.find(camera, view, grid, 0, grid.count(), found, 0);
+      return sight.find(camera, view, grid, 0, grid.count(), found, first);
     }
     double reach = sight.reach(camera, view);
     int left = left(camera, reach);
     int right = right(camera, reach);
     int top = top(camera, reach);
-    int count = 0;
+    int count = first;
     for (int row = bottom(camera, reach); row <= top; row++) {
       int start = grid.start(row, left);
       count = sight.find(camera, view, grid, start, grid.end(row, right), found, count);

@@ -6,6 +6,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.policy.SeenTask;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
@@ -310,10 +311,8 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
-  public int findSeen(int camera, int[] who, double[] ahead, double[] right) {
-    return cameras.online(camera)
-        ? near.findSeen(camera, cameras.seeing(camera), who, ahead, right)
-        : 0;
+  public void findSeen(SeenPairs pairs) {
+    near.findSeen(pairs);
   }
 
   @Override

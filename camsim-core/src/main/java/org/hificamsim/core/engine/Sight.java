@@ -72,14 +72,17 @@ interface Sight {
    * Finds the targets that the camera would detect at this view, among some that are near.
    *
    * @param grid where they are; those from index {@code from} up to {@code to} are looked at
-   * @param found receives the indices of those that are detected, from entry {@code count} on
-   * @return how many entries are filled then
+   * @param found receives those that are detected, from entry {@code count} on: the camera in the
+   *     upper half, the index in the lower
+   * @return how many entries are filled then; the next one may be written too
    */
-  default int find(int camera, int view, PointGrid grid, int from, int to, int[] found, int count) {
+  default int find(
+      int camera, int view, PointGrid grid, int from, int to, long[] found, int count) {
+    long first = (long) camera << Integer.SIZE;
     int filled = count;
     for (int i = from; i < to; i++) {
       if (detects(camera, view, grid.point(i))) {
-        found[filled++] = i;
+        found[filled++] = first + i;
       }
     }
     return filled;

@@ -48,10 +48,10 @@ final class ViewRows {
     allRound = new boolean[views];
   }
 
-  /** Takes note of cameras that changed since the last call. */
-  void refresh() {
+  /** Takes note of cameras that changed since the last call; returns whether any may have. */
+  boolean refresh() {
     if (revision == cameras.revision()) {
-      return;
+      return false;
     }
     revision = cameras.revision();
     for (int camera = 0; camera < cameras.count(); camera++) {
@@ -59,6 +59,7 @@ final class ViewRows {
         refresh(firstView[camera] + view, cameras.zoom(camera, view));
       }
     }
+    return true;
   }
 
   @SuppressWarnings("ReferenceEquality") // the map below tells equal levels
@@ -85,6 +86,26 @@ final class ViewRows {
   /** The size of a class, metres. */
   double size(int of) {
     return sizes[of];
+  }
+
+  /** How many views all cameras have. */
+  int views() {
+    return rows.length;
+  }
+
+  /** The number of a camera's view among those of all cameras. */
+  int number(int camera, int view) {
+    return firstView[camera] + view;
+  }
+
+  /** The first entry of the row of a view, by its number. */
+  int row(int number) {
+    return rows[number];
+  }
+
+  /** Whether a camera sees all round in a view, by its number. */
+  boolean allRound(int number) {
+    return allRound[number];
   }
 
   /** The first entry of a camera's row at a view. */

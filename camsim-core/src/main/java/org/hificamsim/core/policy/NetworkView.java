@@ -152,25 +152,22 @@ public interface NetworkView extends CoveredTargets {
   }
 
   /**
-   * Finds the targets that a camera {@link #sees}, and where before it they are: the same as asking
-   * of every target, but those out of reach cost nothing.
+   * Finds all targets that cameras {@link #sees see}, and where before them they are: the same as
+   * asking of each, but those out of reach cost nothing.
    *
-   * @param who as long as there are targets; filled from the start, in no order
-   * @param ahead metres from the camera along the axis of its view, one entry for each of them
-   * @param right metres to the right of that axis
-   * @return how many there are
+   * @param pairs has these pairs on return, and no others
    */
-  default int findSeen(int camera, int[] who, double[] ahead, double[] right) {
-    int count = 0;
-    for (int target = 0; target < targets(); target++) {
-      if (sees(camera, target)) {
-        who[count] = target;
-        ahead[count] = distance(camera, target) * Math.cos(bearing(camera, target));
-        right[count] = distance(camera, target) * Math.sin(bearing(camera, target));
-        count++;
+  default void findSeen(SeenPairs pairs) {
+    pairs.clear(cameras() * targets());
+    for (int camera = 0; camera < cameras(); camera++) {
+      for (int target = 0; target < targets(); target++) {
+        if (sees(camera, target)) {
+          double distance = distance(camera, target);
+          double bearing = bearing(camera, target);
+          pairs.add(camera, target, distance * Math.cos(bearing), distance * Math.sin(bearing));
+        }
       }
     }
-    return count;
   }
 
   /**

@@ -4,12 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Map;
+import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
@@ -32,33 +35,38 @@ class SeenTargetsTest {
     ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, grid);
     network.beginStep(0);
     network.locate();
+    SeenPairs pairs = new SeenPairs();
+    network.findSeen(pairs);
     int all = 0;
     for (int camera = 0; camera < CAMERAS; camera++) {
       Map<Integer, Seen> seen = new TreeMap<>();
       network.eachSeen(
           camera, seen, (work, target, away, at) -> work.put(target, new Seen(away, at)));
       assertEquals(byAsking(network, camera), seen);
-      assertFound(seen, network, camera);
+      assertFound(seen, network, camera, pairs);
       all += seen.size();
     }
+    assertEquals(all, pairs.count());
     assertTrue(all > 20 && all < CAMERAS * TARGETS / 2, all + " seen");
   }
 
   /** The same targets, by where they are before the camera. */
-  private static void assertFound(Map<Integer, Seen> seen, ObservedNetwork network, int camera) {
-    int[] who = new int[TARGETS];
-    double[] ahead = new double[TARGETS];
-    double[] right = new double[TARGETS];
-    assertEquals(seen.size(), network.findSeen(camera, who, ahead, right));
-    for (int i = 0; i < seen.size(); i++) {
-      Seen one = seen.get(who[i]);
-      assertEquals(
-          network.confidence(camera, who[i]),
-          network.seenConfidence(camera, who[i], one.distance),
-          1e-8);
-      assertEquals(one.distance * Math.cos(one.bearing), ahead[i], 1e-12);
-      assertEquals(one.distance * Math.sin(one.bearing), right[i], 1e-12);
+  private static void assertFound(
+      Map<Integer, Seen> seen, ObservedNetwork network, int camera, SeenPairs pairs) {
+    Set<Integer> found = new TreeSet<>();
+    for (int pair = 0; pair < pairs.count(); pair++) {
+      if (pairs.camera(pair) == camera) {
+        int target = pairs.target(pair);
+        found.add(target);
+        Seen one = seen.get(target);
+        double confidence = network.seenConfidence(camera, target, one.distance);
+        assertEquals(network.confidence(camera, target), confidence, 1e-8);
+        assertEquals(one.distance * Math.cos(one.bearing), pairs.ahead(pair), 1e-12);
+        assertEquals(one.distance * Math.sin(one.bearing), pairs.right(pair), 1e-12);
+        assertEquals(one.distance, pairs.distance(pair), 1e-12);
+      }
     }
+    assertEquals(seen.keySet(), found);
   }
 
   private static Map<Integer, Seen> byAsking(NetworkView network, int camera) {

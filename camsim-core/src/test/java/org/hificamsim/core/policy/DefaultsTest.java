@@ -58,10 +58,10 @@ class DefaultsTest {
 
   @Test
   void whereTargetsAreIsToldOfThoseThatACameraSeesAlone() {
-    int[] who = new int[TARGETS];
-    double[] ahead = new double[TARGETS];
-    double[] right = new double[TARGETS];
-    int count = VIEW.findSeen(LAST, who, ahead, right);
+    SeenPairs pairs = new SeenPairs();
+    VIEW.findSeen(pairs);
+    int[] ofLast =
+        IntStream.range(0, pairs.count()).filter(pair -> pairs.camera(pair) == LAST).toArray();
     List<Integer> told = new ArrayList<>();
     VIEW.eachSeen(
         LAST,
@@ -71,11 +71,12 @@ class DefaultsTest {
           assertEquals(Math.hypot(3, target), distance, 1e-12);
           assertEquals(Math.atan2(target, 3), bearing, 1e-12);
         });
-    assertEquals(TARGETS - 4, count, "but for the two that are absent and the two not seen");
-    assertEquals(told, Arrays.stream(who, 0, count).boxed().toList());
-    for (int i = 0; i < count; i++) {
-      assertEquals(3, ahead[i], 1e-12);
-      assertEquals(who[i], right[i], 1e-12);
+    assertEquals(TARGETS - 4, told.size(), "but for the two that are absent and the two not seen");
+    assertEquals(told, Arrays.stream(ofLast).mapToObj(pairs::target).toList());
+    for (int pair : ofLast) {
+      assertEquals(3, pairs.ahead(pair), 1e-12);
+      assertEquals(pairs.target(pair), pairs.right(pair), 1e-12);
+      assertEquals(Math.hypot(3, pairs.target(pair)), pairs.distance(pair), 1e-12);
     }
     assertEquals(Double.NaN, VIEW.distance(LAST, NOBODYS));
     assertEquals(Double.NaN, VIEW.bearing(LAST, NOBODYS));

@@ -3,6 +3,7 @@ package org.hificamsim.agents.observation;
 import java.util.Arrays;
 import org.hificamsim.agents.voting.NearestCameras;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
 
 /**
  * Observes a network as each of its cameras knows it before a decision: what it sees where all are
@@ -20,29 +21,39 @@ public final class CameraObserver {
   private final NearestCameras nearest;
   private final SeenTargets seen;
   private final Shares ofTargets;
+  private final SeenPairs pairs = new SeenPairs();
   private final int[] ways; // decisions since the camera set out
   private ViewFeatures views;
   private int revision;
 
   /** Of the network as it is before the first decision. */
   public CameraObserver(NetworkView network, ObservationLayout layout) {
+    this(
+        network,
+        layout,
+        new SeenTargets(network, layout),
+        new Shares(Math.max(1, network.targets())));
+  }
+
+  private CameraObserver(
+      NetworkView network, ObservationLayout layout, SeenTargets seen, Shares ofTargets) {
     this.layout = layout;
+    this.seen = seen;
+    this.ofTargets = ofTargets;
     size = layout.size();
     standpoints = new Standpoints(network);
     nearest = new NearestCameras(network, layout.neighbours());
-    seen = new SeenTargets(network, layout);
-    ofTargets = new Shares(Math.max(1, network.targets()));
     ways = new int[network.cameras()];
     note(network);
   }
 
   /**
-   * Of a network that may have the same cameras as another's: what it knows alike is kept once.
+   * Of another network of the same scenario: what both know alike is kept once.
    *
    * @param other with the same layout
    */
   public CameraObserver(NetworkView network, ObservationLayout layout, CameraObserver other) {
-    this(network, layout);
+    this(network, layout, other.seen, other.ofTargets);
     views = views.or(other.views);
   }
 
@@ -52,12 +63,18 @@ public final class CameraObserver {
     views = new ViewFeatures(network, layout, standpoints, nearest);
   }
 
+  /** Observes for every camera. */
+  public void observe(NetworkView network, float[] out) {
+    observe(network, pairs, out);
+  }
+
   /**
    * Observes for every camera.
    *
+   * @param pairs is used meanwhile
    * @param out receives the observations, one camera after the other
    */
-  public void observe(NetworkView network, float[] out) {
+  public void observe(NetworkView network, SeenPairs pairs, float[] out) {
     if (network.revision() != revision) {
       note(network);
     }
@@ -70,17 +87,18 @@ public final class CameraObserver {
         Arrays.fill(out, at, at + size, 0);
       }
     }
+    if (layout.targets() > 0) {
+      seen.write(network, pairs, views, out);
+    }
   }
 
   private void write(NetworkView network, int camera, float[] out, int at) {
-    int seeing = network.seeing(camera);
-    views.write(camera, network.view(camera), seeing, out, at);
+    views.write(camera, network.view(camera), network.seeing(camera), out, at);
     int way = ways[camera];
     out[at + MOVING] = way > 0 ? 1 : 0;
     out[at + WAY] = way / (way + 1f);
     out[at + DETECTED] = ofTargets.of(network.detected(camera));
     writeNeighbours(network, camera, out, at + layout.firstNeighbour());
-    seen.write(network, camera, seeing, views, out, at + layout.firstTarget());
   }
 
   /** What they detected; where they are is known. */

@@ -1,105 +1,51 @@
 package org.hificamsim.agents.observation;
 
-import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
 
-/** The targets that a camera sees, the nearest first; of equally near ones the lower number. */
+/** The targets that cameras see, the nearest first; of equally near ones the lower number. */
 final class SeenTargets {
-  private final int wanted;
+  private final ObservationLayout layout;
   private final Shares ofCameras;
-  private final int[] who;
-  private final double[] ahead;
-  private final double[] right;
-  private final double[] squared;
 
   SeenTargets(NetworkView network, ObservationLayout layout) {
-    wanted = layout.targets();
+    this.layout = layout;
     ofCameras = new Shares(network.cameras());
-    who = new int[network.targets()];
-    ahead = new double[who.length];
-    right = new double[who.length];
-    squared = new double[who.length];
   }
 
   /**
-   * Writes the nearest ones, and 0 where there are fewer than there is room for.
+   * Writes the nearest ones of each camera, as many as there is room for.
    *
-   * @param view that the camera sees through, -1 for none
+   * @param pairs has who sees whom on return
+   * @param out the observations of all cameras, 0 where no target is seen
    */
-  void write(
-      NetworkView network, int camera, int view, ViewFeatures views, float[] out, int first) {
-    int count = wanted == 0 ? 0 : find(network, camera);
-    int shown = Math.min(count, wanted);
-    int at = first;
-    for (int i = 0; i < shown; i++) {
-      if (i > 0) {
-        bringNearest(i, count);
+  void write(NetworkView network, SeenPairs pairs, ViewFeatures views, float[] out) {
+    network.findSeen(pairs);
+    pairs.sort();
+    int camera = -1;
+    int shown = 0;
+    for (int pair = 0; pair < pairs.count(); pair++) {
+      shown = pairs.camera(pair) == camera ? shown + 1 : 0;
+      camera = pairs.camera(pair);
+      if (shown < layout.targets()) {
+        int at = layout.firstTarget() + shown * ObservationLayout.TARGET.size();
+        write(network, pairs, pair, views, out, camera * layout.size() + at);
       }
-      double perReach = views.perReach(camera, view);
-      write(network, camera, i, perReach, views.perAngle(camera, view), out, at);
-      at += ObservationLayout.TARGET.size();
     }
-    Arrays.fill(out, at, first + wanted * ObservationLayout.TARGET.size(), 0);
-  }
-
-  /** Finds what is seen, the nearest one first. */
-  private int find(NetworkView network, int camera) {
-    int count = network.findSeen(camera, who, ahead, right);
-    int nearest = 0;
-    for (int i = 0; i < count; i++) {
-      squared[i] = ahead[i] * ahead[i] + right[i] * right[i];
-      nearest = isNearer(i, nearest) ? i : nearest;
-    }
-    if (nearest != 0) {
-      swap(0, nearest);
-    }
-    return count;
-  }
-
-  private void bringNearest(int to, int count) {
-    int nearest = to;
-    for (int i = to + 1; i < count; i++) {
-      nearest = isNearer(i, nearest) ? i : nearest;
-    }
-    if (nearest != to) {
-      swap(to, nearest);
-    }
-  }
-
-  private boolean isNearer(int one, int other) {
-    return squared[one] < squared[other]
-        || (squared[one] == squared[other] && who[one] < who[other]);
-  }
-
-  private void swap(int one, int other) {
-    int target = who[one];
-    who[one] = who[other];
-    who[other] = target;
-    swap(ahead, one, other);
-    swap(right, one, other);
-    swap(squared, one, other);
-  }
-
-  private static void swap(double[] of, int one, int other) {
-    double kept = of[one];
-    of[one] = of[other];
-    of[other] = kept;
   }
 
   private void write(
-      NetworkView network,
-      int camera,
-      int i,
-      double perReach,
-      double perAngle,
-      float[] out,
-      int at) {
-    int target = who[i];
-    double distance = Math.sqrt(squared[i]);
+      NetworkView network, SeenPairs pairs, int pair, ViewFeatures views, float[] out, int at) {
+    int camera = pairs.camera(pair);
+    int target = pairs.target(pair);
+    double distance = pairs.distance(pair);
+    int view = network.seeing(camera);
+    double perReach = views.perReach(camera, view);
     out[at] = 1;
-    out[at + 1] = Bounds.signed(ahead[i] * perReach);
-    out[at + 2] = Bounds.signed(right[i] * perReach);
-    out[at + 3] = Bounds.share(network.targetSize(target) / distance * perAngle);
+    out[at + 1] = Bounds.signed(pairs.ahead(pair) * perReach);
+    out[at + 2] = Bounds.signed(pairs.right(pair) * perReach);
+    out[at + 3] =
+        Bounds.share(network.targetSize(target) / distance * views.perAngle(camera, view));
     out[at + 4] = Bounds.share(network.seenConfidence(camera, target, distance));
     out[at + 5] = ofCameras.of(network.coverage(target));
   }

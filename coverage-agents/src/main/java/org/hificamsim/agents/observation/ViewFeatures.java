@@ -6,8 +6,8 @@ import org.hificamsim.core.policy.NetworkView;
 
 /**
  * What an observation has of a camera in each of its views wherever targets are: a row for each,
- * with the numbers of the camera itself and where its neighbours stand. Good until the network's
- * revision changes.
+ * with the numbers of the camera itself, where its neighbours stand, and 0 for all else. Good until
+ * the network's revision changes.
  */
 final class ViewFeatures {
   private static final int GOAL = ObservationLayout.at("goal_pan");
@@ -27,7 +27,7 @@ final class ViewFeatures {
       ObservationLayout layout,
       Standpoints standpoints,
       NearestCameras nearest) {
-    size = layout.firstTarget();
+    size = layout.size();
     firstRow = new int[network.cameras() + 1];
     neighbours = new int[network.cameras()][];
     for (int camera = 0; camera < neighbours.length; camera++) {

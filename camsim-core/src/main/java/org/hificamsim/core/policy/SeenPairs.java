@@ -1,0 +1,116 @@
+package org.hificamsim.core.policy;
+
+import java.util.Arrays;
+
+/**
+ * Pairs of a camera and a target that it sees, in the order of cameras; see {@link
+ * NetworkView#findSeen}. Keeps its arrays from one step to the next.
+ */
+public final class SeenPairs {
+  private long[] found = {};
+  private int[] cameras = {};
+  private int[] targets = {};
+  private double[] ahead = {};
+  private double[] right = {};
+  private double[] squared = {};
+  private int count;
+
+  /** Forgets all pairs, and makes room for as many as may follow. */
+  public void clear(int room) {
+    count = 0;
+    if (room > cameras.length) {
+      cameras = new int[room];
+      targets = new int[room];
+      ahead = new double[room];
+      right = new double[room];
+      squared = new double[room];
+    }
+  }
+
+  /**
+   * Adds a pair, for which there is room.
+   *
+   * @param newAhead metres from the camera along the axis of its view
+   * @param newRight metres to the right of that axis
+   */
+  public void add(int camera, int target, double newAhead, double newRight) {
+    cameras[count] = camera;
+    targets[count] = target;
+    ahead[count] = newAhead;
+    right[count] = newRight;
+    squared[count] = newAhead * newAhead + newRight * newRight;
+    count++;
+  }
+
+  /** Sorts each camera's targets, the nearest first; of equally near ones the lower number. */
+  public void sort() {
+    for (int i = 1; i < count; i++) {
+      for (int at = i; at > 0 && isBefore(at, at - 1); at--) {
+        swap(at, at - 1);
+      }
+    }
+  }
+
+  private boolean isBefore(int one, int other) {
+    return cameras[one] == cameras[other]
+        && (squared[one] < squared[other]
+            || (squared[one] == squared[other] && targets[one] < targets[other]));
+  }
+
+  private void swap(int one, int other) {
+    int target = targets[one];
+    targets[one] = targets[other];
+    targets[other] = target;
+    swap(ahead, one, other);
+    swap(right, one, other);
+    swap(squared, one, other);
+  }
+
+  private static void swap(double[] of, int one, int other) {
+    double kept = of[one];
+    of[one] = of[other];
+    of[other] = kept;
+  }
+
+  /**
+   * Room for who finds the pairs, as it was left.
+   *
+   * @param entries how many it must have
+   */
+  public long[] scratch(int entries) {
+    if (entries > found.length) {
+      found = Arrays.copyOf(found, Math.max(entries, 2 * found.length));
+    }
+    return found;
+  }
+
+  /** How many pairs there are. */
+  public int count() {
+    return count;
+  }
+
+  /** The camera of a pair. */
+  public int camera(int pair) {
+    return cameras[pair];
+  }
+
+  /** The target that it sees. */
+  public int target(int pair) {
+    return targets[pair];
+  }
+
+  /** How far the target is from the camera along the axis of its view, metres. */
+  public double ahead(int pair) {
+    return ahead[pair];
+  }
+
+  /** How far it is to the right of that axis, metres. */
+  public double right(int pair) {
+    return right[pair];
+  }
+
+  /** The distance of the two, metres. */
+  public double distance(int pair) {
+    return Math.sqrt(squared[pair]);
+  }
+}
