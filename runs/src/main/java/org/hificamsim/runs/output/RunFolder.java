@@ -9,8 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.file.Rows;
+import org.hificamsim.core.file.RowsAside;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.runs.RunPlan;
@@ -31,7 +32,7 @@ public final class RunFolder implements Closeable {
 
   private final OutputFolder folder;
   private final Detail detail;
-  private final NumberRows steps;
+  private final Rows steps;
   private final CsvTable zooms;
   private final CsvTable targets;
 
@@ -44,7 +45,8 @@ public final class RunFolder implements Closeable {
   public RunFolder(Path path, Detection detection, Detail detail) throws IOException {
     boolean certain = detection.certain();
     folder = new OutputFolder(path);
-    steps = (certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE).createRows(folder);
+    Table ofSteps = certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE;
+    steps = RowsAside.of(ofSteps.createRows(folder));
     this.detail = detail;
     boolean record = detail != Detail.STEPS;
     Table ofCameras = detail == Detail.VIEWS ? Table.RUN_VIEWS : Table.RUN_ZOOMS;

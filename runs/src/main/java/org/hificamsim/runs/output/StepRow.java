@@ -6,7 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.file.NumberRows;
+import org.hificamsim.core.file.Rows;
 import org.hificamsim.core.metrics.ExpectedCoverage;
 import org.hificamsim.core.metrics.StepCoverage;
 
@@ -18,7 +18,7 @@ import org.hificamsim.core.metrics.StepCoverage;
  */
 public record StepRow(Path file, int line, String run, String step, String measures) {
   /** Adds what is measured in a step, column by column; what is expected follows by chance. */
-  public static void addMeasures(NumberRows row, StepCoverage coverage) {
+  public static void addMeasures(Rows row, StepCoverage coverage) {
     row.add(coverage.kMin());
     row.add(coverage.targets());
     row.add(coverage.covered0());
@@ -30,7 +30,7 @@ public record StepRow(Path file, int line, String run, String step, String measu
     }
   }
 
-  private static void addExpected(NumberRows row, ExpectedCoverage expected) {
+  private static void addExpected(Rows row, ExpectedCoverage expected) {
     row.add(expected.kMin());
     row.add(expected.covered0());
     row.add(expected.covered1());
