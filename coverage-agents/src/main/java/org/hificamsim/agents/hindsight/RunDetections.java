@@ -15,6 +15,9 @@ import org.hificamsim.core.policy.NetworkView;
  */
 final class RunDetections {
   private final List<BitSet[]> seen = new ArrayList<>();
+  private int[] momentOf = {}; // by target, of the step that is added
+  private boolean[] coverable = {}; // likewise
+  private long[] masks = {};
   private int[] ends = new int[16];
   private int steps;
   private int moments;
@@ -28,27 +31,44 @@ final class RunDetections {
       Arrays.setAll(views, view -> new BitSet());
       seen.add(views);
     }
-    for (int target = 0; target < network.targets(); target++) {
-      if (network.present(target)) {
-        boolean seen = look(network, target, moments);
-        moments += seen || !objective.ofCoverableAlone() ? 1 : 0;
+    number(network);
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        look(network, camera);
       }
     }
     ends = steps == ends.length ? Arrays.copyOf(ends, 2 * steps) : ends;
     ends[steps++] = moments;
   }
 
-  /** Returns whether any camera detects the target at any view. */
-  private boolean look(NetworkView network, int target, int moment) {
-    boolean any = false;
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      for (int view = 0; network.online(camera) && view < network.views(camera); view++) {
-        boolean detects = network.oracle().detects(camera, view, target);
-        seen.get(camera)[view].set(moment, detects);
-        any |= detects;
+  /** Gives each target that counts in this step its moment. */
+  private void number(NetworkView network) {
+    if (momentOf.length < network.targets()) {
+      momentOf = new int[network.targets()];
+      coverable = new boolean[network.targets()];
+    }
+    boolean all = !objective.ofCoverableAlone();
+    if (!all) {
+      network.oracle().markCoverable(coverable);
+    }
+    for (int target = 0; target < network.targets(); target++) {
+      momentOf[target] = moments;
+      moments += network.present(target) && (all || coverable[target]) ? 1 : 0;
+    }
+  }
+
+  /** Notes what a camera detects at each of its views; what is detected counts. */
+  private void look(NetworkView network, int camera) {
+    BitSet[] views = seen.get(camera);
+    int words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
+    masks = masks.length < views.length * words ? new long[views.length * words] : masks;
+    network.oracle().detections(camera, masks, words);
+    for (int i = 0; i < views.length * words; i++) {
+      for (long bits = masks[i]; bits != 0; bits &= bits - 1) {
+        int target = i % words * Long.SIZE + Long.numberOfTrailingZeros(bits);
+        views[i / words].set(momentOf[target]);
       }
     }
-    return any;
   }
 
   int cameras() {

@@ -4,8 +4,8 @@ import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
-import java.io.DataOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
 import java.nio.charset.StandardCharsets;
@@ -57,12 +57,11 @@ record FinishedRun(String key, Outcome outcome) {
   }
 
   private static byte[] pack(int[] values) throws IOException {
+    ByteBuffer plain = ByteBuffer.allocate((values.length + 1) * Integer.BYTES);
+    plain.asIntBuffer().put(values.length).put(values);
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
-    try (DataOutputStream out = new DataOutputStream(new DeflaterOutputStream(bytes))) {
-      out.writeInt(values.length);
-      for (int value : values) {
-        out.writeInt(value);
-      }
+    try (OutputStream out = new DeflaterOutputStream(bytes)) {
+      out.write(plain.array());
     }
     return bytes.toByteArray();
   }

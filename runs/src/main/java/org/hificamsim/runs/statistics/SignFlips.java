@@ -56,12 +56,14 @@ public final class SignFlips {
     return asFar / (DRAWS + 1.0);
   }
 
+  /** Flips the bit of the sign, by chance: a branch would be guessed wrong half of the time. */
   private static double flipped(double[] differences, SplittableRandom random) {
     double sum = 0;
     long signs = 0;
     for (int i = 0; i < differences.length; i++) {
       signs = i % Long.SIZE == 0 ? random.nextLong() : signs >>> 1;
-      sum += (signs & 1) == 0 ? differences[i] : -differences[i];
+      long flip = signs << (Long.SIZE - 1);
+      sum += Double.longBitsToDouble(Double.doubleToRawLongBits(differences[i]) ^ flip);
     }
     return sum;
   }
