@@ -31,8 +31,7 @@ final class DistanceSight implements Sight {
   private double[] from = new double[1];
   private double[] to = new double[1];
   private boolean[] single = new boolean[1];
-  private double[] disc = new double[1]; // of each entry
-  private double[] discs = {}; // of each view
+  private double[] disc = new double[1];
 
   DistanceSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
@@ -47,12 +46,7 @@ final class DistanceSight implements Sight {
 
   @Override
   public void refresh(long step) {
-    if (rows.refresh()) {
-      discs = discs.length == rows.views() ? discs : new double[rows.views()];
-      for (int number = 0; number < discs.length; number++) {
-        discs[number] = rows.allRound(number) ? disc[rows.row(number)] : Double.NaN;
-      }
-    }
+    rows.refresh();
   }
 
   private void newRow(ZoomLevel zoom, int row) {
@@ -61,6 +55,9 @@ final class DistanceSight implements Sight {
     for (int size = 0; size < rows.sizes(); size++) {
       fill(row + size, visibility.detection().distances(rows.size(size), zoom));
     }
+    boolean whole =
+        open && zoom.allRound() && rows.sizes() == 1 && single[row] && from[row] == 0;
+    disc[row] = whole ? Math.nextUp(to[row]) : Double.NaN;
   }
 
   private void makeRoom(int entries) {
@@ -79,8 +76,6 @@ final class DistanceSight implements Sight {
     single[at] = set.intervals() == 1;
     from[at] = set.intervals() == 0 ? Double.POSITIVE_INFINITY : set.from(0);
     to[at] = set.intervals() == 0 ? -1 : set.to(set.intervals() - 1);
-    boolean whole = open && rows.sizes() == 1 && single[at] && from[at] == 0;
-    disc[at] = whole ? Math.nextUp(to[at]) : Double.NaN;
   }
 
   @Override
@@ -149,7 +144,7 @@ final class DistanceSight implements Sight {
 
   @Override
   public int look(int camera, int view, PointGrid grid, int begin, int end, int[] counts) {
-    double below = discs[rows.number(camera, view)];
+    double below = disc[rows.row(camera, view)];
     return below > 0
         ? lookAllRound(cameras.pose(camera), below, grid, begin, end, counts)
         : Sight.super.look(camera, view, grid, begin, end, counts);
@@ -176,7 +171,7 @@ final class DistanceSight implements Sight {
   @Override
   public int find(
       int camera, int view, PointGrid grid, int begin, int end, long[] found, int count) {
-    double below = discs[rows.number(camera, view)];
+    double below = disc[rows.row(camera, view)];
     return below > 0
         ? findAllRound(camera, below, grid, begin, end, found, count)
         : Sight.super.find(camera, view, grid, begin, end, found, count);

@@ -66,10 +66,6 @@ public final class Cameras {
     place(camera, mounts[camera].at(pose));
   }
 
-  void refit(int camera, ViewSet set) {
-    place(camera, new Mount(mounts[camera].pose(), set));
-  }
-
   void switchTo(int camera, boolean on) {
     online[camera] = on;
     revision++;
@@ -214,6 +210,11 @@ public final class Cameras {
   /** The zoom level of one of the views. */
   public ZoomLevel zoom(int camera, int ofView) {
     return mounts[camera].zoom(ofView);
+  }
+
+  /** A number from 0 that equal zoom levels have in common, in all worlds of a scenario. */
+  public int zoomNumber(int camera, int ofView) {
+    return mounts[camera].zoomNumber(ofView);
   }
 
   /** The pan angle of one of the views, radians off the mounted heading. */

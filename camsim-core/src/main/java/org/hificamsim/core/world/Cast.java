@@ -63,7 +63,7 @@ final class Cast {
 
   private Mount mount(CameraSpec spec) {
     Pose pose = Pose.of(spec.x(), spec.y(), Math.toRadians(spec.heading()));
-    return new Mount(pose, views.of(spec));
+    return views.mount(pose, views.of(spec));
   }
 
   /** Who removes whom is known from the start: a search in each step would cost and allocate. */

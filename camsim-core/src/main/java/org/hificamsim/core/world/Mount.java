@@ -12,17 +12,23 @@ final class Mount {
   private final Pose pose;
   private final ViewSet set;
   private final ZoomLevel[] zooms; // by view
+  private final int[] zoomNumbers; // likewise
   private final Pose[] poses; // likewise
 
-  Mount(Pose pose, ViewSet set) {
-    this(pose, set, new ZoomLevel[set.count()]);
+  /**
+   * @param numbers of the zoom levels
+   */
+  Mount(Pose pose, ViewSet set, int[] numbers) {
+    this(pose, set, new ZoomLevel[set.count()], new int[set.count()]);
     Arrays.setAll(zooms, set::zoom);
+    Arrays.setAll(zoomNumbers, view -> numbers[set.zoomOf(view)]);
   }
 
-  private Mount(Pose pose, ViewSet set, ZoomLevel[] zooms) {
+  private Mount(Pose pose, ViewSet set, ZoomLevel[] zooms, int[] zoomNumbers) {
     this.pose = pose;
     this.set = set;
     this.zooms = zooms;
+    this.zoomNumbers = zoomNumbers;
     Pose[] byPan = new Pose[set.pans().size()];
     Arrays.setAll(byPan, pan -> pose.turned(set.pans().get(pan)));
     poses = new Pose[set.count()];
@@ -31,7 +37,7 @@ final class Mount {
 
   /** The same camera elsewhere. */
   Mount at(Pose other) {
-    return new Mount(other, set, zooms);
+    return new Mount(other, set, zooms, zoomNumbers);
   }
 
   /** Where the camera stands and which way it is mounted. */
@@ -50,6 +56,11 @@ final class Mount {
 
   ZoomLevel zoom(int view) {
     return zooms[view];
+  }
+
+  /** A number that equal zoom levels have in common. */
+  int zoomNumber(int view) {
+    return zoomNumbers[view];
   }
 
   /** Where the camera stands and which way it looks in a view. */

@@ -1,5 +1,6 @@
 package org.hificamsim.core.world;
 
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -10,6 +11,7 @@ import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.visibility.Pose;
 
 /**
  * Makes a camera's views from its optics, from a scenario's zoom list, or from its range alone. Any
@@ -26,6 +28,7 @@ final class Views {
 
   private final Scenario scenario;
   private final Map<Kind, ViewSet> made = new ConcurrentHashMap<>();
+  private final Map<ZoomLevel, Integer> numbers = new HashMap<>();
 
   Views(Scenario scenario) {
     this.scenario = scenario;
@@ -54,6 +57,16 @@ final class Views {
     Conditions conditions = camera.conditions().or(scenario.surroundings().conditions());
     Kind kind = new Kind(own, viewingAngle, camera.optics(), conditions);
     return made.computeIfAbsent(kind, one -> make(one).under(one.conditions));
+  }
+
+  /** A camera with these views. */
+  Mount mount(Pose pose, ViewSet set) {
+    return new Mount(pose, set, set.zooms().stream().mapToInt(this::number).toArray());
+  }
+
+  /** Equal zoom levels have one number, whichever cameras have them. */
+  private synchronized int number(ZoomLevel zoom) {
+    return numbers.computeIfAbsent(zoom, any -> numbers.size());
   }
 
   private ViewSet make(Kind kind) {

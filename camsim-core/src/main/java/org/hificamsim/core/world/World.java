@@ -214,7 +214,8 @@ public final class World {
 
   /** A camera with optics keeps its views, but for round ones. */
   private void refit(int camera, double range, double viewingAngle) {
-    cameras.refit(camera, cast.views().of(range, viewingAngle, cast.camera(camera)));
+    ViewSet set = cast.views().of(range, viewingAngle, cast.camera(camera));
+    cameras.place(camera, cast.views().mount(cameras.pose(camera), set));
   }
 
   private static double changed(double given, double before) {

@@ -78,35 +78,35 @@ public final class CameraObserver {
     if (network.revision() != revision) {
       note(network);
     }
+    boolean allOnline = true;
     for (int camera = 0; camera < ways.length; camera++) {
       ways[camera] = network.moving(camera) ? ways[camera] + 1 : 0;
-      int at = camera * size;
-      if (network.online(camera)) {
-        write(network, camera, out, at);
-      } else {
-        Arrays.fill(out, at, at + size, 0);
-      }
+      write(network, camera, out);
+      allOnline &= network.online(camera);
     }
+    views.copyToNeighbours(out, DETECTED);
     if (layout.targets() > 0) {
       seen.write(network, pairs, views, out);
     }
+    if (!allOnline) {
+      clearOffline(network, out);
+    }
   }
 
-  private void write(NetworkView network, int camera, float[] out, int at) {
+  private void write(NetworkView network, int camera, float[] out) {
+    int at = camera * size;
     views.write(camera, network.view(camera), network.seeing(camera), out, at);
     int way = ways[camera];
     out[at + MOVING] = way > 0 ? 1 : 0;
     out[at + WAY] = way / (way + 1f);
-    out[at + DETECTED] = ofTargets.of(network.detected(camera));
-    writeNeighbours(network, camera, out, at + layout.firstNeighbour());
+    out[at + DETECTED] = ofTargets.of(network.detected(camera)); // 0 while it is off
   }
 
-  /** What they detected; where they are is known. */
-  private void writeNeighbours(NetworkView network, int camera, float[] out, int first) {
-    int at = first + ObservationLayout.NEIGHBOUR.size() - 1;
-    for (int other : views.neighbours(camera)) {
-      out[at] = ofTargets.of(network.detected(other));
-      at += ObservationLayout.NEIGHBOUR.size();
+  private void clearOffline(NetworkView network, float[] out) {
+    for (int camera = 0; camera < ways.length; camera++) {
+      if (!network.online(camera)) {
+        Arrays.fill(out, camera * size, (camera + 1) * size, 0);
+      }
     }
   }
 }

@@ -20,7 +20,8 @@ final class ViewFeatures {
   private final float[] rows;
   private final double[] perReach;
   private final double[] perAngle;
-  private final int[][] neighbours;
+  private final int[] told; // where each neighbour's last number is, in the observations of all
+  private final int[] teller; // where that neighbour's own numbers begin
 
   ViewFeatures(
       NetworkView network,
@@ -29,24 +30,42 @@ final class ViewFeatures {
       NearestCameras nearest) {
     size = layout.size();
     firstRow = new int[network.cameras() + 1];
-    neighbours = new int[network.cameras()][];
-    for (int camera = 0; camera < neighbours.length; camera++) {
+    int links = 0;
+    for (int camera = 0; camera < network.cameras(); camera++) {
       firstRow[camera + 1] = firstRow[camera] + network.views(camera);
-      neighbours[camera] = new int[nearest.count(camera)];
-      int of = camera;
-      Arrays.setAll(neighbours[camera], i -> nearest.neighbour(of, i));
+      links += nearest.count(camera);
     }
-    rows = new float[firstRow[neighbours.length] * size];
-    perReach = new double[firstRow[neighbours.length]];
+    told = new int[links];
+    teller = new int[links];
+    link(network, nearest);
+    rows = new float[firstRow[network.cameras()] * size];
+    perReach = new double[firstRow[network.cameras()]];
     perAngle = new double[perReach.length];
-    for (int camera = 0; camera < neighbours.length; camera++) {
+    for (int camera = 0; camera < network.cameras(); camera++) {
       for (int view = 0; view < network.views(camera); view++) {
-        fill(network, standpoints, camera, view);
+        fill(network, standpoints, nearest, camera, view);
       }
     }
   }
 
-  private void fill(NetworkView network, Standpoints standpoints, int camera, int view) {
+  private void link(NetworkView network, NearestCameras nearest) {
+    int link = 0;
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      for (int i = 0; i < nearest.count(camera); i++) {
+        int last = ObservationLayout.OWN_SIZE + (i + 1) * ObservationLayout.NEIGHBOUR.size() - 1;
+        told[link] = camera * size + last;
+        teller[link] = nearest.neighbour(camera, i) * size;
+        link++;
+      }
+    }
+  }
+
+  private void fill(
+      NetworkView network,
+      Standpoints standpoints,
+      NearestCameras nearest,
+      int camera,
+      int view) {
     int row = firstRow[camera] + view;
     double angle = network.zoom(camera, view).viewingAngle();
     perReach[row] = 1 / network.reach(camera, view);
@@ -62,12 +81,18 @@ final class ViewFeatures {
     rows[at + SEEING + 1] = zooms == 1 ? 1 : Bounds.share(view % zooms / (zooms - 1.0));
     rows[at + SEEING + 2] = Bounds.share(angle / (2 * Math.PI));
     System.arraycopy(rows, at + SEEING, rows, at + GOAL, 2);
-    fillNeighbours(network, standpoints, camera, at + ObservationLayout.OWN_SIZE);
+    fillNeighbours(network, standpoints, nearest, camera, at + ObservationLayout.OWN_SIZE);
   }
 
-  private void fillNeighbours(NetworkView network, Standpoints standpoints, int camera, int first) {
+  private void fillNeighbours(
+      NetworkView network,
+      Standpoints standpoints,
+      NearestCameras nearest,
+      int camera,
+      int first) {
     int at = first;
-    for (int other : neighbours[camera]) {
+    for (int i = 0; i < nearest.count(camera); i++) {
+      int other = nearest.neighbour(camera, i);
       rows[at] = standpoints.between(network.cameraX(other) - network.cameraX(camera));
       rows[at + 1] = standpoints.between(network.cameraY(other) - network.cameraY(camera));
       at += ObservationLayout.NEIGHBOUR.size();
@@ -91,9 +116,16 @@ final class ViewFeatures {
     }
   }
 
-  /** The camera's neighbours, the nearest first. */
-  int[] neighbours(int camera) {
-    return neighbours[camera];
+  /**
+   * Copies a number of each camera to the last one that others have of it as their neighbour.
+   *
+   * @param out the observations of all cameras
+   * @param which of the camera's own numbers
+   */
+  void copyToNeighbours(float[] out, int which) {
+    for (int link = 0; link < told.length; link++) {
+      out[told[link]] = out[teller[link] + which];
+    }
   }
 
   /** One by the distance beyond which the camera detects nothing in a view, per metre. */
@@ -117,6 +149,7 @@ final class ViewFeatures {
         && Arrays.equals(rows, others.rows)
         && Arrays.equals(perReach, others.perReach)
         && Arrays.equals(perAngle, others.perAngle)
-        && Arrays.deepEquals(neighbours, others.neighbours);
+        && Arrays.equals(told, others.told)
+        && Arrays.equals(teller, others.teller);
   }
 }
