@@ -17,7 +17,7 @@ import org.hificamsim.core.world.World;
  *
  * <p>Reaches are kept in {@linkplain ViewRows rows}. Nearly all are a single interval, held in two
  * flat arrays; the others are looked up in full. Where there is one size, the interval begins at 0
- * and nothing stands in between, what is seen is a disc, which has an array and a loop of its own.
+ * and nothing stands in between, what is seen is a disc: see {@link WholeDiscs}.
  */
 final class DistanceSight implements Sight {
   private final Cameras cameras;
@@ -27,11 +27,11 @@ final class DistanceSight implements Sight {
   private final Visibility visibility;
   private final ViewRows rows;
   private final ValueTables values;
+  private final WholeDiscs discs;
   private DetectedDistances[] reach = new DetectedDistances[1];
   private double[] from = new double[1];
   private double[] to = new double[1];
   private boolean[] single = new boolean[1];
-  private double[] disc = new double[1];
 
   DistanceSight(World world, Visibility visibility) {
     this.cameras = world.cameras();
@@ -41,7 +41,8 @@ final class DistanceSight implements Sight {
     this.visibility = visibility;
     this.values = new ValueTables(visibility.detection());
     this.rows = new ViewRows(cameras, targets, this::newRow);
-    refresh(0);
+    this.discs = new WholeDiscs(cameras, rows);
+    rows.refresh();
   }
 
   @Override
@@ -55,9 +56,8 @@ final class DistanceSight implements Sight {
     for (int size = 0; size < rows.sizes(); size++) {
       fill(row + size, visibility.detection().distances(rows.size(size), zoom));
     }
-    boolean whole =
-        open && zoom.allRound() && rows.sizes() == 1 && single[row] && from[row] == 0;
-    disc[row] = whole ? Math.nextUp(to[row]) : Double.NaN;
+    boolean whole = open && zoom.allRound() && rows.sizes() == 1 && single[row] && from[row] == 0;
+    discs.set(row, whole ? Math.nextUp(to[row]) : Double.NaN);
   }
 
   private void makeRoom(int entries) {
@@ -67,7 +67,6 @@ final class DistanceSight implements Sight {
       from = Arrays.copyOf(from, length);
       to = Arrays.copyOf(to, length);
       single = Arrays.copyOf(single, length);
-      disc = Arrays.copyOf(disc, length);
     }
   }
 
@@ -144,51 +143,32 @@ final class DistanceSight implements Sight {
 
   @Override
   public int look(int camera, int view, PointGrid grid, int begin, int end, int[] counts) {
-    double below = disc[rows.row(camera, view)];
-    return below > 0
-        ? lookAllRound(cameras.pose(camera), below, grid, begin, end, counts)
+    int row = rows.row(camera, view);
+    return discs.has(row)
+        ? discs.look(camera, row, grid, begin, end, counts)
         : Sight.super.look(camera, view, grid, begin, end, counts);
-  }
-
-  /**
-   * Looks at a whole disc without branches, which would be guessed wrong half of the time: a target
-   * is seen where a difference is negative, and the sign bit of the difference says that.
-   *
-   * @param below the smallest squared distance that is out of sight, square metres
-   */
-  private static int lookAllRound(
-      Pose camera, double below, PointGrid grid, int begin, int end, int[] counts) {
-    int seen = 0;
-    for (int i = begin; i < end; i++) {
-      double difference = camera.squaredDistance(grid.x(i), grid.y(i)) - below;
-      int hit = (int) (Double.doubleToRawLongBits(difference) >>> 63);
-      counts[i] += hit;
-      seen += hit;
-    }
-    return seen;
   }
 
   @Override
   public int find(
       int camera, int view, PointGrid grid, int begin, int end, long[] found, int count) {
-    double below = disc[rows.row(camera, view)];
-    return below > 0
-        ? findAllRound(camera, below, grid, begin, end, found, count)
+    int row = rows.row(camera, view);
+    return discs.has(row)
+        ? discs.find(camera, row, grid, begin, end, found, count)
         : Sight.super.find(camera, view, grid, begin, end, found, count);
   }
 
-  /** The same as {@link #lookAllRound}; the entry behind the last may be written, and is none. */
-  private int findAllRound(
-      int camera, double below, PointGrid grid, int begin, int end, long[] found, int count) {
-    Pose pose = cameras.pose(camera);
-    long first = (long) camera << Integer.SIZE;
-    int filled = count;
-    for (int i = begin; i < end; i++) {
-      double difference = pose.squaredDistance(grid.x(i), grid.y(i)) - below;
-      found[filled] = first + i;
-      filled += (int) (Double.doubleToRawLongBits(difference) >>> 63);
+  @Override
+  public boolean lookAll(int begin, int end, PointGrid grid, int[] detected, int[] counts) {
+    if (discs.isAll()) {
+      discs.lookAll(begin, end, grid, detected, counts);
     }
-    return filled;
+    return discs.isAll();
+  }
+
+  @Override
+  public int findAll(PointGrid grid, long[] found) {
+    return discs.isAll() ? discs.findAll(grid, found) : -1;
   }
 
   /** What is in between is found once for all views, when a first one has the target in view. */

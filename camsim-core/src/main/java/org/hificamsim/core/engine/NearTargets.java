@@ -89,19 +89,27 @@ final class NearTargets {
 
   /** As {@link org.hificamsim.core.policy.NetworkView#findSeen}. */
   void findSeen(SeenPairs pairs) {
-    int count = 0;
-    long[] found = pairs.scratch(0);
-    for (int camera = 0; camera < cameras.count(); camera++) {
-      int view = cameras.seeing(camera);
-      if (view != Cameras.NO_VIEW && cameras.online(camera)) {
-        found = pairs.scratch(count + grid.count() + 1);
-        count = find(camera, view, found, count);
-      }
-    }
+    boolean few = grid.cells() == 1; // so that there is room for all
+    long[] found = pairs.scratch(few ? cameras.count() * grid.count() + 1 : 0);
+    int all = few ? sight.findAll(grid, found) : -1;
+    int count = all < 0 ? find(pairs) : all;
+    found = pairs.scratch(0);
     pairs.clear(found.length);
     for (int i = 0; i < count; i++) {
       add((int) (found[i] >>> Integer.SIZE), (int) found[i], pairs);
     }
+  }
+
+  /** Finds pairs camera by camera. */
+  private int find(SeenPairs pairs) {
+    int count = 0;
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      int view = cameras.seeing(camera);
+      if (view != Cameras.NO_VIEW && cameras.online(camera)) {
+        count = find(camera, view, pairs.scratch(count + grid.count() + 1), count);
+      }
+    }
+    return count;
   }
 
   private void add(int camera, int i, SeenPairs pairs) {

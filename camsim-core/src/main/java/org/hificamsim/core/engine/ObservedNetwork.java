@@ -118,8 +118,12 @@ final class ObservedNetwork implements OracleView {
 
   private void look(int worker) {
     Arrays.fill(counts[worker], 0);
+    int first = workers.first(worker, detected.length);
     int end = workers.first(worker + 1, detected.length);
-    for (int camera = workers.first(worker, detected.length); camera < end; camera++) {
+    if (grid.cells() == 1 && sight.lookAll(first, end, grid, detected, counts[worker])) {
+      return;
+    }
+    for (int camera = first; camera < end; camera++) {
       detected[camera] =
           cameras.online(camera) ? near.look(camera, cameras.seeing(camera), counts[worker]) : 0;
     }

@@ -69,6 +69,19 @@ interface Sight {
   }
 
   /**
+   * Looks with some cameras, each through the view that it sees through, at all targets: faster
+   * than {@link #look} camera by camera, where there is a way.
+   *
+   * @param grid of one cell
+   * @param detected receives how many targets each of the cameras detects; 0 for one that is off
+   * @param counts as of {@link #look}
+   * @return whether there is; else nothing was done
+   */
+  default boolean lookAll(int from, int to, PointGrid grid, int[] detected, int[] counts) {
+    return false;
+  }
+
+  /**
    * Finds the targets that the camera would detect at this view, among some that are near.
    *
    * @param grid where they are; those from index {@code from} up to {@code to} are looked at
@@ -86,6 +99,16 @@ interface Sight {
       }
     }
     return filled;
+  }
+
+  /**
+   * Finds what all cameras detect of all targets, as {@link #lookAll} looks.
+   *
+   * @param found as of {@link #find}, from entry 0 on; with room for all pairs and one more
+   * @return how many entries are filled, or -1 where there is no such way
+   */
+  default int findAll(PointGrid grid, long[] found) {
+    return -1;
   }
 
   /**

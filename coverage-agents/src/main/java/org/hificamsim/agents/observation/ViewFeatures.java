@@ -61,11 +61,7 @@ final class ViewFeatures {
   }
 
   private void fill(
-      NetworkView network,
-      Standpoints standpoints,
-      NearestCameras nearest,
-      int camera,
-      int view) {
+      NetworkView network, Standpoints standpoints, NearestCameras nearest, int camera, int view) {
     int row = firstRow[camera] + view;
     double angle = network.zoom(camera, view).viewingAngle();
     perReach[row] = 1 / network.reach(camera, view);
@@ -85,11 +81,7 @@ final class ViewFeatures {
   }
 
   private void fillNeighbours(
-      NetworkView network,
-      Standpoints standpoints,
-      NearestCameras nearest,
-      int camera,
-      int first) {
+      NetworkView network, Standpoints standpoints, NearestCameras nearest, int camera, int first) {
     int at = first;
     for (int i = 0; i < nearest.count(camera); i++) {
       int other = nearest.neighbour(camera, i);
