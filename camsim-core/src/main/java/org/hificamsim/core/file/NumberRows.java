@@ -1,18 +1,17 @@
 package org.hificamsim.core.file;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 
 /**
- * A table of numbers under way, row by row, for tables with a row for each step: no object is made
- * for a cell, and a number that was written lately is not turned into text again.
+ * A table of numbers as text, for tables with a row for each step: no object is made for a cell,
+ * and a number that was written lately is not turned into text again.
  *
  * <p>Numbers are written as {@link Long#toString} and {@link Double#toString} write them; NaN is an
  * empty cell, which pandas and R read as missing.
  */
-public final class NumberRows implements Closeable {
+public final class NumberRows implements Rows {
   private final Writer out;
   private final char separator;
   private final String lineEnd;
@@ -31,17 +30,17 @@ public final class NumberRows implements Closeable {
     out.append(columns).append(lineEnd);
   }
 
-  /** Adds a cell to the row. */
+  @Override
   public void add(long number) {
     row.append(number).append(separator);
   }
 
-  /** Adds a cell to the row. */
+  @Override
   public void add(double number) {
     row.append(doubles.text(number)).append(separator);
   }
 
-  /** Ends the row, which has at least one cell. */
+  @Override
   public void end() {
     row.setLength(row.length() - 1);
     row.append(lineEnd);
