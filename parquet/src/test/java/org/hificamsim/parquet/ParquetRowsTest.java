@@ -10,8 +10,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Random;
 import org.apache.parquet.column.ColumnDescriptor;
 import org.apache.parquet.hadoop.metadata.BlockMetaData;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TableRows;
@@ -89,6 +91,26 @@ class ParquetRowsTest {
         TableRows rows = new ParquetFormat().create(Table.RUN_TARGETS, output)) {
       assertThrows(IllegalStateException.class, () -> rows.add(0.5));
     }
+  }
+
+  /** Whatever a byte says: rows, or a fault of the file's. */
+  @Test
+  void aFileWithAnotherByteIsReadOrRefused() throws IOException {
+    Path file = written(500);
+    byte[] right = Files.readAllBytes(file);
+    int refused = 0;
+    Random random = new Random(1);
+    for (int i = 0; i < 1000; i++) {
+      byte[] wrong = right.clone();
+      wrong[random.nextInt(wrong.length)] = (byte) random.nextInt();
+      Files.write(file, wrong);
+      try {
+        new ParquetFormat().each(file, row -> {});
+      } catch (InputException e) {
+        refused++;
+      }
+    }
+    assertTrue(refused > 100, refused + " refused");
   }
 
   private Path written(int count) throws IOException {
