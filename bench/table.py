@@ -100,6 +100,10 @@ class Results:
         path = self.folder / f"numpy-{name}.csv"
         return Times.of([float(row["seconds"]) for row in rows(path)]) if path.exists() else None
 
+    def whole(self, policy: str, side: str) -> Times | None:
+        path = self.folder / f"whole-{policy}.csv"
+        return Times.of([float(row[side]) for row in rows(path)]) if path.exists() else None
+
     def cp_sat(self, kind: str) -> Times | None:
         """Each repeat's mean over the instances, once the optima are found to be ours."""
         paths = sorted(self.folder.glob(f"cpsat-{kind}-*.csv"))
@@ -132,6 +136,14 @@ class Results:
             what = f"cluster, 14 cameras, 8 targets: {policy}"
             add(what, PLAIN, ours, self.ours("PeerBenchmark.plain", **task))
             add(what, "NumPy", ours, self.numpy(f"cluster-8-{policy}"))
+        for policy in ("zoom-out", "epsilon-greedy", "sarsa"):
+            what = f"coverage study's rule, 10 cameras, 6 targets, whole runs with steps.csv: {policy}"
+            add(what, PLAIN, self.whole(policy, "ours"), self.whole(policy, "plain"))
+        for cameras in (15, 100):
+            task = {"scenario": f"{self.folder}/auction-{cameras}.xml"}
+            what = f"CamSim's auctions (Passive, Broadcast), {cameras} cameras, {cameras // 2} targets"
+            ours = self.ours("AuctionPeerBenchmark.ours", **task)
+            add(what, PLAIN, ours, self.ours("AuctionPeerBenchmark.plain", **task))
         for cameras in (100, 1000, 10_000):
             for policy in ("zoom-out", "epsilon-greedy"):
                 task = {"scenario": f"{self.folder}/field-{cameras}.xml", "policy": policy}

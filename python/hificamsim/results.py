@@ -25,7 +25,7 @@ class Results:
     """A folder of results.
 
     :ivar settings: what was chosen (``settings.json``, or that part of ``summary.json``)
-    :ivar frames: every table by the name of its file: ``frames["steps"]`` is ``steps.csv``
+    :ivar frames: every table by the name of its file: ``frames["steps"]`` is ``steps.csv`` or ``steps.parquet``
     :ivar folder: None where it is gone
     """
 
@@ -43,7 +43,7 @@ class Results:
 def read_results(folder: str | os.PathLike[str]) -> Results:
     """Reads a folder that ``run``, ``compare`` or another command wrote."""
     base = pathlib.Path(folder)
-    tables = sorted([*base.glob("*.csv"), *base.glob("*.csv.gz")])
+    tables = sorted(file for ending in ("*.csv", "*.csv.gz", "*.parquet") for file in base.glob(ending))
     if not tables:
         raise InputError(f"{base} has no tables, expected a folder of results")
     frames = {file.name.split(".")[0]: _frame(file) for file in tables}
@@ -51,7 +51,16 @@ def read_results(folder: str | os.PathLike[str]) -> Results:
 
 
 def _frame(file: pathlib.Path) -> pd.DataFrame:
+    if file.suffix == ".parquet":
+        return _columns(file)
     return pd.read_csv(file, keep_default_na=False, na_values=[""])  # a name may be NA
+
+
+def _columns(file: pathlib.Path) -> pd.DataFrame:
+    try:
+        return pd.read_parquet(file, engine="pyarrow")
+    except ImportError as missing:
+        raise Error(f"{file} needs pyarrow, expected it beside pandas: pip install 'hificamsim[parquet]'") from missing
 
 
 def _settings(base: pathlib.Path) -> dict[str, Any]:

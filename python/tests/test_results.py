@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import pathlib
+import sys
 
+import pandas as pd
 import pytest
 
 import hificamsim
+
+PARQUET = pathlib.Path(__file__).resolve().parents[2] / "parquet/build/install/parquet"
 
 
 def test_a_run_gives_its_tables() -> None:
@@ -32,6 +36,33 @@ def test_a_comparison_gives_its_tables_and_stays_where_it_is_told(tmp_path: path
     assert {"results", "metrics", "summary", "steps"} <= set(made.frames)
     again = hificamsim.read_results(folder)
     assert again["results"].equals(made["results"])
+
+
+def test_columns_are_the_csv_with_types(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    if not (PARQUET / "parquet-0.1.0.jar").exists():
+        pytest.skip("no Parquet: gradle :parquet:libraries")
+    pytest.importorskip("pyarrow")
+    monkeypatch.setenv("CLASSPATH", str(PARQUET / "*"))
+    told = {"policy": "random", "steps": 300, "repeat": 2, "record": True, "detect": "chance"}
+    text = hificamsim.run("cluster-random", **told)
+    columns = hificamsim.run("cluster-random", format="parquet", out=tmp_path, **told)
+    assert set(columns.frames) == {"steps", "zooms", "targets"}
+    for table, frame in columns.frames.items():
+        pd.testing.assert_frame_equal(frame, text[table].astype(frame.dtypes), check_exact=True)
+    assert str(columns["steps"].dtypes["step"]) == "int64"
+    assert str(columns["steps"].dtypes["k_min"]) == "int32"
+    schema = pytest.importorskip("pyarrow.parquet").read_schema(tmp_path / "targets.parquet")
+    assert schema.metadata[b"x.unit"] == b"m"
+
+
+def test_columns_without_their_libraries_are_a_line(tmp_path: pathlib.Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("CLASSPATH", raising=False)
+    with pytest.raises(hificamsim.InputError, match="format 'parquet' is not on the class path, expected its jars"):
+        hificamsim.run("cluster-random", format="parquet", steps=5)
+    (tmp_path / "steps.parquet").touch()
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    with pytest.raises(hificamsim.Error, match=r"needs pyarrow, expected .*pip install 'hificamsim\[parquet\]'"):
+        hificamsim.read_results(tmp_path)
 
 
 def test_what_the_command_line_refuses_is_a_line(tmp_path: pathlib.Path) -> None:

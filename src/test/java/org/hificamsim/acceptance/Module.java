@@ -19,6 +19,7 @@ enum Module {
   REPRODUCTION("reproduction", PRESENTATION, NETWORK),
   CLI("cli", REPRODUCTION, PROFILING, TRACKS),
   ONNX("onnx", WORLDS),
+  PARQUET("parquet", RUNS),
   PYTHON("python", WORLDS, PRESENTATION),
   BRIDGE("camsim-bridge", RUNS),
   SPARK("spark", RUNS),

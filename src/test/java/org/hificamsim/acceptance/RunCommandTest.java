@@ -163,6 +163,8 @@ class RunCommandTest {
         "--policy sarsa:alpha | policy sarsa: option 'alpha' has no value, expected alpha=VALUE",
         "--order sideways | --order is 'sideways', expected one of coverage, camsim",
         "--headings grads | --headings is 'grads', expected one of degrees, as-radians",
+        "--format arrow | --format is 'arrow', expected one of csv, parquet",
+        "--format parquet | 'parquet' is not on the class path, expected its jars in CLASSPATH",
         "--listener nobody | unknown listener 'nobody', expected one of UserListener",
         "--colour blue | '--colour'",
       })

@@ -86,6 +86,20 @@ class SetUpTest {
     assertEquals(List.of(), source("tell_libraries").lines());
   }
 
+  @Test
+  void parquetIsFetchedWhereItIsMissingAndToldBefore() throws Exception {
+    String words =
+        "build_if_stale() { echo $2; }; . " + Cli.ROOT.resolve("tools/parquet.sh").toRealPath();
+    String wanted = "Parquet from Maven Central (11 MB), for --format parquet";
+    assertEquals(
+        List.of("hificamsim: fetching " + wanted, ":parquet:libraries"), source(words).lines());
+    Said refused = source("installing=no; " + words);
+    assertEquals(1, refused.exit());
+    assertEquals(List.of("hificamsim: missing: " + wanted), refused.lines());
+    Files.createDirectories(folder.resolve("gradle/caches/modules-2/files-2.1/org.apache.parquet"));
+    assertEquals(List.of(":parquet:libraries"), source(words).lines());
+  }
+
   /** What was said, on either output. */
   private record Said(int exit, String text) {
     List<String> lines() {

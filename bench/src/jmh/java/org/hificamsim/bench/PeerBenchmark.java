@@ -72,7 +72,7 @@ public class PeerBenchmark {
     /** Starts the run. */
     @Setup
     public void start(Task task) {
-      simulation = new PlainSimulation(task.read(), task.policy, 0.1, 0);
+      simulation = new PlainSimulation(task.read(), "hifi:orb-lin", task.policy, 0.1, 0);
     }
   }
 

@@ -36,6 +36,8 @@ import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunFolder;
+import org.hificamsim.runs.output.TableFormat;
+import org.hificamsim.runs.output.TableFormats;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -90,6 +92,16 @@ final class RunCommand implements Callable<Integer> {
       description = "A step listener from a jar on the class path; may be repeated.")
   private List<String> listeners = new ArrayList<>();
 
+  @Option(
+      names = "--format",
+      paramLabel = "FORMAT",
+      description = {
+        "Of steps, zooms and targets: csv or parquet (columns of numbers, much smaller, for"
+            + " pandas,",
+        "polars, R and DuckDB; what writes it is fetched at first use, 11 MB)."
+      })
+  private String format;
+
   @Option(names = "--json", description = "Print summary.json rather than a table.")
   private boolean json;
 
@@ -99,6 +111,7 @@ final class RunCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Instant started = Instant.now();
     int most = mostCells();
+    TableFormat tables = TableFormats.named(format);
     Catalogue catalogue = Catalogue.load();
     RunPlan plan = plan(catalogue);
     new RunExecutor(catalogue).check(plan);
@@ -110,7 +123,7 @@ final class RunCommand implements Callable<Integer> {
             : Optional.empty();
     List<FloorPicture> floor = record ? FloorPictures.of(file, plan.scenario()) : List.of();
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
-    try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan));
+    try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan), tables);
         Workers workers = Workers.of(threads.count())) {
       KMinOverTime kMin = new KMinOverTime(plan.steps());
       Optional<ReplayRecorder> replay =

@@ -1,30 +1,15 @@
 package org.hificamsim.bench.plain;
 
-/** The confidence of {@code hifi:orb-lin}: g of Table 6.1 over f of Eq 4.4. */
-final class DetectionFunction {
-  private static final double MAX_FOCAL_LENGTH = 0.085;
-  private static final double THRESHOLD = 0.0441;
+/** Whether a camera detects a target at its present level. */
+interface DetectionFunction {
+  boolean detects(Camera camera, Target target);
 
-  boolean detects(Camera camera, Target target) {
-    double distance = camera.distanceTo(target);
-    return distance <= camera.radius()
-        && confidence(target.size(), distance, focalLength(camera)) >= THRESHOLD;
-  }
-
-  private static double focalLength(Camera camera) {
-    return MAX_FOCAL_LENGTH * camera.narrowestRadius() / camera.radius();
-  }
-
-  private static double confidence(double size, double distance, double focalLength) {
-    return g(f(size, distance, focalLength));
-  }
-
-  private static double f(double size, double distance, double focalLength) {
-    double negativeLogPip = -18.82 * focalLength - 2.0 * size + 0.2 * distance + 2.47;
-    return Math.min(1, Math.pow(10, -negativeLogPip));
-  }
-
-  private static double g(double pip) {
-    return 0.571 * pip + 0.026;
+  /** The function of a detection model. */
+  static DetectionFunction named(String name) {
+    return switch (name) {
+      case "hifi:orb-lin" -> new HiFiFunction();
+      case "camsim-range@0.3" -> new RangeFunction();
+      default -> throw new IllegalArgumentException("no plain detection '" + name + "'");
+    };
   }
 }

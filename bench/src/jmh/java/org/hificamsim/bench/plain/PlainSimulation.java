@@ -16,15 +16,18 @@ public final class PlainSimulation {
   private final Field field;
   private final List<Camera> cameras = new ArrayList<>();
   private final List<Target> targets = new ArrayList<>();
-  private final DetectionFunction detection = new DetectionFunction();
+  private final DetectionFunction detection;
   private final Random turns;
   private int detections;
 
   /**
+   * @param detection {@code hifi:orb-lin} or {@code camsim-range@0.3}
    * @param policy {@code zoom-out}, {@code epsilon-greedy} or {@code sarsa}
    * @param epsilon probability that a learning camera explores, [0, 1]
    */
-  public PlainSimulation(Scenario scenario, String policy, double epsilon, long seed) {
+  public PlainSimulation(
+      Scenario scenario, String detection, String policy, double epsilon, long seed) {
+    this.detection = DetectionFunction.named(detection);
     field = scenario.field();
     turns = new Random(seed);
     Random random = new Random(seed);
@@ -65,6 +68,15 @@ public final class PlainSimulation {
   /** The number of detections in the last step: one for each camera and target. */
   public int detections() {
     return detections;
+  }
+
+  /** The numbers of targets that no, one, and two or more cameras covered in the last step. */
+  int[] covered() {
+    int[] covered = new int[3];
+    for (Target target : targets) {
+      covered[Math.min(target.coverage(), 2)]++;
+    }
+    return covered;
   }
 
   private static LevelPolicy policy(String name, int levels, double epsilon, Random random) {

@@ -58,7 +58,8 @@ class PlainSimulationTest {
   }
 
   private List<Measured> plain(String policy, double epsilon, long seed) {
-    PlainSimulation simulation = new PlainSimulation(scenario, policy, epsilon, seed);
+    PlainSimulation simulation =
+        new PlainSimulation(scenario, "hifi:orb-lin", policy, epsilon, seed);
     return Stream.generate(() -> new Measured(simulation.step(), simulation.detections()))
         .limit(STEPS)
         .toList();

@@ -86,6 +86,63 @@ class SightTest {
     assertLooksAsItDetects(world, Sight.of(world, inFull(detection)));
   }
 
+  /** One camera is off, one is at another level, and one target stands on a border. */
+  @Test
+  void allCamerasAtOnceSeeWhatEachSees() {
+    TestScenario scenario = new TestScenario().zooms(2, 5);
+    for (int camera = 0; camera < 5; camera++) {
+      scenario.camera(TestScenario.camera("c" + camera, camera - 2, camera % 2, 0, 360, 5));
+    }
+    SplittableRandom random = new SplittableRandom(8);
+    for (int target = 0; target < 70; target++) {
+      scenario.target(random.nextDouble(-9, 9), random.nextDouble(-9, 9));
+    }
+    World world = scenario.target(3, 0).world();
+    world.cameras().turnTo(1, 0);
+    world.switchCamera(3, false);
+    Sight sight = Sight.of(world, Visibility.of(Detection.of(new GeometricDetection())));
+    PointGrid grid = grid(world);
+    int[] detected = {-1, -1, -1, -1, -1};
+    int[] counts = new int[grid.count()];
+    long[] found = new long[5 * grid.count() + 1];
+    assertTrue(sight.lookAll(0, 5, grid, detected, counts));
+    int all = sight.findAll(grid, found);
+    int at = 0;
+    int[] expected = new int[grid.count()];
+    for (int camera = 0; camera < 5; camera++) {
+      int before = at;
+      for (int i = 0; i < grid.count(); i++) {
+        if (camera != 3 && sight.detects(camera, world.cameras().view(camera), i)) {
+          expected[i]++;
+          assertEquals(((long) camera << 32) + i, found[at++]);
+        }
+      }
+      assertEquals(at - before, detected[camera]);
+    }
+    assertEquals(at, all);
+    assertArrayEquals(expected, counts);
+    assertTrue(at > 50 && detected[1] > 0 && detected[1] < detected[0], at + " seen");
+  }
+
+  /** A sector is no disc, and a model of the bearing knows none. */
+  @Test
+  void whereThereAreNoDiscsAllAtOnceIsRefused() {
+    World world =
+        new TestScenario()
+            .camera(TestScenario.camera("a", 0, 0, 0, 360, 5))
+            .camera(TestScenario.camera("b", 0, 0, 0, 90, 5))
+            .target(1, 1)
+            .world();
+    Detection detection = Detection.of(new GeometricDetection());
+    for (Visibility one : new Visibility[] {Visibility.of(detection), inFull(detection)}) {
+      Sight sight = Sight.of(world, one);
+      int[] untouched = {7, 7};
+      assertFalse(sight.lookAll(0, 2, grid(world), untouched, untouched));
+      assertEquals(-1, sight.findAll(grid(world), new long[3]));
+      assertArrayEquals(new int[] {7, 7}, untouched);
+    }
+  }
+
   /** Three words of masks, in the middle of an array whose other words stay as they are. */
   @ParameterizedTest
   @ValueSource(booleans = {false, true})

@@ -91,16 +91,16 @@ final class RunReport {
     for (int i = 0; i < replay.runs().size(); i++) {
       check.expect(replay.recording(folder, i));
     }
-    check.read(folder);
-    checkPerformance((double) check.performance() / replay.repeat());
+    Path steps = check.read(folder).getFileName();
+    checkPerformance((double) check.performance() / replay.repeat(), steps);
   }
 
-  private void checkPerformance(double mean) {
+  private void checkPerformance(double mean, Path steps) {
     double performance = summary.path("performance").asDouble(Double.NaN);
     if (!(Math.abs(performance - mean) <= ROUNDING * Math.max(1, mean))) {
       throw new InputException(
-          "%s: performance is %s, but the k_min of steps.csv make %s, expected the files of one run"
-              .formatted(folder.resolve(ResultFolder.SUMMARY), performance, mean));
+          "%s: performance is %s, but the k_min of %s make %s, expected the files of one run"
+              .formatted(folder.resolve(ResultFolder.SUMMARY), performance, steps, mean));
     }
   }
 

@@ -10,7 +10,6 @@ import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Recording;
 import org.hificamsim.runs.output.StepRow;
-import org.hificamsim.runs.output.Table;
 
 /** Compares {@code steps.csv} with recorded frames: a page must show the numbers of the table. */
 final class StepsCheck {
@@ -33,16 +32,18 @@ final class StepsCheck {
   /**
    * Reads the table of a folder.
    *
+   * @return its file
    * @throws InputException when it is missing, lacks a row or has another number in one
    */
-  void read(Path folder) throws IOException {
-    StepRow.each(folder, this::check);
+  Path read(Path folder) throws IOException {
+    Path file = StepRow.each(folder, this::check);
     if (!expected.isEmpty()) {
       String[] missing = expected.keySet().stream().sorted().findFirst().orElseThrow().split(",");
       throw new InputException(
           "%s: no row for run %s and step %s, expected the file of the run that was recorded"
-              .formatted(folder.resolve(Table.RUN_STEPS.file()), missing[0], missing[1]));
+              .formatted(file, missing[0], missing[1]));
     }
+    return file;
   }
 
   private void check(StepRow row) {

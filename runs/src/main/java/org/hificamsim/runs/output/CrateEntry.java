@@ -18,16 +18,17 @@ import java.util.Map;
 /** A file of results as an entity of an RO-Crate, with its size and SHA-256. */
 final class CrateEntry {
   private static final Map<String, String> FORMATS =
-      Map.of(
-          "csv", "text/csv",
-          "gz", "application/gzip",
-          "html", "text/html",
-          "json", "application/json",
-          "pdf", "application/pdf",
-          "png", "image/png",
-          "svg", "image/svg+xml",
-          "tex", "application/x-tex",
-          "xml", "application/xml");
+      Map.ofEntries(
+          Map.entry("csv", "text/csv"),
+          Map.entry("gz", "application/gzip"),
+          Map.entry("html", "text/html"),
+          Map.entry("json", "application/json"),
+          Map.entry("parquet", "application/vnd.apache.parquet"),
+          Map.entry("pdf", "application/pdf"),
+          Map.entry("png", "image/png"),
+          Map.entry("svg", "image/svg+xml"),
+          Map.entry("tex", "application/x-tex"),
+          Map.entry("xml", "application/xml"));
 
   private CrateEntry() {}
 

@@ -3,14 +3,14 @@ package org.hificamsim.runs.output;
 import com.fasterxml.jackson.dataformat.csv.CsvFactory;
 import com.fasterxml.jackson.dataformat.csv.CsvGenerator;
 import com.fasterxml.jackson.dataformat.csv.CsvSchema;
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 
 /** A CSV file under way: a header, then one row after the other, each value in its column. */
-public final class CsvTable implements Closeable {
+public final class CsvTable implements TableRows {
   private final CsvGenerator out;
+  private boolean inRow;
 
   /** Starts a table with these columns. */
   public CsvTable(Writer writer, String... columns) throws IOException {
@@ -25,36 +25,58 @@ public final class CsvTable implements Closeable {
 
   /** Writes one row of numbers (whole or floating) and texts. */
   public void row(Object... values) {
-    try {
-      out.writeStartArray();
-      for (Object value : values) {
-        write(value);
+    for (Object value : values) {
+      if (value instanceof Integer || value instanceof Long) {
+        add(((Number) value).longValue());
+      } else if (value instanceof Double number) {
+        add(number.doubleValue());
+      } else {
+        add(value.toString());
       }
-      out.writeEndArray();
+    }
+    end();
+  }
+
+  @Override
+  public void add(long number) {
+    cell(() -> out.writeNumber(number));
+  }
+
+  /** NaN is an empty field, which pandas and R read as missing. */
+  @Override
+  public void add(double number) {
+    if (Double.isNaN(number)) {
+      add("");
+    } else {
+      cell(() -> out.writeNumber(number));
+    }
+  }
+
+  @Override
+  public void add(String text) {
+    cell(() -> out.writeString(text));
+  }
+
+  @Override
+  public void end() {
+    cell(out::writeEndArray);
+    inRow = false;
+  }
+
+  private void cell(Writing writing) {
+    try {
+      if (!inRow) {
+        out.writeStartArray();
+        inRow = true;
+      }
+      writing.write();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  private void write(Object value) throws IOException {
-    if (value instanceof Integer number) {
-      out.writeNumber(number);
-    } else if (value instanceof Long number) {
-      out.writeNumber(number);
-    } else if (value instanceof Double number) {
-      writeDouble(number);
-    } else {
-      out.writeString(value.toString());
-    }
-  }
-
-  /** NaN is an empty field, which pandas and R read as missing. */
-  private void writeDouble(double number) throws IOException {
-    if (Double.isNaN(number)) {
-      out.writeString("");
-    } else {
-      out.writeNumber(number);
-    }
+  private interface Writing {
+    void write() throws IOException;
   }
 
   @Override

@@ -5,8 +5,8 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
@@ -21,38 +21,44 @@ import org.hificamsim.runs.RunResult;
 public final class RunFolder implements Closeable {
   /** What not every run writes; of an earlier run it would be another run's. */
   private static final List<String> BESIDE =
-      List.of(
-          Table.RUN_ZOOMS.file(),
-          Table.RUN_TARGETS.file(),
-          Table.HEATMAP.file(),
-          ResultFolder.MANIFEST,
-          ResultFolder.CRATE,
-          ResultFolder.REPLAY,
-          ResultFolder.REPORT);
+      Stream.of(
+              TableFormats.files(Table.RUN_STEPS),
+              TableFormats.files(Table.RUN_ZOOMS),
+              TableFormats.files(Table.RUN_TARGETS),
+              List.of(
+                  Table.HEATMAP.file(),
+                  ResultFolder.MANIFEST,
+                  ResultFolder.CRATE,
+                  ResultFolder.REPLAY,
+                  ResultFolder.REPORT))
+          .flatMap(List::stream)
+          .toList();
 
   private final OutputFolder folder;
   private final Detail detail;
   private final Rows steps;
-  private final CsvTable zooms;
-  private final CsvTable targets;
+  private final TableRows zooms;
+  private final TableRows targets;
 
   /**
    * Starts the tables.
    *
    * @param detection of the run: by chance, tables have more columns
    * @param detail what is written of each step
+   * @param format of the tables with a row for each step
    */
-  public RunFolder(Path path, Detection detection, Detail detail) throws IOException {
+  public RunFolder(Path path, Detection detection, Detail detail, TableFormat format)
+      throws IOException {
     boolean certain = detection.certain();
     folder = new OutputFolder(path);
     Table ofSteps = certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE;
-    steps = RowsAside.of(ofSteps.createRows(folder));
+    steps = RowsAside.of(format.createNumbers(ofSteps, folder));
     this.detail = detail;
     boolean record = detail != Detail.STEPS;
     Table ofCameras = detail == Detail.VIEWS ? Table.RUN_VIEWS : Table.RUN_ZOOMS;
-    zooms = record ? ofCameras.create(folder) : null;
+    zooms = record ? format.create(ofCameras, folder) : null;
     Table ofTargets = certain ? Table.RUN_TARGETS : Table.RUN_TARGETS_BY_CHANCE;
-    targets = record ? ofTargets.create(folder) : null;
+    targets = record ? format.create(ofTargets, folder) : null;
   }
 
   /** The listener that writes one repeat. */
@@ -76,41 +82,47 @@ public final class RunFolder implements Closeable {
   private void zooms(int run, NetworkView network) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        zooms.row(camera(run, network, camera).toArray());
+        camera(run, network, camera);
       }
     }
   }
 
-  private List<Object> camera(int run, NetworkView network, int camera) {
+  private void camera(int run, NetworkView network, int camera) {
     int view = network.view(camera);
-    List<Object> row = new ArrayList<>();
-    row.addAll(List.of(run, network.step(), network.cameraName(camera)));
-    row.add(view % network.zooms(camera));
-    row.add(network.zoom(camera, view).radius());
-    row.add(network.detected(camera));
+    zooms.add(run);
+    zooms.add(network.step());
+    zooms.add(network.cameraName(camera));
+    zooms.add(view % network.zooms(camera));
+    zooms.add(network.zoom(camera, view).radius());
+    zooms.add(network.detected(camera));
     if (detail == Detail.VIEWS) {
-      row.add(Math.toDegrees(network.pan(camera, view)));
-      row.add(Math.toDegrees(network.zoom(camera, view).viewingAngle()));
-      row.add(network.moving(camera) ? 1 : 0);
+      zooms.add(Math.toDegrees(network.pan(camera, view)));
+      zooms.add(Math.toDegrees(network.zoom(camera, view).viewingAngle()));
+      zooms.add(network.moving(camera) ? 1 : 0);
     }
-    return row;
+    zooms.end();
   }
 
   private void targets(int run, NetworkView network, StepCoverage coverage) {
     for (int target = 0; target < network.targets(); target++) {
       if (network.present(target)) {
-        List<Object> row = new ArrayList<>();
-        row.addAll(List.of(run, network.step(), network.targetName(target)));
-        row.add(network.oracle().targetX(target));
-        row.add(network.oracle().targetY(target));
-        if (coverage.byChance()) {
-          row.add(network.coverage(target));
-          row.add(coverage.expected().chanceOfOne(target));
-          row.add(coverage.expected().chanceOfMore(target));
-        }
-        targets.row(row.toArray());
+        target(run, network, coverage, target);
       }
     }
+  }
+
+  private void target(int run, NetworkView network, StepCoverage coverage, int target) {
+    targets.add(run);
+    targets.add(network.step());
+    targets.add(network.targetName(target));
+    targets.add(network.oracle().targetX(target));
+    targets.add(network.oracle().targetY(target));
+    if (coverage.byChance()) {
+      targets.add(network.coverage(target));
+      targets.add(coverage.expected().chanceOfOne(target));
+      targets.add(coverage.expected().chanceOfMore(target));
+    }
+    targets.end();
   }
 
   /** Adds {@code manifest.json}. */

@@ -1,8 +1,6 @@
 package org.hificamsim.runs.output;
 
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
@@ -11,7 +9,7 @@ import org.hificamsim.core.metrics.ExpectedCoverage;
 import org.hificamsim.core.metrics.StepCoverage;
 
 /**
- * A row of {@code steps.csv} as it was read.
+ * A row of {@code steps.csv} as it was read, or of the same table in another format.
  *
  * @param line in the file, from 1
  * @param measures the columns of {@link #addMeasures}
@@ -43,21 +41,24 @@ public record StepRow(Path file, int line, String run, String step, String measu
   /**
    * Reads the table of a run's folder, row by row.
    *
+   * @return the file
    * @throws InputException when it is missing or a row is too short
    */
-  public static void each(Path folder, Consumer<StepRow> taker) throws IOException {
-    Path file = new ResultFolder(folder).file(Table.RUN_STEPS.file());
-    try (BufferedReader reader = Files.newBufferedReader(file)) {
-      String line = reader.readLine();
-      for (int number = 2; (line = reader.readLine()) != null; number++) {
-        String[] cells = line.split(",", 3);
-        if (cells.length < 3) {
-          throw new InputException(
-              file + ":" + number + ":1: '" + line + "' is no row of run,step,k_min,...");
-        }
-        taker.accept(new StepRow(file, number, cells[0], cells[1], cells[2]));
-      }
+  public static Path each(Path folder, Consumer<StepRow> taker) throws IOException {
+    TableFormat format = TableFormats.of(folder, Table.RUN_STEPS);
+    Path file = new ResultFolder(folder).file(Table.RUN_STEPS.file(format.name()));
+    int[] line = {1};
+    format.each(file, row -> taker.accept(of(file, ++line[0], row)));
+    return file;
+  }
+
+  private static StepRow of(Path file, int number, String line) {
+    String[] cells = line.split(",", 3);
+    if (cells.length < 3) {
+      throw new InputException(
+          file + ":" + number + ":1: '" + line + "' is no row of run,step,k_min,...");
     }
+    return new StepRow(file, number, cells[0], cells[1], cells[2]);
   }
 
   /**

@@ -3,7 +3,9 @@ package org.hificamsim.runs.output;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
 
@@ -82,6 +84,18 @@ public enum Table {
   /** The file's name. */
   public String file() {
     return file;
+  }
+
+  /** The file's name in a format that its tables end in. */
+  public String file(String format) {
+    return file.replace(".csv", "." + format);
+  }
+
+  /** The columns of a table with a row for each step, camera or target of a run. */
+  public List<StepColumn> stepColumns() {
+    return Arrays.stream(columns.toUpperCase(Locale.ROOT).split(","))
+        .map(StepColumn::valueOf)
+        .toList();
   }
 
   /** Starts the table in a folder. */

@@ -1,0 +1,63 @@
+package org.hificamsim.bench.plain;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Random;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.TargetSpec;
+
+/**
+ * CamSim's step (behaviour 7) as a loop over objects: move, observe, advertise, look, settle. It
+ * reads scenarios of cameras below a range of 20 and straight movement, without events, links or
+ * limits. What overlaps is left out: it never changes while cameras stand.
+ */
+public final class PlainAuctions {
+  /** A step's row of CamSim's table, as far as it changes. */
+  public record Figures(
+      double utility, long communication, double confidence, double proportion, long handovers) {}
+
+  private final Field field;
+  private final List<TradingCamera> cameras = new ArrayList<>();
+  private final List<Target> targets = new ArrayList<>();
+  private final Random turns;
+
+  /** Starts a run. */
+  public PlainAuctions(Scenario scenario, long seed) {
+    field = scenario.field();
+    turns = new Random(seed);
+    for (TargetSpec target : scenario.targets()) {
+      double heading = Math.toRadians(target.heading());
+      targets.add(new Target(target.x(), target.y(), heading, target.speed(), target.size()));
+    }
+    for (CameraSpec camera : scenario.cameras()) {
+      cameras.add(new TradingCamera(camera));
+    }
+    cameras.forEach(camera -> camera.meet(cameras, targets));
+  }
+
+  /** Runs one step. */
+  public Figures step() {
+    targets.forEach(target -> target.move(field, turns));
+    cameras.forEach(camera -> camera.observe(targets));
+    cameras.forEach(TradingCamera::advertise);
+    cameras.forEach(TradingCamera::look);
+    long sent = 0;
+    double confidence = 0;
+    int tracked = 0;
+    for (TradingCamera camera : cameras) {
+      camera.settle();
+      sent += camera.sent();
+      confidence += camera.relativeConfidence();
+      tracked += camera.tracked();
+    }
+    double utility = 0;
+    long handovers = 0;
+    for (TradingCamera camera : cameras) {
+      utility += camera.utility();
+      handovers += camera.handovers();
+    }
+    return new Figures(utility, sent, confidence, (double) tracked / targets.size(), handovers);
+  }
+}

@@ -1,0 +1,143 @@
+package org.hificamsim.parquet;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.cli.Main;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** {@code run --format parquet}, beside the same run in CSV. */
+class ParquetCommandTest {
+  private static final Path SCENARIOS = Path.of(System.getProperty("hificamsim.root"), "scenarios");
+
+  @TempDir Path folder;
+  private Path csv;
+  private Path parquet;
+  private final StringWriter errors = new StringWriter();
+
+  @BeforeEach
+  void twoFolders() {
+    csv = folder.resolve("csv");
+    parquet = folder.resolve("parquet");
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "ring-random.xml --steps 3000 --repeat 2",
+        "ring-random.xml --steps 300 --detect chance",
+        "corridor.xml --steps 200 --detection dori-2014:level=recognise --policy sarsa",
+      })
+  void everyCellOfEveryTableIsThatOfTheCsv(String words) throws IOException {
+    both(SCENARIOS.resolve(words.split(" ")[0]), words.split(" "));
+    assertSame("steps");
+    assertSame("zooms");
+    assertSame("targets");
+  }
+
+  @Test
+  void thePageAndThePlotAreThoseOfTheCsv() throws IOException {
+    both(SCENARIOS.resolve("ring-random.xml"), "", "--steps", "200");
+    assertEquals(page(csv), page(parquet));
+    run("plot", csv, "--out", folder.resolve("a.png"));
+    Files.move(csv, folder.resolve("away"));
+    Files.move(parquet, csv); // the plot has the folder's name in it
+    run("plot", csv, "--out", folder.resolve("b.png"));
+    assertArrayEquals(
+        Files.readAllBytes(folder.resolve("a.png")), Files.readAllBytes(folder.resolve("b.png")));
+  }
+
+  /** But for the command that it shows. */
+  private static String page(Path of) throws IOException {
+    return Files.readString(of.resolve("report.html")).replaceAll("\"command\":\"[^\"]*\"", "");
+  }
+
+  @Test
+  void theSameRunWritesTheSameBytes() throws IOException {
+    Path scenario = SCENARIOS.resolve("ring-random.xml");
+    assertEquals(0, run("run", scenario, "--steps", 500, "--format", "parquet", "--out", csv));
+    assertEquals(0, run("run", scenario, "--steps", 500, "--format", "parquet", "--out", parquet));
+    assertArrayEquals(
+        Files.readAllBytes(csv.resolve("steps.parquet")),
+        Files.readAllBytes(parquet.resolve("steps.parquet")));
+  }
+
+  @Test
+  void tablesOfTheOtherFormatDoNotStay() throws IOException {
+    Path scenario = SCENARIOS.resolve("ring-random.xml");
+    run("run", scenario, "--steps", 50, "--record", "--out", csv);
+    run("run", scenario, "--steps", 50, "--format", "parquet", "--out", csv);
+    assertEquals(List.of("steps.parquet"), tables(csv));
+    assertTrue(
+        Files.readString(csv.resolve("ro-crate-metadata.json"))
+            .contains("application/vnd.apache.parquet"));
+    run("run", scenario, "--steps", 50, "--out", csv);
+    assertEquals(List.of("steps.csv"), tables(csv));
+  }
+
+  @Test
+  void aBrokenTableIsRefusedInOneLine() throws IOException {
+    both(SCENARIOS.resolve("ring-random.xml"), "", "--steps", "200");
+    byte[] whole = Files.readAllBytes(parquet.resolve("steps.parquet"));
+    for (int length : new int[] {0, 7, whole.length / 2, whole.length - 1}) {
+      Files.write(parquet.resolve("steps.parquet"), Arrays.copyOf(whole, length));
+      errors.getBuffer().setLength(0);
+      assertEquals(2, run("report", parquet), errors::toString);
+      assertTrue(errors.toString().contains("steps.parquet is broken"), errors::toString);
+      assertEquals(1, errors.toString().lines().count(), errors::toString);
+    }
+  }
+
+  private void both(Path scenario, String... more) {
+    List<Object> words = new ArrayList<>(List.of("run", scenario, "--record"));
+    words.addAll(Arrays.asList(more).subList(1, more.length));
+    run(Stream.concat(words.stream(), Stream.of("--out", csv)).toArray());
+    assertEquals("", errors.toString().replaceAll("(?m)^warning.*\n", ""));
+    run(
+        Stream.concat(words.stream(), Stream.of("--out", parquet, "--format", "parquet"))
+            .toArray());
+    assertEquals("", errors.toString().replaceAll("(?m)^warning.*\n", ""));
+  }
+
+  private int run(Object... words) {
+    PrintWriter nowhere = new PrintWriter(new StringWriter());
+    String[] args = Arrays.stream(words).map(Object::toString).toArray(String[]::new);
+    return Main.execute(nowhere, new PrintWriter(errors, true), args);
+  }
+
+  private void assertSame(String table) throws IOException {
+    List<String> expected = Files.readAllLines(csv.resolve(table + ".csv"));
+    assertTrue(expected.size() > 1, table);
+    assertEquals(expected.subList(1, expected.size()), rows(table));
+  }
+
+  private List<String> rows(String table) throws IOException {
+    List<String> rows = new ArrayList<>();
+    new ParquetFormat().each(parquet.resolve(table + ".parquet"), rows::add);
+    return rows;
+  }
+
+  private static List<String> tables(Path of) throws IOException {
+    try (Stream<Path> files = Files.list(of)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> name.matches("(steps|zooms|targets)\\..*"))
+          .sorted()
+          .toList();
+    }
+  }
+}
