@@ -25,7 +25,7 @@ import org.hificamsim.presentation.plot.XyPanel;
 
 /**
  * Draws how the cost of a step grows with the network, from what JMH wrote of {@link
- * BigNetworkBenchmark}, and prints it as a table.
+ * BigNetworkBenchmark} and {@link NetworkGrowthBenchmark}, and prints it as a table.
  */
 public final class GrowthFigure {
   private static final double MICROSECONDS = 1e-3;
@@ -50,12 +50,16 @@ public final class GrowthFigure {
     Map<String, NavigableMap<Integer, Double>> costs = new LinkedHashMap<>();
     for (JsonNode result : new ObjectMapper().readTree(file)) {
       costs
-          .computeIfAbsent(result.at("/params/policy").asText(), policy -> new TreeMap<>())
+          .computeIfAbsent(name(result.at("/params")), policy -> new TreeMap<>())
           .put(
               result.at("/params/cameras").asInt(),
               MICROSECONDS * result.at("/primaryMetric/score").asDouble());
     }
     return costs;
+  }
+
+  private static String name(JsonNode params) {
+    return params.path("policy").asText("CamSim's network");
   }
 
   private static void print(String policy, NavigableMap<Integer, Double> costs) {
@@ -66,7 +70,7 @@ public final class GrowthFigure {
           String growth =
               fewer == null ? "" : number("%.2f", Math.pow(cost / costs.get(fewer), 1 / doublings));
           System.out.printf(
-              "%-15s %7d cameras %10s ms a step  %s%n",
+              "%-16s %7d cameras %10s ms a step  %s%n",
               policy,
               cameras,
               number("%.4f", cost),
@@ -93,7 +97,8 @@ public final class GrowthFigure {
     legend.add(new LegendEntry("with the square", Palette.GREY, Mark.DASHES));
     return new Figure(
         "The cost of a step over the size of the network",
-        "Random fields of one density, 0.6 targets for each camera, five levels, one thread",
+        "Random fields of one density, 0.6 targets for each camera (CamSim's network: 0.5), one"
+            + " thread",
         legend,
         List.of(panel.chart()),
         1,

@@ -12,6 +12,7 @@ import org.hificamsim.core.scenario.VisionGraph;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.AuctionSchedule;
+import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.Links;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditSolver;
@@ -67,12 +68,20 @@ final class AgentFactory {
     Role role = roles.get(camera);
     AuctionSchedule schedule =
         new AuctionSchedule(role.schedule(), world.targets(), settings.historicalParameters());
-    Links links =
-        role.schedule().isHistorical() && settings.historicalParameters().classification()
-            ? Links.byCategory(
-                graph.names(), settings.historicalParameters().categories(), schedule::category)
-            : links(camera, role);
+    Links links = asksAlways(role) ? Links.UNREAD : links(camera, role, schedule);
     return new Agent(camera, role.limit(), schedule, role.comm().policy(), links, shared);
+  }
+
+  /** Whether a camera asks all neighbours as long as it runs, whatever its links. */
+  private static boolean asksAlways(Role role) {
+    return role.comm().policy() == CommunicationPolicy.BROADCAST && role.bandit().isEmpty();
+  }
+
+  private Links links(int camera, Role role, AuctionSchedule schedule) {
+    return role.schedule().isHistorical() && settings.historicalParameters().classification()
+        ? Links.byCategory(
+            graph.names(), settings.historicalParameters().categories(), schedule::category)
+        : links(camera, role);
   }
 
   private Links links(int camera, Role role) {

@@ -17,6 +17,7 @@ import org.hificamsim.network.agent.BidderHashes;
 import org.hificamsim.network.agent.HashOrder;
 import org.hificamsim.network.agent.MessageKind;
 import org.hificamsim.network.agent.MessageQueue;
+import org.hificamsim.network.agent.SharedSearches;
 import org.hificamsim.network.agent.Sightings;
 import org.hificamsim.network.bandit.CameraBandit;
 import org.hificamsim.network.statistics.CameraFigures;
@@ -33,6 +34,7 @@ import org.hificamsim.network.statistics.StepTally;
 public final class Network implements Cooperation, WorldObserver {
   private final Cameras cameras;
   private final Sightings sightings;
+  private final SharedSearches searches;
   private final MessageQueue queue = new MessageQueue();
   private final MessageQueue.Receiver receiver = this::receive;
   private final IntConsumer choosing = this::choose;
@@ -69,6 +71,7 @@ public final class Network implements Cooperation, WorldObserver {
     factory = new AgentFactory(world, settings, new Random(seed));
     agents = new Agent[cameras.count()];
     bandits = new CameraBandit[cameras.count()];
+    searches = new SharedSearches(world.targets().count());
     BidderHashes hashes = new BidderHashes(cameras, sightings, agents);
     double[] features = new double[world.targets().count()];
     Arrays.setAll(features, target -> world.targetSpec(target).features());
@@ -77,6 +80,7 @@ public final class Network implements Cooperation, WorldObserver {
             cameras,
             features,
             sightings,
+            searches,
             queue,
             new Random(seed),
             settings.has(Quirk.TIES_BY_HASH_CODE) ? hashes::of : camera -> 0,
@@ -107,6 +111,7 @@ public final class Network implements Cooperation, WorldObserver {
   @Override
   public void cooperate() {
     tally.begin();
+    searches.refresh(agents, added);
     inTurn(choosing);
     inTurn(advertising);
     inTurn(bidding);
@@ -125,7 +130,19 @@ public final class Network implements Cooperation, WorldObserver {
   }
 
   private void receive(MessageKind kind, int from, int to, int target, double value) {
-    agents[to].receive(kind, from, target, value);
+    if (to != MessageQueue.EVERYONE) {
+      agents[to].receive(kind, from, target, value);
+    } else if (!searches.hear(kind, agents[from], target, value)) {
+      receiveEach(kind, from, target, value);
+    }
+  }
+
+  private void receiveEach(MessageKind kind, int from, int target, double value) {
+    for (int camera = 0; camera < added; camera++) {
+      if (camera != from && cameras.online(camera)) {
+        agents[camera].receive(kind, from, target, value);
+      }
+    }
   }
 
   private void choose(int camera) {

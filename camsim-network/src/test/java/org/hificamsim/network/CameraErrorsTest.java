@@ -18,6 +18,7 @@ import org.hificamsim.network.agent.Auctions;
 import org.hificamsim.network.agent.HistoricalParameters;
 import org.hificamsim.network.agent.MessageKind;
 import org.hificamsim.network.agent.MessageQueue;
+import org.hificamsim.network.agent.SharedSearches;
 import org.hificamsim.network.agent.Sightings;
 import org.hificamsim.network.bandit.BanditParameters;
 import org.junit.jupiter.api.Test;
@@ -74,6 +75,7 @@ class CameraErrorsTest {
             world.cameras(),
             new double[] {1},
             sightings,
+            new SharedSearches(world.targets().count()),
             new MessageQueue(),
             new Random(0),
             camera -> 0,

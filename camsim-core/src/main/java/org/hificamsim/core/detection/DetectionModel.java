@@ -42,6 +42,14 @@ public interface DetectionModel {
   }
 
   /**
+   * The same at one zoom level, for angles between 0 and pi; a model that depends on the bearing at
+   * some levels alone says so, and spares the arc cosine at the others.
+   */
+  default boolean dependsOnBearing(ZoomLevel zoom) {
+    return dependsOnBearing();
+  }
+
+  /**
    * The confidence that a camera reports to others for a value that reaches the threshold, 0 or
    * more; in [0, 1] but for models whose values are no proportions.
    */

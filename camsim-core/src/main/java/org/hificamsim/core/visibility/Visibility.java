@@ -22,6 +22,9 @@ import org.hificamsim.core.detection.ZoomLevel;
  * </ol>
  */
 public final class Visibility {
+  /** The cosine of an angle that is neither 0 nor pi, however it was rounded, is nearer to 0. */
+  private static final double BETWEEN = 1 - 1e-9;
+
   private final Detection detection;
   private final DetectionModel model;
   private final boolean asInCamSim;
@@ -169,11 +172,24 @@ public final class Visibility {
     if (!(distance <= zoom.radius())) {
       return Double.NaN;
     }
-    boolean byAngle = model.dependsOnBearing() || (asInCamSim && !zoom.allRound());
-    double offAxis = byAngle ? camera.offAxis(x, y) : 0;
+    double offAxis = offAxis(camera, zoom, x, y);
     return isWithin(camera, zoom, x, y, offAxis)
         ? model.confidence(size, distance, offAxis, zoom)
         : Double.NaN;
+  }
+
+  /**
+   * The angle; any other between 0 and pi where that makes no difference, without a native call.
+   */
+  private double offAxis(Pose camera, ZoomLevel zoom, double x, double y) {
+    if (asInCamSim && !zoom.allRound()) {
+      return camera.offAxis(x, y);
+    }
+    if (!model.dependsOnBearing()) {
+      return 0;
+    }
+    boolean between = Math.abs(camera.cosine(x, y)) < BETWEEN;
+    return between && !model.dependsOnBearing(zoom) ? Math.PI / 2 : camera.offAxis(x, y);
   }
 
   /** Whether a point is within the opening angle at a zoom level. */

@@ -52,22 +52,27 @@ public interface DetectionModelContract {
 
   @Test
   default void looksAtTheBearingOnlyIfItSaysSo() {
-    if (model().dependsOnBearing()) {
-      return;
-    }
     SplittableRandom random = new SplittableRandom(3);
     for (int i = 0; i < 1000; i++) {
-      ZoomLevel zoom = zoom(random);
-      double distance = random.nextDouble(zoom.radius());
-      double value = model().confidence(0.5, distance, 0, zoom);
-      assertEquals(value, model().confidence(0.5, distance, random.nextDouble(3), zoom));
-      assertEquals(value, model().confidence(0.5, distance, Double.NaN, zoom));
+      ZoomLevel zoom = i % 2 == 0 ? zoom(random) : zoom(random, 2 * Math.PI);
+      if (!model().dependsOnBearing(zoom)) {
+        double distance = random.nextDouble(zoom.radius());
+        double value = model().confidence(0.5, distance, 1, zoom);
+        assertEquals(value, model().confidence(0.5, distance, random.nextDouble(0.01, 3), zoom));
+        if (!model().dependsOnBearing()) {
+          assertEquals(value, model().confidence(0.5, distance, 0, zoom));
+          assertEquals(value, model().confidence(0.5, distance, Double.NaN, zoom));
+        }
+      }
     }
   }
 
   private static ZoomLevel zoom(SplittableRandom random) {
+    return zoom(random, random.nextDouble(0.1, 2 * Math.PI));
+  }
+
+  private static ZoomLevel zoom(SplittableRandom random, double viewingAngle) {
     double widest = random.nextDouble(1, 20);
-    return new ZoomLevel(
-        random.nextDouble(0.5, widest), 0.5, widest, 3, random.nextDouble(0.1, 2 * Math.PI));
+    return new ZoomLevel(random.nextDouble(0.5, widest), 0.5, widest, 3, viewingAngle);
   }
 }

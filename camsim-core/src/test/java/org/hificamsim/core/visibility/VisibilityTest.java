@@ -77,6 +77,16 @@ class VisibilityTest {
     }
   }
 
+  @Test
+  void camSimsCameraThatSeesAllRoundDoesNotSeeWhatIsExactlyBehindOrOnIt() {
+    Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()));
+    ZoomLevel allRound = new ZoomLevel(4, 4, 4, Double.NaN, 2 * Math.PI);
+    assertEquals(0, visibility.confidence(ORIGIN, allRound, 0, -3, 1, 0));
+    assertEquals(0, visibility.confidence(ORIGIN, allRound, 0, 0, 1, 0));
+    assertEquals(1 / 3.25, visibility.confidence(ORIGIN, allRound, 1e-7, -3, 1, 0), 1e-9);
+    assertEquals(1 / 3.25, visibility.confidence(ORIGIN, allRound, 3, 0, 1, 0));
+  }
+
   /** The same question asked of bearings instead of a scalar product. */
   @Property(tries = 2000, edgeCases = EdgeCasesMode.NONE)
   void agreesWithBearings(

@@ -29,6 +29,13 @@ final class Advertised {
     asked[target].set(name);
   }
 
+  /** Notes that all of some cameras were asked but the one that asks. */
+  void addAll(int target, BitSet all, int asking) {
+    open(target);
+    asked[target].or(all);
+    asked[target].clear(asking);
+  }
+
   /** Forgets that a name was asked; the target stays advertised. */
   void remove(int target, int name) {
     if (open.get(target)) {

@@ -12,6 +12,7 @@ public final class Agent {
    * What all agents share.
    *
    * @param features of all targets that there will ever be
+   * @param searches what all look for
    * @param random draws whom Smooth and Step ask
    * @param bidderHash orders the bids of several cameras; the same number for all means the order
    *     of arrival
@@ -22,6 +23,7 @@ public final class Agent {
       Cameras cameras,
       double[] features,
       Sightings sightings,
+      SharedSearches searches,
       MessageQueue queue,
       Random random,
       IntUnaryOperator bidderHash,
@@ -65,7 +67,7 @@ public final class Agent {
     int targets = shared.features().length;
     neighbours = new InsertionOrder(shared.cameras().count());
     owned = new OwnedTargets(shared.features());
-    searches = new Searches(targets);
+    searches = new Searches(camera, shared.searches(), targets);
     advertised = new Advertised(targets);
     bids = new Bids(targets);
   }
@@ -146,12 +148,25 @@ public final class Agent {
     return sent;
   }
 
-  /** Takes a delivered message. */
+  boolean isOnline() {
+    return shared.cameras().online(camera);
+  }
+
+  /** Whether it hears all of so many other cameras, and does not count what else it hears. */
+  boolean isInReachOf(int others) {
+    return neighbours.size() == others && schedule.kind() != ScheduleKind.BANDIT_ZOOM;
+  }
+
+  /**
+   * Takes a delivered message.
+   *
+   * @param value that of a bid, a price, or the time at which a search began
+   */
   public void receive(MessageKind kind, int from, int target, double value) {
     switch (kind) {
       case START_SEARCH -> {
         if (neighbours.contains(from)) {
-          searches.put(target, from);
+          searches.hear(target, from, (long) value);
         }
       }
       case STOP_SEARCH -> stopSearch(target);
@@ -239,7 +254,32 @@ public final class Agent {
     } else {
       advertised.open(target);
     }
-    send(MessageKind.START_SEARCH, neighbour, target, 0);
+    startSearch(neighbour, target);
+  }
+
+  /** Sends a name what it takes to look for one of the camera's targets. */
+  void startSearch(int name, int target) {
+    send(MessageKind.START_SEARCH, name, target, (double) searches.changed(target));
+  }
+
+  /** Whether what is sent to all neighbours may go to everyone at once. */
+  boolean reachesAll() {
+    return shared.searches().reachingAll();
+  }
+
+  /** The same as {@link #ask} of each neighbour, where all are reached. */
+  void askAll(int target, boolean counted) {
+    if (counted) {
+      sent += neighbours.size();
+    }
+    advertised.addAll(target, shared.searches().listening(), camera);
+    sendToAll(MessageKind.START_SEARCH, target, (double) searches.changed(target));
+  }
+
+  /** Sends a message to all neighbours, where all are reached. */
+  void sendToAll(MessageKind kind, int target, double value) {
+    int others = shared.searches().listening().cardinality() - 1;
+    shared.queue().sendToAll(kind, camera, others, target, value);
   }
 
   /** Notes a price paid for a target. */

@@ -60,14 +60,9 @@ public final class Auctions {
   /** Settles the auctions of an agent (behaviour 8.5). */
   public static void settle(Agent agent) {
     agent.beginSettlement();
-    Searches searches = agent.searches;
-    int target = searches.first();
-    while (target != InsertionOrder.END) {
-      int next = searches.next(target);
-      if (searches.searcher(target) == agent.camera()) {
-        settle(agent, target);
-      }
-      target = next;
+    int own = agent.searches.findOwn();
+    for (int i = 0; i < own; i++) {
+      settle(agent, agent.searches.own(i));
     }
     agent.endSettlement();
   }

@@ -44,11 +44,11 @@ public enum CommunicationPolicy implements Named {
   /** Tells those that were asked that a target is no longer for sale. */
   void stopSearch(Agent agent, int target) {
     switch (this) {
-      case BROADCAST -> tell(agent, agent.neighbours, target);
+      case BROADCAST -> tellAll(agent, target);
       case FIX -> tell(agent, agent.links.linked(), target);
       case SMOOTH, STEP -> {
         if (agent.advertised.isEmpty()) {
-          tell(agent, agent.neighbours, target);
+          tellAll(agent, target);
         } else if (agent.advertised.contains(target)) {
           tellAsked(agent, target);
         }
@@ -58,6 +58,14 @@ public enum CommunicationPolicy implements Named {
   }
 
   private static void askAll(Agent agent, int target, boolean counted) {
+    if (agent.reachesAll()) {
+      agent.askAll(target, counted);
+    } else {
+      askEach(agent, target, counted);
+    }
+  }
+
+  private static void askEach(Agent agent, int target, boolean counted) {
     InsertionOrder all = agent.neighbours;
     for (int camera = all.first(); camera != InsertionOrder.END; camera = all.next(camera)) {
       agent.ask(camera, target, counted);
@@ -93,7 +101,15 @@ public enum CommunicationPolicy implements Named {
     InsertionOrder linked = agent.links.linked();
     for (int name = linked.first(); name != InsertionOrder.END; name = linked.next(name)) {
       agent.advertised.add(target, name);
-      agent.send(MessageKind.START_SEARCH, name, target, 0);
+      agent.startSearch(name, target);
+    }
+  }
+
+  private static void tellAll(Agent agent, int target) {
+    if (agent.reachesAll()) {
+      agent.sendToAll(MessageKind.STOP_SEARCH, target, 0);
+    } else {
+      tell(agent, agent.neighbours, target);
     }
   }
 

@@ -18,6 +18,9 @@ public final class Links {
   /** What is left of a link after a step. */
   private static final double FADING = 0.995;
 
+  /** Those of a camera that never looks at them. */
+  public static final Links UNREAD = plain(0, List.of(), true);
+
   private final int categories;
   private final IntUnaryOperator categoryOf;
   private final double[] strengths;

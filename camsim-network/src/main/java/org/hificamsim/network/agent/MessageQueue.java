@@ -7,18 +7,22 @@ import java.util.Arrays;
  *
  * <p>The network empties the queue after each camera's turn. No camera reads in its own turn what
  * it writes to another one, so that this gives the same numbers as CamSim's delivery within the
- * call that sends (behaviour 8.2). A channel that delays or loses messages belongs in {@link
- * #deliver}.
+ * call that sends (behaviour 8.2). A message to all cameras is one entry. A channel that delays or
+ * loses messages belongs in {@link #deliver}, and takes such entries apart.
  */
 public final class MessageQueue {
+  /** Stands for all cameras but the one that sends. */
+  public static final int EVERYONE = -1;
+
   /** Takes delivered messages and brings each to the camera that it is for. */
   @FunctionalInterface
   public interface Receiver {
     /**
      * Takes one.
      *
+     * @param to a camera, or {@link #EVERYONE}
      * @param target what the message is about
-     * @param value confidence or price; 0 where the kind has none
+     * @param value confidence, price or time of a search; 0 where the kind has none
      */
     void receive(MessageKind kind, int from, int to, int target, double value);
   }
@@ -29,6 +33,7 @@ public final class MessageQueue {
   private int[] targets = new int[64];
   private double[] values = new double[64];
   private int waiting;
+  private int others;
   private long startSearches;
   private long startTrackings;
 
@@ -44,10 +49,20 @@ public final class MessageQueue {
     values[waiting++] = value;
   }
 
+  /**
+   * Appends a message to {@link #EVERYONE}.
+   *
+   * @param all how many cameras get it, the same number for all that wait
+   */
+  void sendToAll(MessageKind kind, int from, int all, int target, double value) {
+    others = all;
+    send(kind, from, EVERYONE, target, value);
+  }
+
   /** Delivers every message that waits, also those that arise on the way. */
   public void deliver(Receiver receiver) {
     for (int i = 0; i < waiting; i++) {
-      count(kinds[i]);
+      count(kinds[i], tos[i] == EVERYONE ? others : 1);
       receiver.receive(kinds[i], froms[i], tos[i], targets[i], values[i]);
     }
     waiting = 0;
@@ -69,11 +84,11 @@ public final class MessageQueue {
     startTrackings = 0;
   }
 
-  private void count(MessageKind kind) {
+  private void count(MessageKind kind, int number) {
     if (kind == MessageKind.START_SEARCH) {
-      startSearches++;
+      startSearches += number;
     } else if (kind == MessageKind.START_TRACKING) {
-      startTrackings++;
+      startTrackings += number;
     }
   }
 

@@ -2,6 +2,7 @@ package org.hificamsim.network.agent;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
@@ -18,23 +19,25 @@ public final class Sightings {
   private final Targets targets;
   private final SightLines lines;
   private final Visibility visibility;
-  private final double[] confidence;
+  private final PointGrid places;
+  private final double[][] confidence; // by camera and target
   private final InsertionOrder[] visible;
   private final Outside[] outsides;
+  private final int[] seen;
 
   /** What cameras will see, nothing so far. */
   public Sightings(World world, Visibility visibility) {
     cameras = world.cameras();
     targets = world.targets();
     lines = world.sightLines();
+    places = TargetPlaces.of(world);
     this.visibility = visibility;
-    confidence = new double[cameras.count() * targets.count()];
+    confidence = new double[cameras.count()][targets.count()];
     visible = new InsertionOrder[cameras.count()];
+    Arrays.setAll(visible, camera -> new InsertionOrder(targets.count()));
     outsides = new Outside[cameras.count()];
     Arrays.setAll(outsides, camera -> new Outside());
-    for (int camera = 0; camera < visible.length; camera++) {
-      visible[camera] = new InsertionOrder(targets.count());
-    }
+    seen = new int[targets.count()];
   }
 
   /**
@@ -45,44 +48,64 @@ public final class Sightings {
    * @param coverage one entry per target, receives how many cameras see it
    */
   public void look(long step, int[] detected, int[] coverage) {
+    TargetPlaces.sort(places, targets);
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < detected.length; camera++) {
-      detected[camera] = cameras.online(camera) ? look(step, camera, coverage) : 0;
+      detected[camera] = cameras.online(camera) ? look(step, camera) : 0;
+      for (int i = 0; i < detected[camera]; i++) {
+        coverage[seen[i]]++;
+      }
     }
   }
 
-  private int look(long step, int camera, int[] coverage) {
+  /** Who became visible comes last, in the order of the targets. */
+  private int look(long step, int camera) {
+    doubt(camera);
     int view = cameras.seeing(camera);
-    return view == Cameras.NO_VIEW
-        ? lookAway(camera)
-        : look(step, camera, cameras.pose(camera, view), cameras.zoom(camera, view), coverage);
-  }
-
-  private int lookAway(int camera) {
-    for (int target = 0; target < targets.count(); target++) {
-      if (targets.present(target)) {
-        forget(camera, target);
-      }
+    int count =
+        view == Cameras.NO_VIEW
+            ? 0
+            : find(step, camera, cameras.pose(camera, view), cameras.zoom(camera, view));
+    for (int i = 0; i < count; i++) {
+      visible[camera].add(seen[i]);
     }
-    return 0;
+    forgetUnseen(camera);
+    return count;
   }
 
-  private int look(long step, int camera, Pose pose, ZoomLevel zoom, int[] coverage) {
+  /** Finds the targets that a camera sees; returns how many. */
+  private int find(long step, int camera, Pose pose, ZoomLevel zoom) {
+    outsides[camera].of(pose, zoom);
+    if (places.cells() == 1) {
+      return find(step, camera, pose, zoom, 0, places.count(), 0);
+    }
+    double reach = Visibility.roundedUp(zoom.radius());
+    int left = places.column(pose.x() - reach);
+    int right = places.column(pose.x() + reach);
+    int top = places.row(pose.y() + reach);
+    int count = 0;
+    for (int row = places.row(pose.y() - reach); row <= top; row++) {
+      int start = places.start(row, left);
+      count = find(step, camera, pose, zoom, start, places.end(row, right), count);
+    }
+    Arrays.sort(seen, 0, count);
+    return count;
+  }
+
+  private int find(
+      long step, int camera, Pose pose, ZoomLevel zoom, int start, int end, int before) {
     Outside outside = outsides[camera];
-    outside.of(pose, zoom);
-    int seen = 0;
-    for (int target = 0; target < coverage.length; target++) {
-      if (targets.present(target)) {
-        double sure =
-            outside.has(targets.x(target), targets.y(target))
-                ? 0
-                : confidence(step, camera, pose, zoom, target);
-        note(camera, target, sure);
-        seen += sure > 0 ? 1 : 0;
-        coverage[target] += sure > 0 ? 1 : 0;
+    int count = before;
+    for (int i = start; i < end; i++) {
+      if (!outside.has(places.x(i), places.y(i))) {
+        int target = places.point(i);
+        double sure = confidence(step, camera, pose, zoom, target);
+        confidence[camera][target] = sure;
+        seen[count] = target;
+        count += sure > 0 ? 1 : 0;
       }
     }
-    return seen;
+    return count;
   }
 
   private double confidence(long step, int camera, Pose pose, ZoomLevel zoom, int target) {
@@ -96,23 +119,37 @@ public final class Sightings {
         lines.transmittance(camera, target));
   }
 
-  /** A camera loses sight of a target, whatever its next look brings. */
-  public void forget(int camera, int target) {
-    note(camera, target, 0);
+  /** What a camera saw counts no longer; what is not there stays as it was. */
+  private void doubt(int camera) {
+    InsertionOrder all = visible[camera];
+    for (int target = all.first(); target != InsertionOrder.END; target = all.next(target)) {
+      if (targets.present(target)) {
+        confidence[camera][target] = 0;
+      }
+    }
   }
 
-  private void note(int camera, int target, double sure) {
-    confidence[camera * targets.count() + target] = sure;
-    if (sure > 0) {
-      visible[camera].add(target);
-    } else {
-      visible[camera].remove(target);
+  private void forgetUnseen(int camera) {
+    InsertionOrder all = visible[camera];
+    int target = all.first();
+    while (target != InsertionOrder.END) {
+      int next = all.next(target);
+      if (!(confidence[camera][target] > 0)) {
+        all.remove(target);
+      }
+      target = next;
     }
+  }
+
+  /** A camera loses sight of a target, whatever its next look brings. */
+  public void forget(int camera, int target) {
+    confidence[camera][target] = 0;
+    visible[camera].remove(target);
   }
 
   /** How sure the camera is of the target; 0 where it does not see it. */
   public double confidence(int camera, int target) {
-    return confidence[camera * targets.count() + target];
+    return confidence[camera][target];
   }
 
   /** Whether the camera sees the target. */

@@ -24,8 +24,7 @@ public final class CamSimVisibilityDetection implements DetectionModel {
       return 0;
     }
     double near = 1 / (distance + (zoom.radius() - distance) / zoom.radius());
-    boolean allRound = Math.toDegrees(zoom.viewingAngle()) == ALL_ROUND_DEGREES;
-    return allRound ? near : near * ((half - offAxis) / half);
+    return dependsOnBearing(zoom) ? near * ((half - offAxis) / half) : near;
   }
 
   @Override
@@ -36,6 +35,11 @@ public final class CamSimVisibilityDetection implements DetectionModel {
   @Override
   public boolean dependsOnBearing() {
     return true;
+  }
+
+  @Override
+  public boolean dependsOnBearing(ZoomLevel zoom) {
+    return Math.toDegrees(zoom.viewingAngle()) != ALL_ROUND_DEGREES;
   }
 
   /** The value itself: it exceeds 1 close to cameras of a range below 1 m. */

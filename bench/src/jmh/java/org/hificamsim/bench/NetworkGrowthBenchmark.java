@@ -1,0 +1,92 @@
+package org.hificamsim.bench;
+
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.world.World;
+import org.hificamsim.network.Network;
+import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.runs.generate.RandomField;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Fork;
+import org.openjdk.jmh.annotations.Measurement;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+import org.openjdk.jmh.annotations.TearDown;
+import org.openjdk.jmh.annotations.Warmup;
+
+/**
+ * Microseconds per step of CamSim's network on random fields at the cluster scenario's density with
+ * half as many targets as cameras, and the StartSearch messages that a step delivers: {@code -p
+ * cameras=...}, {@code -p comm=...}.
+ */
+@State(Scope.Thread)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+@Warmup(iterations = 3, time = 1)
+@Measurement(iterations = 5, time = 1)
+@Fork(value = 1, jvmArgs = "-XX:+UseSerialGC") // as the launcher has it
+public class NetworkGrowthBenchmark {
+  @Param({"100", "200", "400", "800", "1600"})
+  private int cameras;
+
+  @Param({"PASSIVE"})
+  private ScheduleKind schedule;
+
+  @Param({"0"})
+  private int comm;
+
+  private Simulation simulation;
+  private Network network;
+  private long messages;
+  private long steps;
+
+  /** Makes the scenario and starts the run. */
+  @Setup
+  public void start() {
+    Catalogue catalogue = Catalogue.load();
+    Scenario scenario =
+        new RandomField(cameras, cameras / 2, RandomField.CLUSTER_AREA, 1)
+            .scenario()
+            .withOrder(StepOrder.CAMSIM)
+            .withoutZooms();
+    World world = new World(scenario, catalogue.movements(), 0);
+    Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
+    network = new Network(world, detection, NetworkSettings.CAMSIM.withAll(schedule, comm), 0);
+    simulation =
+        new Simulation(
+            world,
+            detection,
+            catalogue.policies().create("zoom-out"),
+            network,
+            0,
+            List.of(),
+            Workers.CALLER);
+  }
+
+  /** Says how many messages a step took. */
+  @TearDown
+  public void end() {
+    System.out.printf("%n%d StartSearch messages a step%n", messages / steps);
+  }
+
+  /** One step. */
+  @Benchmark
+  public double step() {
+    simulation.step();
+    messages += network.figures().communication();
+    steps++;
+    return network.figures().utility();
+  }
+}
