@@ -90,7 +90,7 @@ class ObservedNetworkTest {
         new TestScenario()
             .camera(0, 0)
             .target(0, 9)
-            .events(new ChangeCamera(1, "c0", 0, 6, -1, -1, 7))
+            .events(new ChangeCamera(1, "c0", 0, 3, -1, -1, 7))
             .world();
     ObservedNetwork network = network(world, certain(rule));
     int before = network.revision();
@@ -131,6 +131,31 @@ class ObservedNetworkTest {
     assertEquals(1, network.detected(0));
     assertEquals(List.of(1), found(network));
     assertEquals(4, network.reach(0, 0), 1e-8);
+  }
+
+  /** The angle is bracketed first: the model says no at the bracket's lower end. */
+  @Test
+  void aModelThatDecidesRightAtTheAngleIsAskedForTheAngleItself() {
+    World world = new TestScenario().camera(0, 0).target(1, 2).world();
+    double angle = Math.acos(world.cameras().pose(0).cosine(1, 2));
+    DetectionModel aside =
+        new DetectionModel() {
+          @Override
+          public String name() {
+            return "aside";
+          }
+
+          @Override
+          public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+            return offAxis >= angle ? 1 : 0;
+          }
+
+          @Override
+          public boolean dependsOnBearing() {
+            return true;
+          }
+        };
+    assertTrue(network(world, Detection.of(aside)).detects(0, 0, 0));
   }
 
   @Test

@@ -2,7 +2,7 @@ package org.hificamsim.agents.search;
 
 import java.util.SplittableRandom;
 
-/** Random coverage problems for tests, of up to 64 targets. */
+/** Random coverage problems for tests; as bit masks of up to 64 targets, but for {@link #wide}. */
 final class Problems {
   private Problems() {}
 
@@ -35,5 +35,24 @@ final class Problems {
         problem.addSet(camera, set);
       }
     }
+  }
+
+  /** The same for any number of targets. */
+  static CoverageProblem wide(
+      SplittableRandom random, int cameras, int most, int targets, double density) {
+    CoverageProblem problem = new CoverageProblem(cameras, cameras * most, targets);
+    problem.clear(targets);
+    for (int camera = 0; camera < cameras; camera++) {
+      problem.addCamera();
+      int sets = 1 + random.nextInt(most);
+      for (int set = 0; set < sets; set++) {
+        long[] mask = new long[problem.words()];
+        for (int target = 0; target < targets; target++) {
+          mask[target / 64] |= random.nextDouble() < density ? 1L << target : 0;
+        }
+        problem.addSet(mask, 0);
+      }
+    }
+    return problem;
   }
 }
