@@ -55,4 +55,29 @@ final class Problems {
     }
     return problem;
   }
+
+  /** Two halves of so many cameras and targets each, without a target in common. */
+  static CoverageProblem apart(SplittableRandom random, int cameras, int most, int targets) {
+    CoverageProblem half = wide(random, cameras, most, targets, 0.4);
+    CoverageProblem problem = new CoverageProblem(2 * cameras, 2 * half.sets(), 2 * targets);
+    problem.clear(2 * targets);
+    for (int camera = 0; camera < 2 * cameras; camera++) {
+      problem.addCamera();
+      int shift = camera < cameras ? 0 : targets;
+      int of = camera % cameras;
+      for (int set = half.firstSet(of); set < half.endSet(of); set++) {
+        problem.addSet(shifted(half, set, shift, problem.words()), 0);
+      }
+    }
+    return problem;
+  }
+
+  private static long[] shifted(CoverageProblem problem, int set, int by, int words) {
+    long[] mask = new long[words];
+    for (int target = 0; target < problem.targets(); target++) {
+      int to = target + by;
+      mask[to / 64] |= problem.contains(set, target) ? 1L << to : 0;
+    }
+    return mask;
+  }
 }

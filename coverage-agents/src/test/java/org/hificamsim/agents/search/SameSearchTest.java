@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import org.hificamsim.core.metrics.Objective;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -36,6 +37,22 @@ class SameSearchTest {
           assertEquals(limited.bound() - limited.value(), limited.gap());
         });
     assertEquals(nodes + " " + value + " " + bound, sums[0] + " " + sums[1] + " " + sums[2]);
+  }
+
+  /**
+   * What one half of the cameras sees has nothing to do with the other: neither is searched twice.
+   */
+  @Test
+  void forCoverageOfTwoFieldsApart() {
+    SplittableRandom random = new SplittableRandom(1);
+    long nodes = 0;
+    for (int trial = 0; trial < TRIALS; trial++) {
+      CoverageSolver solver =
+          new CoverageSolver(Problems.apart(random, 10, SETS, 40), CoverageSolver.UNLIMITED);
+      solver.solve();
+      nodes += solver.nodes();
+    }
+    assertEquals(256, nodes);
   }
 
   @ParameterizedTest
