@@ -47,6 +47,19 @@ class ObservedNetworkTest {
     }
   }
 
+  /** Sees all at levels of more than 6 m, and nothing at others. */
+  private record Wide() implements DetectionModel {
+    @Override
+    public String name() {
+      return "wide";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return zoom.radius() > 6 ? 1 : 0;
+    }
+  }
+
   /** Sees nothing that is nearer than 2 m, nor farther than 4 m. */
   private record Ring() implements DetectionModel {
     @Override
@@ -92,7 +105,8 @@ class ObservedNetworkTest {
             .target(0, 9)
             .events(new ChangeCamera(1, "c0", 0, 3, -1, -1, 7))
             .world();
-    ObservedNetwork network = network(world, certain(rule));
+    Detection detection = Detection.by(DetectionRule.parse(rule), "wide", new Wide());
+    ObservedNetwork network = network(world, detection);
     int before = network.revision();
     assertFalse(network.detects(0, 0, 0));
     world.fireEvents(1);
