@@ -65,6 +65,20 @@ def test_columns_without_their_libraries_are_a_line(tmp_path: pathlib.Path, monk
         hificamsim.read_results(tmp_path)
 
 
+def test_a_column_without_a_value_is_numbers() -> None:
+    # one detection has no other to differ from, and an optimum of 0 has no parts
+    made = hificamsim.compare("cluster-random", policies="zoom-out", detections="hifi:orb-lin", steps=5)
+    for table, column in [
+        ("results", "proportion_of_optimal"),
+        ("summary", "difference"),
+        ("aggregate", "value"),
+        ("profile", "share"),
+    ]:
+        values = made[table][column]
+        assert len(values) and values.isna().all(), column
+        assert values.dtype == float, column
+
+
 def test_what_the_command_line_refuses_is_a_line(tmp_path: pathlib.Path) -> None:
     with pytest.raises(hificamsim.InputError, match="unknown policy 'zoom', expected one of"):
         hificamsim.run("cluster-random", policy="zoom", steps=5)

@@ -42,6 +42,19 @@ record Cli(int exit, String out, String err) {
     return ROOT.resolve("scenarios").resolve(name + ".xml");
   }
 
+  /**
+   * Renders photos into a folder's {@code lab}, and returns it.
+   *
+   * @param options of {@code profile lab}, between blanks
+   */
+  static Path lab(Path folder, String options) {
+    Path lab = folder.resolve("lab");
+    Stream<Object> words = Stream.of("profile", "lab", "--out", lab);
+    Cli rendered = run(Stream.concat(words, Stream.of(options.split(" "))).toArray());
+    assertEquals(0, rendered.exit(), rendered.err());
+    return lab;
+  }
+
   /** Fails unless {@code validate} and {@code run} take a scenario. */
   static void assertValidAndRuns(Path scenario, Path out) {
     Cli validate = run("validate", scenario);

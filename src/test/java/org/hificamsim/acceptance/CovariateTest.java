@@ -107,25 +107,11 @@ class CovariateTest {
 
   @Test
   void photosOfTheLaboratoryGiveAModelThatDependsOnTheirLightAndAperture() throws IOException {
-    Path lab = folder.resolve("lab");
-    assertDone(
-        Cli.run(
-            "profile",
-            "lab",
-            "--out",
-            lab,
-            "--scale",
-            "0.08",
-            "--objects",
-            4,
-            "--focal-lengths",
-            "0.024,0.085",
-            "--distances",
-            "1,2,4",
-            "--lighting",
-            "0.3",
-            "--aperture",
-            "2,22"));
+    Path lab =
+        Cli.lab(
+            folder,
+            "--scale 0.08 --objects 4 --focal-lengths 0.024,0.085 --distances 1,2,4"
+                + " --lighting 0.3 --aperture 2,22");
     assertDone(Cli.run("profile", "measure", lab, "--detectors", "orb"));
     assertDone(
         Cli.run(

@@ -40,10 +40,10 @@ class LocaleTest {
 
   @Test
   void modelsFittedToPhotosAreTheSame() throws Exception {
-    Path lab = folder.resolve("lab");
-    String photos =
-        " --scale 0.1 --objects 4 --focal-lengths 0.010,0.035,0.085 --distances 1,2,4,8";
-    assertEquals(0, Cli.run((Object[]) ("profile lab --out " + lab + photos).split(" ")).exit());
+    Path lab =
+        Cli.lab(
+            folder,
+            "--scale 0.1 --objects 4 --focal-lengths 0.010,0.035,0.085 --distances 1,2,4,8");
     assertEquals(0, Cli.run("profile", "measure", lab).exit());
     for (String locale : LOCALES) {
       Path copy = Files.createDirectories(folder.resolve(locale).resolve("lab"));

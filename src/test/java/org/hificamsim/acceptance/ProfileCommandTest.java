@@ -22,21 +22,10 @@ class ProfileCommandTest {
 
   @Test
   void aSmallLabBecomesModelsThatRun() throws IOException {
-    Path lab = folder.resolve("lab");
-    assertDone(
-        Cli.run(
-            "profile",
-            "lab",
-            "--out",
-            lab,
-            "--scale",
-            "0.1",
-            "--objects",
-            4,
-            "--focal-lengths",
-            "0.010,0.035,0.085",
-            "--distances",
-            "1,2,4,8"));
+    Path lab =
+        Cli.lab(
+            folder,
+            "--scale 0.1 --objects 4 --focal-lengths 0.010,0.035,0.085 --distances 1,2,4,8");
     Cli measured = assertDone(Cli.run("profile", "measure", lab));
     assertTrue(measured.out().contains("photos measured"), measured.out());
     Cli fitted =
@@ -214,21 +203,7 @@ class ProfileCommandTest {
 
   @Test
   void picturesOfMatchesLeaveTheMeasurementsAlone() throws IOException {
-    Path lab = folder.resolve("lab");
-    assertDone(
-        Cli.run(
-            "profile",
-            "lab",
-            "--out",
-            lab,
-            "--scale",
-            "0.05",
-            "--objects",
-            1,
-            "--focal-lengths",
-            "0.05",
-            "--distances",
-            "1,2"));
+    Path lab = Cli.lab(folder, "--scale 0.05 --objects 1 --focal-lengths 0.05 --distances 1,2");
     Path table = lab.resolve("measurements.csv");
     String image = "images/matchbox-50mm-01.0m.jpg";
     Cli first = assertDone(Cli.run("profile", "measure", lab, "--picture", image));

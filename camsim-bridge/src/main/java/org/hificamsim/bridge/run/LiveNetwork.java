@@ -161,7 +161,7 @@ final class LiveNetwork implements OracleView {
    * Whether what CamSim sees of an object comes from where the object says that it is, by CamSim's
    * own formula (behaviour 6.1). Where nothing is seen and nothing was to be, that is not known.
    *
-   * @throws IllegalStateException when it does not
+   * @throws InputException when it does not
    */
   boolean agrees(Object camera, Object object, double confidence) {
     int target = targets.number(object);

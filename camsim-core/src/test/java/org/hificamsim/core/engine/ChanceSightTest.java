@@ -234,12 +234,14 @@ class ChanceSightTest {
             3,
             List.of(coverage));
     simulation.run(20_000);
+    assertTrue(coverage.byChance());
     assertEquals(coverage.expectedPerformance() / 20_000, coverage.meanKMin(), 0.02);
     assertEquals(coverage.expectedProportion0(), coverage.proportion0(), 0.01);
     assertEquals(coverage.expectedProportion1(), coverage.proportion1(), 0.01);
     assertEquals(coverage.expectedProportionK(), coverage.proportionK(), 0.01);
     assertEquals(coverage.expectedMeanK(), coverage.meanK(), 0.02);
     assertTrue(coverage.meanKMin() > 0.5 && coverage.proportion0() > 0.001);
+    assertTrue(coverage.expectedProportion0() > 0.001);
     assertTrue(coverage.leastExpectedK() < coverage.expectedMeanK());
     assertTrue(coverage.leastChance() > 0 && coverage.leastChance() < 1);
   }

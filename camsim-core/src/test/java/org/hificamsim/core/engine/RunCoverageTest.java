@@ -1,6 +1,7 @@
 package org.hificamsim.core.engine;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import java.lang.reflect.Proxy;
 import org.hificamsim.core.metrics.DetectionChances;
@@ -37,6 +38,7 @@ class RunCoverageTest {
   @Test
   void withoutChanceNothingIsExpected() {
     step(0);
+    assertFalse(coverage.byChance());
     assertEquals(Double.NaN, coverage.expectedPerformance());
     assertEquals(Double.NaN, coverage.leastChance());
   }
@@ -81,5 +83,10 @@ class RunCoverageTest {
             new Class<?>[] {NetworkView.class},
             (proxy, method, arguments) ->
                 method.getName().equals("cameras") ? views.length : views[(int) arguments[0]]);
+  }
+
+  @Test
+  void aListenerIsNamedAfterItsClass() {
+    assertEquals("RunCoverage", coverage.name());
   }
 }

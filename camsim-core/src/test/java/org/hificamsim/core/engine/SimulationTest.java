@@ -411,4 +411,31 @@ class SimulationTest {
       TestScenario scenario, ZoomPolicy policy, StepListener... listeners) {
     return new Simulation(scenario.world(), ALL_IN_REACH, policy, 0, List.of(listeners));
   }
+
+  @Test
+  void aSimulationGoesOnFromAStep() {
+    TestPolicy policy = widest();
+    simulation(leaving(StepOrder.CAMSIM), policy).continuingAt(7).run(1);
+    assertEquals(List.of("begin", "decide 7 0", "learn 7 1"), policy.log);
+  }
+
+  @Test
+  void camerasWorkTogetherBeforeTheyDecideAndWhenTheyHaveSeen() {
+    TestPolicy policy = widest();
+    Cooperation cooperation =
+        new Cooperation() {
+          @Override
+          public void prepare() {
+            policy.log.add("prepare");
+          }
+
+          @Override
+          public void cooperate() {
+            policy.log.add("cooperate");
+          }
+        };
+    World world = leaving(StepOrder.CAMSIM).world();
+    new Simulation(world, ALL_IN_REACH, policy, cooperation, 0, List.of(), Workers.CALLER).run(1);
+    assertEquals(List.of("begin", "prepare", "decide 0 0", "cooperate", "learn 0 1"), policy.log);
+  }
 }

@@ -2,6 +2,7 @@ package org.hificamsim.core.engine;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
@@ -99,5 +100,18 @@ class WorkersTest {
     for (int round = 0; round < 2_000; round++) {
       workers.run(share);
     }
+  }
+
+  @Test
+  void closingEndsThreadsThatAreAsleep() throws InterruptedException {
+    Thread[] threads = new Thread[2];
+    try (Workers workers = Workers.of(2)) {
+      workers.run(worker -> threads[worker] = Thread.currentThread());
+      while (threads[1].getState() != Thread.State.WAITING) {
+        Thread.onSpinWait();
+      }
+    }
+    threads[1].join(10_000);
+    assertFalse(threads[1].isAlive());
   }
 }

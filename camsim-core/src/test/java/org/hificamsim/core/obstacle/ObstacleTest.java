@@ -78,6 +78,20 @@ class ObstacleTest {
         () -> polygon(0, 0, 4, 0, 4, 4, 0, 0));
   }
 
+  @Test
+  void cornersAreCheckedToo() {
+    String expected = ", expected a number between -1e100 and 1e100";
+    assertRefused("coordinate is NaN" + expected, () -> polygon(0, 0, Double.NaN, 0, 4, 4));
+    assertRefused("coordinate is -2.0E100" + expected, () -> polygon(0, 0, 4, -2e100, 4, 4));
+  }
+
+  @Test
+  void theOutermostNumbersAreTaken() {
+    assertTrue(new Obstacle.Wall(-1e100, 0, 1e100, 0, 1).touches(0, -1, 0, 1));
+    assertTrue(new Obstacle.Pillar(0, 0, 1e100, 0).contains(1e99, 0));
+    assertTrue(polygon(0, 0, 1, 0, 0, 1).contains(0.1, 0.1), "three corners");
+  }
+
   private static void assertRefused(String message, Executable made) {
     assertEquals(message, assertThrows(IllegalArgumentException.class, made).getMessage());
   }

@@ -115,4 +115,65 @@ class OutlineTest {
     assertEquals(2, farthest, 1e-9);
     assertTrue(polygon.stream().filter(p -> p.x() > 2 - 1e-9).count() <= 3, "few corners");
   }
+
+  /** Of walls that cross 3 m ahead, at (3, 0). */
+  @Test
+  void aCornerIsWhereWallsCross() {
+    assertCorner(3, 0, new Obstacle.Wall(2, -1, 5, 2, 0), new Obstacle.Wall(2, 1, 5, -2, 0));
+    assertCorner(3, 0.5, new Obstacle.Wall(2, -2, 4, 3, 0), new Obstacle.Wall(1, 1.5, 5, -0.5, 0));
+  }
+
+  @Test
+  void aCornerIsWhereAWallLeavesTheReach() {
+    Obstacle wall = new Obstacle.Wall(3, -99, 3, 20, 0);
+    assertCorner(3, Math.sqrt(64 - 9), wall);
+    assertCorner(3, -Math.sqrt(64 - 9), wall);
+    assertCorner(-Math.sqrt(64 - 4), 2, new Obstacle.Wall(-50, 2, 1, 2, 0));
+  }
+
+  /** A wall along y = 2 enters a pillar about (4, 3) at 4 - 1. */
+  @Test
+  void aCornerIsWhereAWallEntersAPillar() {
+    Obstacle pillar = new Obstacle.Pillar(4, 3, Math.sqrt(2), 0);
+    Obstacle wall = new Obstacle.Wall(-1, 2, 6, 2, 0);
+    assertCorner(3, 2, pillar, wall);
+    assertCorner(3, 2, wall, pillar);
+  }
+
+  @Test
+  void aPillarIsRound() {
+    Obstacles pillar = new Obstacles(List.of(new Obstacle.Pillar(4, 2, 1, 0)));
+    List<Point> polygon = VisibleRegion.of(pillar, 0, 0).polygon(REACH);
+    List<Point> border =
+        polygon.stream().filter(p -> Math.hypot(p.x() - 4, p.y() - 2) < 1 + 1e-6).toList();
+    assertTrue(border.size() > 15, border.size() + " corners on its border");
+    double tangent = Math.sqrt(20 - 1);
+    double toTheRight = Math.atan2(2, 4) - Math.atan2(1, tangent);
+    assertCorner(tangent * Math.cos(toTheRight), tangent * Math.sin(toTheRight), pillar);
+    double toTheLeft = Math.atan2(2, 4) + Math.atan2(1, tangent);
+    assertCorner(tangent * Math.cos(toTheLeft), tangent * Math.sin(toTheLeft), pillar);
+  }
+
+  @Test
+  void cornersInALineAreLeftOutAndNoOthers() {
+    Obstacles wall = new Obstacles(List.of(new Obstacle.Wall(2, -1, 2, 1, 0)));
+    List<Point> polygon = VisibleRegion.of(wall, 0, 0).polygon(4);
+    double[] ends = {-1, 1};
+    List<Point> on = polygon.stream().filter(p -> Math.abs(p.x() - 2) < 1e-6).toList();
+    assertEquals(ends.length, on.stream().map(p -> Math.round(p.y())).distinct().count());
+    assertTrue(on.size() <= 4, on.toString());
+    assertTrue(polygon.size() > 200, polygon.size() + " corners: the reach is round");
+  }
+
+  private static void assertCorner(double x, double y, Obstacle... obstacles) {
+    assertCorner(x, y, new Obstacles(List.of(obstacles)));
+  }
+
+  /** As seen from the origin. */
+  private static void assertCorner(double x, double y, Obstacles obstacles) {
+    List<Point> polygon = VisibleRegion.of(obstacles, 0, 0).polygon(REACH);
+    double nearest =
+        polygon.stream().mapToDouble(p -> Math.hypot(p.x() - x, p.y() - y)).min().orElseThrow();
+    assertEquals(0, nearest, 1e-3, "a corner at (%s, %s)".formatted(x, y));
+  }
 }

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
@@ -366,5 +367,112 @@ class WorldTest {
       text.append(world.targets().present(target) ? target : "");
     }
     return text.toString();
+  }
+
+  @Test
+  void aWorldThatBeginsAgainIsAsANewOne() {
+    TestScenario scenario =
+        new TestScenario()
+            .camera(1, 2)
+            .target(TestScenario.walker(0, "Brownian", 1, 3, 4))
+            .events(new AddTarget(1, TestScenario.target(7, 5, 6, 0, 0)));
+    World world = scenario.world(1);
+    walk(world);
+    world.moveCamera(0, 8, 9);
+    world.restart(2);
+    assertEquals(1, world.cameras().x(0), EXACT);
+    assertFalse(world.targets().present(1));
+    World another = scenario.world(2);
+    walk(world);
+    walk(another);
+    assertEquals(another.targets().x(0), world.targets().x(0), EXACT);
+    assertTrue(world.targets().present(1));
+  }
+
+  private static void walk(World world) {
+    for (int step = 0; step < 5; step++) {
+      world.fireEvents(step);
+      world.moveTargets();
+    }
+  }
+
+  @Test
+  void anObserverIsToldOfEachEvent() {
+    World world =
+        new TestScenario()
+            .camera(1, 2)
+            .target(3, 4)
+            .events(
+                new AddCamera(1, TestScenario.camera("late", 0, 0, 0, 90, 5)),
+                new FailCamera(2, "c0", 3),
+                new AddTarget(3, TestScenario.target(7, 5, 6, 0, 0)),
+                new RemoveTarget(4, 0))
+            .world();
+    List<String> told = new ArrayList<>();
+    world.observe(
+        new WorldObserver() {
+          @Override
+          public void cameraAdded(int camera) {
+            told.add("camera " + camera);
+          }
+
+          @Override
+          public void cameraFailed(int camera, int duration) {
+            told.add("camera " + camera + " off for " + duration);
+          }
+
+          @Override
+          public void targetAppeared(int target) {
+            told.add("target " + target);
+          }
+
+          @Override
+          public void targetVanished(int target) {
+            told.add("no target " + target);
+          }
+        });
+    world.fireEvents(9);
+    assertEquals(List.of("camera 1", "camera 0 off for 3", "target 1", "no target 0"), told);
+  }
+
+  @Test
+  void aCameraIsSwitchedAndRefittedOutsideEvents() {
+    World world = new TestScenario().camera(1, 2).target(3, 4).world();
+    world.switchCamera(0, false);
+    assertFalse(world.cameras().online(0));
+    world.switchCamera(0, true);
+    assertTrue(world.cameras().online(0));
+    world.changeRange(0, 8);
+    assertEquals(8, world.cameras().zoom(0, 0).radius());
+    assertEquals(2 * Math.PI, world.cameras().zoom(0, 0).viewingAngle());
+  }
+
+  @Test
+  void aScenariosZoomLevelsAreThoseOfItsCamerasEachOnce() {
+    Scenario scenario = new TestScenario().zooms(2, 5).camera(1, 2).camera(3, 4).scenario();
+    assertEquals(
+        List.of(2.0, 5.0), World.zoomLevels(scenario).stream().map(zoom -> zoom.radius()).toList());
+    assertEquals(2, World.zoomLevels(scenario, scenario.cameras().get(1)).size());
+  }
+
+  @Test
+  void aWorldKnowsHowTheScenarioDescribesWhoIsInIt() {
+    World world =
+        new TestScenario()
+            .camera(1, 2)
+            .target(TestScenario.sized(TestScenario.target(0, 3, 4, 0, 0), 1.5))
+            .events(new AddCamera(1, TestScenario.camera("late", 0, 0, 0, 90, 5)))
+            .world();
+    assertEquals("late", world.cameraSpec(1).name());
+    assertEquals(1.5, world.targetSpec(0).size());
+    assertEquals(1.5, world.targets().size(0));
+    assertEquals(world.targetSpec(0).width(), world.targets().width(0));
+  }
+
+  @Test
+  void aMovementIsRegisteredUnderItsName() {
+    for (String name : Movements.registry().names()) {
+      assertEquals(name, Movements.registry().create(name).name());
+    }
   }
 }

@@ -110,10 +110,6 @@ final class Decisions {
     return order[i];
   }
 
-  boolean isOpen(int camera) {
-    return place[camera] < open;
-  }
-
   /** The set of a camera that is decided. */
   int chosen(int camera) {
     return chosen[camera];

@@ -44,6 +44,44 @@ class BestFixedZoomPolicyTest {
     assertTrue(search.score() <= bestByTryingAll(run));
   }
 
+  /** By climbing alone, and with 200 nodes: where the limit ends the search decides its result. */
+  @Test
+  void findsAndProvesAsMuchAsItDid() {
+    objective = Objective.parse("covered:k=2");
+    SplittableRandom random = new SplittableRandom(2);
+    double climbed = 0;
+    double searched = 0;
+    int proven = 0;
+    for (int trial = 0; trial < 100; trial++) {
+      RunDetections run = randomRun(random, 6, 4, 12, 0.3);
+      climbed += new ConstantSearch(run, 0).score();
+      ConstantSearch search = new ConstantSearch(run, 200);
+      searched += search.score();
+      proven += search.proven() ? 1 : 0;
+    }
+    assertEquals(
+        "80350 80475 79",
+        Math.round(climbed * 100) + " " + Math.round(searched * 100) + " " + proven);
+  }
+
+  @Test
+  void itsCamerasJumpAndWithoutNodesNothingIsProven() {
+    BestFixedZoomPolicy policy =
+        (BestFixedZoomPolicy)
+            CoveragePolicies.register(new Registry<ZoomPolicy>("policy"))
+                .create("best-fixed:nodes=0");
+    assertTrue(policy.jumps());
+    ToyNetwork network = new ToyNetwork(3, LEVELS, LEVELS);
+    network.see(0, 0, 0);
+    network.see(0, 1, 1);
+    network.see(1, 0, 1);
+    network.see(1, 1, 2);
+    policy.rehearse(network);
+    policy.begin(network, new SplittableRandom(0));
+    policy.decide(network, new int[2]);
+    assertFalse(policy.proven());
+  }
+
   @Test
   void findsWithoutNodesWhatNoCameraGainsAlone() {
     ToyNetwork network = new ToyNetwork(5, LEVELS, LEVELS);

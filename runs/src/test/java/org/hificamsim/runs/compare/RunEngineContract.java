@@ -2,6 +2,7 @@ package org.hificamsim.runs.compare;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.DynamicTest.dynamicTest;
@@ -52,6 +53,7 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
         dynamicTest("handsBackEachOutcomeOnce", this::handsBackEachOutcomeOnce),
         dynamicTest("computesWhatTheRunAloneGives", this::computesWhatTheRunAloneGives),
         dynamicTest("needsNoFileOnceItIsRead", this::needsNoFileOnceItIsRead),
+        dynamicTest("keepsModelsOfOneNameApart", this::keepsModelsOfOneNameApart),
         dynamicTest("computesTheTasksItIsGivenAlone", this::computesTheTasksItIsGivenAlone),
         dynamicTest("hasNothingToDoWithoutTasks", this::hasNothingToDoWithoutTasks),
         dynamicTest("endsWithTheFaultOfARun", this::endsWithTheFaultOfARun),
@@ -87,6 +89,21 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
       Files.delete(file);
     }
     assertSameAsAlone(plans, all(plans));
+  }
+
+  /** As when a model's file changes between the reading of two plans. */
+  private void keepsModelsOfOneNameApart() throws IOException {
+    Path model = Files.createTempFile("model", ".json");
+    List<RunPlan> plans = new ArrayList<>();
+    for (String intercept : List.of("0.026", "-0.2")) {
+      Files.writeString(model, MODEL.replace("0.026", intercept));
+      plans.add(plan(scenario("ring-random"), model.toString(), "zoom-out"));
+    }
+    Files.delete(model);
+    assertSameAsAlone(plans, all(plans));
+    Map<RunTask, Outcome> outcomes = run(plans, all(plans));
+    assertNotEquals(
+        outcomes.get(new RunTask(0, 0)).result(), outcomes.get(new RunTask(1, 0)).result());
   }
 
   private void computesTheTasksItIsGivenAlone() throws IOException {

@@ -1,0 +1,95 @@
+package org.hificamsim.core.engine;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.GeometricDetection;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.visibility.Visibility;
+import org.hificamsim.core.world.World;
+import org.junit.jupiter.api.Test;
+
+/** Cells as wide as a camera detects far, from 4,000 pairs and 40 cells on. */
+class GridChoiceTest {
+  private static final int TARGETS = 50;
+
+  /** As far as a lens makes a target large enough. */
+  private record Lens() implements DetectionModel {
+    @Override
+    public String name() {
+      return "lens";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return distance * zoom.viewingAngle() <= 4 ? 1 : 0;
+    }
+  }
+
+  @Test
+  void theSideIsTheMeanReach() {
+    assertEquals(64, cells(strewn(80, 40, 40), new GeometricDetection()));
+  }
+
+  @Test
+  void fewPairsNeedNone() {
+    assertEquals(1, cells(strewn(79, 40, 40), new GeometricDetection()));
+  }
+
+  @Test
+  void fewCellsAreOfNoUse() {
+    assertEquals(40, cells(strewn(80, 40, 25), new GeometricDetection()));
+    assertEquals(1, cells(strewn(80, 35, 25), new GeometricDetection()));
+  }
+
+  /** 7.6 m at 30 degrees and 3.8 m at 60: 5.4 m. */
+  @Test
+  void throughALensTheSideIsBetweenTheNarrowestAndTheWidest() {
+    OpticsSpec optics =
+        new OpticsSpec(
+            "lens",
+            OpticsLaw.PINHOLE,
+            OptionalInt.empty(),
+            List.of(30.0, 60.0),
+            OptionalDouble.empty(),
+            List.of(0.0),
+            OptionalDouble.empty(),
+            0,
+            Moving.BLIND);
+    TestScenario scenario = new TestScenario().field(0, 40, 0, 40);
+    for (int camera = 0; camera < 80; camera++) {
+      scenario.camera(TestScenario.camera("c" + camera, 1, 1, 0, optics));
+    }
+    assertEquals(64, cells(withTargets(scenario), new Lens()));
+  }
+
+  private static int cells(TestScenario scenario, DetectionModel model) {
+    World world = scenario.world();
+    return GridChoice.of(world, Sight.of(world, Visibility.of(Detection.of(model)))).cells();
+  }
+
+  /** Every other camera detects up to 4 m, the others up to 6 m. */
+  private static TestScenario strewn(int cameras, double width, double height) {
+    TestScenario scenario = new TestScenario().field(0, width, 0, height);
+    for (int camera = 0; camera < cameras; camera++) {
+      double range = camera % 2 == 0 ? 4 : 6;
+      scenario.camera(TestScenario.camera("c" + camera, 1, 1, 0, 360, range));
+    }
+    return withTargets(scenario);
+  }
+
+  private static TestScenario withTargets(TestScenario scenario) {
+    for (int target = 0; target < TARGETS; target++) {
+      scenario.target(2, 2);
+    }
+    return scenario;
+  }
+}

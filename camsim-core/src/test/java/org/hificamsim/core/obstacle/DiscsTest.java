@@ -1,0 +1,31 @@
+package org.hificamsim.core.obstacle;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class DiscsTest {
+  /** By doubles alone some of them would be on the other side. */
+  @Test
+  void pointsAtTheBorderAreInsideWhereExactArithmeticSaysSo() {
+    SplittableRandom random = new SplittableRandom(1);
+    int wrong = 0;
+    for (int trial = 0; trial < 20_000; trial++) {
+      double x = random.nextDouble(-9, 9);
+      double y = random.nextDouble(-9, 9);
+      double radius = random.nextDouble(0.1, 3);
+      double angle = random.nextDouble(2 * Math.PI);
+      double atX = x + radius * Math.cos(angle);
+      double atY = y + radius * Math.sin(angle);
+      Point at = new Point(atX, atY);
+      boolean inside = Exact.touches(new Obstacle.Pillar(x, y, radius, 0), at, at);
+      double dx = atX - x;
+      double dy = atY - y;
+      wrong += dx * dx + dy * dy <= radius * radius == inside ? 0 : 1;
+      assertEquals(inside, Discs.contains(x, y, radius, atX, atY));
+    }
+    assertTrue(wrong > 100, wrong + " that doubles alone get wrong");
+  }
+}

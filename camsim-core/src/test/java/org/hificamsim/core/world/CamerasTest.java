@@ -1,0 +1,94 @@
+package org.hificamsim.core.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+
+/** One camera of two levels at -40, 0 and 40 degrees, which take no time. */
+class CamerasTest {
+  private static final int LEFT = 1;
+  private static final int AHEAD = 3;
+
+  private Cameras cameras;
+
+  @BeforeEach
+  void mount() {
+    cameras = cameras(OptionalDouble.empty());
+  }
+
+  private static Cameras cameras(OptionalDouble panSpeed) {
+    OpticsSpec optics =
+        new OpticsSpec(
+            "lens",
+            OpticsLaw.PINHOLE,
+            OptionalInt.empty(),
+            List.of(30.0, 60.0),
+            OptionalDouble.of(7),
+            List.of(-40.0, 0.0, 40.0),
+            panSpeed,
+            0,
+            Moving.BLIND);
+    return new TestScenario()
+        .camera(TestScenario.camera("a", 0, 0, 0, optics))
+        .target(1, 1)
+        .world()
+        .cameras();
+  }
+
+  @Test
+  void whatItLooksAtChangesWithItsViewAlone() {
+    int looks = cameras.looks();
+    cameras.turnTo(0, AHEAD);
+    assertEquals(looks, cameras.looks(), "the view that it had");
+    cameras.turnTo(0, LEFT);
+    assertNotEquals(looks, cameras.looks());
+  }
+
+  @Test
+  void aimingTurnsTheChosenViewUntilTheNextTurn() {
+    cameras.aim(0, LEFT, 0.25);
+    assertEquals(LEFT, cameras.view(0));
+    assertEquals(0.25, cameras.pan(0, LEFT));
+    assertEquals(Math.toRadians(-40), cameras.pan(0, LEFT - 1), "another view");
+    assertEquals(0.25, cameras.pose(0, LEFT).heading(), 1e-15);
+    assertEquals(0, cameras.pose(0, AHEAD).heading(), 1e-15);
+    int looks = cameras.looks();
+    cameras.turnTo(0, LEFT);
+    assertEquals(Math.toRadians(-40), cameras.pan(0, LEFT), 1e-15);
+    assertEquals(Math.toRadians(-40), cameras.pose(0, LEFT).heading(), 1e-15);
+    assertNotEquals(looks, cameras.looks());
+  }
+
+  @Test
+  void aimingAgainIsAnotherLook() {
+    cameras.aim(0, AHEAD, 0.25);
+    int looks = cameras.looks();
+    cameras.aim(0, AHEAD, 0.5);
+    assertNotEquals(looks, cameras.looks());
+    assertEquals(0.5, cameras.pan(0, AHEAD));
+  }
+
+  @Test
+  void itSeesNothingOnItsWayAndAsFarAsItsViewOnceItIsThere() {
+    Cameras slow = cameras(OptionalDouble.of(20));
+    assertEquals(7, slow.range(0), 1e-9);
+    int looks = slow.looks();
+    slow.turnTo(0, LEFT);
+    slow.advance();
+    assertEquals(0, slow.range(0));
+    int onItsWay = slow.looks();
+    assertNotEquals(looks, onItsWay);
+    slow.advance();
+    assertEquals(7, slow.range(0), 1e-9);
+    assertNotEquals(onItsWay, slow.looks());
+  }
+}

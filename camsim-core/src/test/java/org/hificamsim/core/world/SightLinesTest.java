@@ -1,0 +1,78 @@
+package org.hificamsim.core.world;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.Occlusion;
+import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
+import org.hificamsim.core.scenario.Surroundings;
+import org.junit.jupiter.api.Test;
+
+class SightLinesTest {
+  private static final Obstacle WALL = new Obstacle.Wall(-1, 3, 1, 3, 0);
+
+  @Test
+  void nothingIsInBetweenInAnOpenField() {
+    SightLines lines = world(Occlusion.NONE).sightLines();
+    assertTrue(lines.open());
+    assertFalse(lines.partial());
+    assertEquals(1, lines.transmittance(0, 1));
+  }
+
+  @Test
+  void obstaclesHideOrDim() {
+    SightLines solid = world(Occlusion.NONE, WALL).sightLines();
+    assertFalse(solid.open());
+    assertFalse(solid.partial());
+    assertEquals(1, solid.transmittance(0, 0));
+    assertEquals(0, solid.transmittance(0, 1));
+    SightLines dim =
+        world(
+                Occlusion.NONE,
+                new Obstacle.Wall(-1, 3, 1, 3, 0.25),
+                new Obstacle.Wall(7, 7, 8, 8, 0))
+            .sightLines();
+    assertTrue(dim.partial());
+    assertEquals(0.25, dim.transmittance(0, 1));
+  }
+
+  /** Of a width of a metre: where it is at 2 m it hides what is 5 m away up to 1.25 m aside. */
+  @Test
+  void targetsHideTargetsWhereTheScenarioSaysSo() {
+    SightLines lines = world(Occlusion.TARGETS).sightLines();
+    assertFalse(lines.open());
+    assertEquals(1, lines.transmittance(0, 0), "the nearer one is seen");
+    assertEquals(0, lines.transmittance(0, 1), "the one behind it is not");
+    assertEquals(1, lines.transmittance(1, 1), "but from elsewhere");
+  }
+
+  @Test
+  void aCameraThatMovesSeesFromWhereItIs() {
+    World world = world(Occlusion.NONE, WALL);
+    for (double[] place : new double[][] {{9, 0}, {0, 0}, {0, 4}, {0, 0}}) {
+      world.moveCamera(0, place[0], place[1]);
+      boolean hidden = place[0] == 0 && place[1] == 0;
+      assertEquals(hidden ? 0 : 1, world.sightLines().transmittance(0, 1));
+    }
+    world.fireEvents(1);
+    assertEquals(1, world.sightLines().transmittance(0, 1), "an event moved it");
+    world.restart(1);
+    assertEquals(0, world.sightLines().transmittance(0, 1), "and it is back");
+  }
+
+  private static World world(Occlusion occlusion, Obstacle... obstacles) {
+    return new TestScenario()
+        .camera(0, 0)
+        .camera(5, 5)
+        .target(0, 2)
+        .target(0, 5)
+        .events(new ChangeCamera(1, "c0", 4, 4, -1, -1, -1))
+        .surroundings(new Surroundings(List.of(obstacles), occlusion, Optional.empty()))
+        .world();
+  }
+}

@@ -1,0 +1,226 @@
+package org.hificamsim.agents.observation;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertNotSame;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import org.hificamsim.agents.baseline.RandomZoomPolicy;
+import org.hificamsim.agents.toy.RealWorld;
+import org.hificamsim.agents.voting.NearestCameras;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.junit.jupiter.api.Test;
+
+/** Three cameras with lenses that see on their way, among many targets, some equally near. */
+class CrowdObservationTest {
+  private static final ObservationLayout LAYOUT = new ObservationLayout(3, 2);
+  private static final String OPTICS =
+      "<optics name='o' hfov='20 40 80' reach='12' pan='0 90' pan_speed='30' moving='sees'/>";
+
+  private static String camera(String name, double x, double y) {
+    return "<camera name='%s' x='%s' y='%s' heading='0' viewing_angle='60' range='12' optics='o'/>"
+        .formatted(name, x, y);
+  }
+
+  private static String cameras(double xOfTheLast) {
+    return OPTICS + camera("a", -8, 0) + camera("b", 8, 6) + camera("c", xOfTheLast, 0);
+  }
+
+  /** In pairs to either side of the first camera's axis. */
+  private static String targets() {
+    StringBuilder all = new StringBuilder();
+    for (int name = 0; name < 24; name++) {
+      double aside = (name % 2 == 0 ? 1 : -1) * (1 + name % 3) * 0.25;
+      int row = name / 2;
+      all.append(
+          "<object features='%s' x='%s' y='%s' heading='%s' speed='%s' size='0.5'/>"
+              .formatted(name, -8 + aside, 11 - row, 15 * name, name < 12 ? 0 : 0.3));
+    }
+    return all.toString();
+  }
+
+  @Test
+  void theNearestTargetsComeFirstAndOfEquallyNearOnesTheLowerNumber() {
+    int[] compared = new int[1];
+    run(
+        new RandomZoomPolicy(),
+        network -> {
+          float[] out = new float[3 * LAYOUT.size()];
+          Arrays.fill(out, 9); // what was there before
+          new CameraObserver(network, LAYOUT).observe(network, out);
+          for (int camera = 0; camera < 3; camera++) {
+            compared[0] += assertTargets(network, camera, camera * LAYOUT.size(), out);
+          }
+        });
+    assertTrue(compared[0] > 300, compared[0] + " targets");
+  }
+
+  private static int assertTargets(NetworkView network, int camera, int first, float[] out) {
+    List<Integer> seen =
+        IntStream.range(0, network.targets())
+            .filter(target -> network.sees(camera, target))
+            .boxed()
+            .sorted(
+                Comparator.<Integer>comparingDouble(
+                        target -> Math.rint(network.distance(camera, target) * 1e9))
+                    .thenComparing(Comparator.naturalOrder()))
+            .limit(LAYOUT.targets())
+            .toList();
+    for (int i = 0; i < LAYOUT.targets(); i++) {
+      int at = first + LAYOUT.firstTarget() + i * ObservationLayout.TARGET.size();
+      assertEquals(i < seen.size() ? 1 : 0, out[at], "target " + i);
+      if (i < seen.size()) {
+        double distance = network.distance(camera, seen.get(i));
+        double bearing = network.bearing(camera, seen.get(i));
+        assertEquals(distance * Math.cos(bearing) / 12, out[at + 1], 1e-6);
+        assertEquals(distance * Math.sin(bearing) / 12, out[at + 2], 1e-6);
+      } else {
+        assertArrayEquals(new float[6], Arrays.copyOfRange(out, at, at + 6));
+      }
+    }
+    return seen.size();
+  }
+
+  @Test
+  void itsOwnNumbersAreThoseOfTheViewsItChoseAndSeesThrough() {
+    int[] others = new int[1];
+    run(
+        new RandomZoomPolicy(),
+        network -> {
+          float[] out = observe(network);
+          for (int camera = 0; camera < 3; camera++) {
+            int at = camera * LAYOUT.size();
+            int goal = network.view(camera);
+            int seeing = network.seeing(camera);
+            assertEquals(goal < 3 ? 0 : 0.5, out[at + ObservationLayout.at("goal_pan")]);
+            assertEquals(goal % 3 / 2.0, out[at + ObservationLayout.at("goal_zoom")]);
+            assertEquals(seeing < 3 ? 0 : 0.5, out[at + ObservationLayout.at("pan")]);
+            assertEquals(seeing % 3 / 2.0, out[at + ObservationLayout.at("zoom")]);
+            double angle = network.zoom(camera, seeing).viewingAngle() / (2 * Math.PI);
+            assertEquals(angle, out[at + ObservationLayout.at("angle")], 1e-7);
+            others[0] += seeing == goal ? 0 : 1;
+          }
+        });
+    assertTrue(others[0] > 20, others[0] + " on their way");
+  }
+
+  @Test
+  void neighboursComeByDistanceWithWhatTheyDetected() {
+    run(
+        new RandomZoomPolicy(),
+        network -> {
+          float[] out = observe(network);
+          int at = LAYOUT.firstNeighbour();
+          float[] expected = {
+            2 / 16f, 0, network.detected(2) / 24f, 1, 6 / 16f, network.detected(1) / 24f
+          };
+          assertArrayEquals(expected, Arrays.copyOfRange(out, at, at + 6), 1e-7f);
+        });
+  }
+
+  @Test
+  void aCameraThatIsOffLeavesNothingOfWhatWasThere() {
+    String off = "<event timestep='0' participant='camera' event='error' name='a' duration='-1'/>";
+    Checking checking =
+        new Checking(
+            new RandomZoomPolicy(),
+            network -> {
+              float[] out = new float[3 * LAYOUT.size()];
+              Arrays.fill(out, 9);
+              new CameraObserver(network, LAYOUT).observe(network, out);
+              float[] first = Arrays.copyOf(out, LAYOUT.size());
+              assertArrayEquals(new float[LAYOUT.size()], first);
+            });
+    RealWorld.run(cameras(-6) + targets() + "<events>" + off + "</events>", checking, 1).run(3);
+  }
+
+  @Test
+  void whereACameraIsMovedIsObserved() {
+    String move =
+        "<event timestep='2' participant='camera' event='change' name='c' x='4' y='0'"
+            + " heading='-1' viewing_angle='-1' range='-1'/>";
+    int x = LAYOUT.size() * 2 + 1;
+    float[] seen = new float[4];
+    CameraObserver[] observer = new CameraObserver[1];
+    Checking checking =
+        new Checking(
+            new RandomZoomPolicy(),
+            network -> {
+              observer[0] = observer[0] == null ? new CameraObserver(network, LAYOUT) : observer[0];
+              float[] out = new float[3 * LAYOUT.size()];
+              observer[0].observe(network, out);
+              seen[(int) network.step()] = out[x];
+            });
+    RealWorld.run(cameras(-6) + targets() + "<events>" + move + "</events>", checking, 1).run(4);
+    assertArrayEquals(new float[] {-0.75f, -0.75f, 0.5f, 0.5f}, seen);
+  }
+
+  @Test
+  void worldsOfTheSameCamerasKeepWhatTheyKnowAlikeOnce() {
+    NetworkView one = network(-6);
+    NetworkView same = network(-6);
+    NetworkView other = network(4);
+    ViewFeatures features = features(one, LAYOUT);
+    assertSame(features, features(same, LAYOUT).or(features));
+    for (ViewFeatures different :
+        List.of(features(other, LAYOUT), features(same, new ObservationLayout(3, 1)))) {
+      assertNotSame(features, different.or(features));
+      assertSame(different, different.or(features));
+    }
+    CameraObserver known = new CameraObserver(one, LAYOUT);
+    assertArrayEquals(observe(same), observe(new CameraObserver(same, LAYOUT, known), same));
+    assertArrayEquals(observe(other), observe(new CameraObserver(other, LAYOUT, known), other));
+    assertNotEquals(observe(one)[LAYOUT.size() * 2 + 1], observe(other)[LAYOUT.size() * 2 + 1]);
+  }
+
+  private static ViewFeatures features(NetworkView network, ObservationLayout layout) {
+    NearestCameras nearest = new NearestCameras(network, layout.neighbours());
+    return new ViewFeatures(network, layout, new Standpoints(network), nearest);
+  }
+
+  private static NetworkView network(double xOfTheLast) {
+    return RealWorld.run(cameras(xOfTheLast) + targets(), new RandomZoomPolicy(), 1).network();
+  }
+
+  private static float[] observe(NetworkView network) {
+    return observe(new CameraObserver(network, LAYOUT), network);
+  }
+
+  private static float[] observe(CameraObserver observer, NetworkView network) {
+    float[] out = new float[3 * LAYOUT.size()];
+    observer.observe(network, out);
+    return out;
+  }
+
+  private static void run(ZoomPolicy policy, Consumer<NetworkView> check) {
+    RealWorld.run(cameras(-6) + targets(), new Checking(policy, check), 1).run(200);
+  }
+
+  /** Looks at the network before each decision of a policy. */
+  private record Checking(ZoomPolicy policy, Consumer<NetworkView> check) implements ZoomPolicy {
+    @Override
+    public String name() {
+      return policy.name();
+    }
+
+    @Override
+    public void begin(NetworkView network, SplittableRandom random) {
+      policy.begin(network, random);
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] views) {
+      check.accept(network);
+      policy.decide(network, views);
+    }
+  }
+}

@@ -1,0 +1,133 @@
+package org.hificamsim.spark;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.registry.Registry;
+import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Comparison;
+import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.compare.EngineSettings;
+import org.hificamsim.runs.compare.Yardsticks;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Detection models that share a name, through a Spark master. */
+class MixedModelsTest {
+  private static final Catalogue CATALOGUE = Catalogue.load();
+  private static final Path SCENARIO =
+      Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "cluster-random.xml");
+
+  private static final String MODEL =
+      """
+      {"schema": "hificamsim-model", "version": 1, "name": "mine",
+       "f": {"type": "linear", "z": -18.82, "q": -2.0, "d": 0.2, "intercept": 2.47},
+       "g": {"slope": 0.571, "intercept": INTERCEPT}, "threshold": 0.05}
+      """;
+
+  /** Sees nothing, under the name of a model that sees all. */
+  private record Blind() implements DetectionModel {
+    @Override
+    public String name() {
+      return "geometric";
+    }
+
+    @Override
+    public double confidence(double size, double distance, double offAxis, ZoomLevel zoom) {
+      return 0;
+    }
+  }
+
+  @TempDir Path folder;
+
+  @BeforeAll
+  static void requireSpark() {
+    SparkHome.require();
+  }
+
+  @Test
+  void aComparisonWhoseModelHasChangedUnderItsNameIsNotResumed() throws IOException {
+    RunPlan plan = plan(model("0.026"));
+    try (OutputFolder out = new OutputFolder(folder.resolve("out"))) {
+      assertThrows(InterruptedByTest.class, () -> compare(plan, out, MixedModelsTest::interrupt));
+      Path journal = out.path().resolve(".compare.journal");
+      byte[] finished = Files.readAllBytes(journal);
+      InputException fault =
+          assertThrows(
+              InputException.class, () -> compare(plan(model("0.2")), out, (files, all) -> {}));
+      assertTrue(
+          fault.getMessage().contains("has runs of another detection 'mine'"), fault.getMessage());
+      assertArrayEquals(finished, Files.readAllBytes(journal));
+      assertEquals(2, compare(plan, out, (files, all) -> {}).size(), "with the optimum");
+    }
+  }
+
+  @Test
+  void aModelThatIsAnotherOnTheExecutorIsRefused() throws IOException {
+    Registry<DetectionModel> here = new Registry<>("detection");
+    here.register("geometric", "blind", Blind::new);
+    Catalogue changed =
+        new Catalogue(here, CATALOGUE.policies(), CATALOGUE.movements(), CATALOGUE.listeners());
+    try (OutputFolder out = new OutputFolder(folder.resolve("out"))) {
+      InputException fault =
+          assertThrows(
+              InputException.class,
+              () -> comparison(changed).execute(List.of(plan(new Blind())), out, (f, all) -> {}));
+      assertTrue(
+          fault.getMessage().contains("detection 'geometric' is another on an executor than here"),
+          fault.getMessage());
+    }
+  }
+
+  /** Ends a comparison when its runs are finished and its tables are not written. */
+  private static void interrupt(OutputFolder folder, List<CaseResult> cases) {
+    throw new InterruptedByTest();
+  }
+
+  private static final class InterruptedByTest extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+  }
+
+  private static List<CaseResult> compare(
+      RunPlan plan, OutputFolder folder, ComparisonRun.Extras extras) throws IOException {
+    return comparison(CATALOGUE).executeWithoutTables(List.of(plan), folder, extras);
+  }
+
+  private static ComparisonRun comparison(Catalogue catalogue) {
+    SparkEngine engine = new SparkEngine();
+    engine.configure(new EngineSettings(catalogue, 1, Optional.of("local[2]")));
+    return new ComparisonRun(new Comparison(engine, () -> {}), Yardsticks.OPTIMUM, true);
+  }
+
+  private DetectionModel model(String intercept) throws IOException {
+    Path file = folder.resolve("mine.json");
+    Files.writeString(file, MODEL.replace("INTERCEPT", intercept));
+    return CATALOGUE.detection(file.toString());
+  }
+
+  private static RunPlan plan(DetectionModel model) {
+    return new RunPlan(
+        ScenarioReader.read(SCENARIO, CATALOGUE.movements().names()::contains, warning -> {}),
+        new Detection(model, 0.05),
+        "zoom-out",
+        20,
+        7,
+        2);
+  }
+}
