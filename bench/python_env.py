@@ -89,6 +89,8 @@ def parallel(scenario: str, num_envs: int, threads: int, backend: str, **setting
 
 
 ROWS = [
+    ("14 x 8, worlds", kernel, CLUSTER, 16, "jvm", {}),
+    ("14 x 8, worlds", kernel, CLUSTER, 64, "jvm", {}),
     ("14 x 8, worlds", kernel, CLUSTER, 256, "jvm", {}),
     ("14 x 8, worlds", kernel, CLUSTER, 256, "process", {}),
     ("14 x 8, vector_env, copy=False", vector, CLUSTER, 256, "jvm", {"copy": False}),

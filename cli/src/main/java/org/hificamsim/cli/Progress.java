@@ -2,6 +2,7 @@ package org.hificamsim.cli;
 
 import java.io.PrintWriter;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
@@ -41,9 +42,9 @@ final class Progress implements AutoCloseable {
   private final Telling telling;
   private final LongSupplier clock;
   private long started;
-  private long done;
+  private final AtomicLong done = new AtomicLong();
   private long unseen = 1;
-  private long nextLook = 1;
+  private volatile long nextLook;
   private long lastLook;
   private long lastLine;
   private ProgressBar bar;
@@ -72,24 +73,30 @@ final class Progress implements AutoCloseable {
     this.started = clock.getAsLong();
     this.lastLook = started;
     this.lastLine = started;
+    this.nextLook = telling == Telling.NOTHING ? Long.MAX_VALUE : 1;
   }
 
-  /** Counts one unit. */
-  synchronized void advance() {
-    done++;
-    if (done >= nextLook && telling != Telling.NOTHING) {
+  /** Counts one unit; any number of threads may, and mostly none waits for another. */
+  void advance() {
+    if (done.incrementAndGet() >= nextLook) {
+      look();
+    }
+  }
+
+  private synchronized void look() {
+    if (done.get() >= nextLook) {
       long now = clock.getAsLong();
       unseen = now - lastLook < SOON ? Math.min(2 * unseen, MAX_UNSEEN) : 1;
       lastLook = now;
-      nextLook = done + unseen;
+      nextLook = done.get() + unseen;
       look(now);
     }
   }
 
   /** Counts what was done before: it takes no time, and says nothing of the speed. */
   synchronized void resume(long units) {
-    done = units;
-    nextLook = units + 1;
+    done.set(units);
+    nextLook = telling == Telling.NOTHING ? Long.MAX_VALUE : units + 1;
     started = clock.getAsLong();
     line = line.after(units);
   }
@@ -102,10 +109,10 @@ final class Progress implements AutoCloseable {
       if (bar == null) {
         bar = bar();
       }
-      bar.stepTo(done);
+      bar.stepTo(done.get());
     } else if (now - lastLine > BETWEEN_LINES) {
       lastLine = now;
-      err.println(line.plain(done, now - started));
+      err.println(line.plain(done.get(), now - started));
     }
   }
 
@@ -120,7 +127,7 @@ final class Progress implements AutoCloseable {
   @Override
   public synchronized void close() {
     if (bar != null) {
-      bar.stepTo(done);
+      bar.stepTo(done.get());
       bar.close();
       bar = null;
     }
