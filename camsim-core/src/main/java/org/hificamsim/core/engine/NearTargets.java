@@ -12,6 +12,8 @@ import org.hificamsim.core.world.Cameras;
  * touches, row by row. Any number of threads may ask.
  */
 final class NearTargets {
+  private static final int MAX_AT_ONCE = 1 << 16;
+
   private final Cameras cameras;
   private final Sight sight;
   private final PointGrid grid;
@@ -89,15 +91,21 @@ final class NearTargets {
 
   /** As {@link org.hificamsim.core.policy.NetworkView#findSeen}. */
   void findSeen(SeenPairs pairs) {
-    boolean few = grid.cells() == 1; // so that there is room for all
-    long[] found = pairs.scratch(few ? cameras.count() * grid.count() + 1 : 0);
-    int all = few ? sight.findAll(grid, found) : -1;
+    int all = findAll(pairs);
     int count = all < 0 ? find(pairs) : all;
-    found = pairs.scratch(0);
-    pairs.clear(found.length);
+    long[] found = pairs.scratch(0);
+    pairs.clear();
     for (int i = 0; i < count; i++) {
       add((int) (found[i] >>> Integer.SIZE), (int) found[i], pairs);
     }
+  }
+
+  /** Finds pairs at once, where they are few enough for room for all; else -1. */
+  private int findAll(SeenPairs pairs) {
+    long all = (long) cameras.count() * grid.count();
+    return grid.cells() == 1 && all < MAX_AT_ONCE
+        ? sight.findAll(grid, pairs.scratch((int) all + 1))
+        : -1;
   }
 
   /** Finds pairs camera by camera. */

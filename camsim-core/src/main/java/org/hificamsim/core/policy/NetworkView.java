@@ -158,7 +158,7 @@ public interface NetworkView extends CoveredTargets {
    * @param pairs has these pairs on return, and no others
    */
   default void findSeen(SeenPairs pairs) {
-    pairs.clear(cameras() * targets());
+    pairs.clear();
     for (int camera = 0; camera < cameras(); camera++) {
       for (int target = 0; target < targets(); target++) {
         if (sees(camera, target)) {

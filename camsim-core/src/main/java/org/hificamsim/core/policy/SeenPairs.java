@@ -7,6 +7,8 @@ import java.util.Arrays;
  * NetworkView#findSeen}. Keeps its arrays from one step to the next.
  */
 public final class SeenPairs {
+  private static final int FIRST_PAIRS = 16;
+
   private long[] found = {};
   private int[] cameras = {};
   private int[] targets = {};
@@ -15,31 +17,35 @@ public final class SeenPairs {
   private double[] squared = {};
   private int count;
 
-  /** Forgets all pairs, and makes room for as many as may follow. */
-  public void clear(int room) {
+  /** Forgets all pairs. */
+  public void clear() {
     count = 0;
-    if (room > cameras.length) {
-      cameras = new int[room];
-      targets = new int[room];
-      ahead = new double[room];
-      right = new double[room];
-      squared = new double[room];
-    }
   }
 
   /**
-   * Adds a pair, for which there is room.
+   * Adds a pair.
    *
    * @param newAhead metres from the camera along the axis of its view
    * @param newRight metres to the right of that axis
    */
   public void add(int camera, int target, double newAhead, double newRight) {
+    if (count == cameras.length) {
+      grow(Math.max(FIRST_PAIRS, 2 * count));
+    }
     cameras[count] = camera;
     targets[count] = target;
     ahead[count] = newAhead;
     right[count] = newRight;
     squared[count] = newAhead * newAhead + newRight * newRight;
     count++;
+  }
+
+  private void grow(int pairs) {
+    cameras = Arrays.copyOf(cameras, pairs);
+    targets = Arrays.copyOf(targets, pairs);
+    ahead = Arrays.copyOf(ahead, pairs);
+    right = Arrays.copyOf(right, pairs);
+    squared = Arrays.copyOf(squared, pairs);
   }
 
   /** Sorts each camera's targets, the nearest first; of equally near ones the lower number. */
