@@ -72,29 +72,48 @@ public final class RowsAside implements Rows {
   }
 
   private void await() {
+    await(written);
+  }
+
+  /** Throws an exception of its own each time: one that is thrown twice cannot be told of. */
+  private static void await(Future<?> work) {
     try {
-      written.get();
+      work.get();
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new UncheckedIOException(new InterruptedIOException("interrupted"));
     } catch (ExecutionException e) {
-      if (e.getCause() instanceof Error error) {
-        throw error;
-      }
-      throw (RuntimeException) e.getCause(); // rows throw no others
+      throw failure(e.getCause());
     }
+  }
+
+  private static RuntimeException failure(Throwable cause) {
+    if (cause instanceof UncheckedIOException unchecked) {
+      return new UncheckedIOException(unchecked.getCause());
+    }
+    return cause instanceof IOException io
+        ? new UncheckedIOException(io)
+        : new IllegalStateException("rows cannot be written", cause);
   }
 
   /** Waits until all is written; a second time it does nothing. */
   @Override
-  public void close() throws IOException {
-    if (!writer.isShutdown()) {
-      try (out) {
-        handOver();
-        await();
-      } finally {
-        writer.shutdown();
-      }
+  public void close() {
+    if (writer.isShutdown()) {
+      return;
     }
+    try {
+      handOver();
+      await();
+    } finally {
+      Future<?> closing = writer.submit(this::closeRows); // by whoever writes them
+      writer.shutdown();
+      await(closing);
+    }
+  }
+
+  private Void closeRows() throws IOException {
+    out.close();
+    return null;
   }
 }

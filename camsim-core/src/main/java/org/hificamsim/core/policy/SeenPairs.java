@@ -48,19 +48,39 @@ public final class SeenPairs {
     squared = Arrays.copyOf(squared, pairs);
   }
 
-  /** Sorts each camera's targets, the nearest first; of equally near ones the lower number. */
-  public void sort() {
-    for (int i = 1; i < count; i++) {
-      for (int at = i; at > 0 && isBefore(at, at - 1); at--) {
-        swap(at, at - 1);
+  /**
+   * Brings each camera's nearest targets to the front, the nearest first; of equally near ones the
+   * lower number.
+   *
+   * @param wanted how many of each camera; the others are in no order
+   */
+  public void sort(int wanted) {
+    int from = 0;
+    while (from < count) {
+      int to = from + 1;
+      while (to < count && cameras[to] == cameras[from]) {
+        to++;
       }
+      for (int at = from; at < Math.min(to - 1, from + wanted); at++) {
+        bringNearest(at, to);
+      }
+      from = to;
+    }
+  }
+
+  private void bringNearest(int at, int end) {
+    int nearest = at;
+    for (int i = at + 1; i < end; i++) {
+      nearest = isBefore(i, nearest) ? i : nearest;
+    }
+    if (nearest != at) {
+      swap(at, nearest);
     }
   }
 
   private boolean isBefore(int one, int other) {
-    return cameras[one] == cameras[other]
-        && (squared[one] < squared[other]
-            || (squared[one] == squared[other] && targets[one] < targets[other]));
+    return squared[one] < squared[other]
+        || (squared[one] == squared[other] && targets[one] < targets[other]);
   }
 
   private void swap(int one, int other) {

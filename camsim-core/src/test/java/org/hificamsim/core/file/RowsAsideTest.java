@@ -77,7 +77,21 @@ class RowsAsideTest {
   }
 
   @Test
-  void theEndTellsOfTheLastRowsToo() throws IOException {
+  void inATryWithResourcesTheFailureIsTold() {
+    UncheckedIOException e =
+        assertThrows(
+            UncheckedIOException.class,
+            () -> {
+              try (RowsAside rows = new RowsAside(new Full(10))) {
+                add(rows, 3 * CellBatch.CELLS);
+              }
+            });
+    assertTrue(e.getMessage().contains("No space left"), e.getMessage());
+    assertEquals(1, e.getSuppressed().length);
+  }
+
+  @Test
+  void theEndTellsOfTheLastRowsToo() {
     Full full = new Full(2);
     RowsAside rows = new RowsAside(full);
     add(rows, 3);

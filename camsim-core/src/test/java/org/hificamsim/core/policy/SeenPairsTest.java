@@ -38,9 +38,17 @@ class SeenPairsTest {
         }
       }
       expected.sort(NEAREST);
-      pairs.sort();
+      pairs.sort(2);
+      assertEquals(nearest(expected, 2), nearest(all(pairs), 2));
+      pairs.sort(8);
       assertEquals(expected, all(pairs));
     }
+  }
+
+  /** Each camera's first ones. */
+  private static List<Pair> nearest(List<Pair> pairs, int wanted) {
+    int[] shown = new int[9];
+    return pairs.stream().filter(pair -> shown[pair.camera]++ < wanted).toList();
   }
 
   private static List<Pair> all(SeenPairs pairs) {

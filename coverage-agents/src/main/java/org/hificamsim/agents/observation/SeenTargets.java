@@ -21,7 +21,7 @@ final class SeenTargets {
    */
   void write(NetworkView network, SeenPairs pairs, ViewFeatures views, float[] out) {
     network.findSeen(pairs);
-    pairs.sort();
+    pairs.sort(layout.targets());
     int camera = -1;
     int shown = 0;
     for (int pair = 0; pair < pairs.count(); pair++) {

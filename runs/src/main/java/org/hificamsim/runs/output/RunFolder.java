@@ -171,10 +171,9 @@ public final class RunFolder implements Closeable {
   }
 
   private void closeTables() throws IOException {
-    steps.close();
-    if (zooms != null) {
-      zooms.close();
-      targets.close();
+    try (targets;
+        zooms) {
+      steps.close(); // and the others even if this one cannot be
     }
   }
 }
