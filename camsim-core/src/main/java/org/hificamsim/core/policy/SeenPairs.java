@@ -55,17 +55,23 @@ public final class SeenPairs {
    * @param wanted how many of each camera; the others are in no order
    */
   public void sort(int wanted) {
-    int from = 0;
-    while (from < count) {
-      int to = from + 1;
-      while (to < count && cameras[to] == cameras[from]) {
-        to++;
+    for (int i = 1; i < count; i++) {
+      if (cameras[i] == cameras[i - 1]) { // most cameras see one target at most
+        i = sort(i - 1, wanted);
       }
-      for (int at = from; at < Math.min(to - 1, from + wanted); at++) {
-        bringNearest(at, to);
-      }
-      from = to;
     }
+  }
+
+  /** Sorts the pairs of one camera; returns where those of the next one begin. */
+  private int sort(int from, int wanted) {
+    int to = from + 2;
+    while (to < count && cameras[to] == cameras[from]) {
+      to++;
+    }
+    for (int at = from; at < Math.min(to - 1, from + wanted); at++) {
+      bringNearest(at, to);
+    }
+    return to;
   }
 
   private void bringNearest(int at, int end) {
