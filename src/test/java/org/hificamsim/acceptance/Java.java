@@ -20,6 +20,7 @@ final class Java {
     List<String> command = new ArrayList<>();
     command.addAll(List.of("env", "--default-signal=INT")); // even where this process ignores it
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1")); // it is short
     command.addAll(options);
     command.add("-Dhificamsim.root=" + Cli.ROOT);
     command.add("-cp");

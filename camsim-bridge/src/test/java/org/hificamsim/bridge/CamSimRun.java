@@ -49,7 +49,7 @@ record CamSimRun(int exit, String out, String err, Path folder) {
       Path folder, String options, List<Path> classPath, String main, List<String> arguments) {
     List<String> command = new ArrayList<>();
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.add("-XX:TieredStopAtLevel=1");
+    command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1"));
     command.add("-Xshare:auto");
     if (options != null) {
       command.add("-javaagent:" + AGENT + (options.isEmpty() ? "" : "=" + options));
