@@ -72,6 +72,11 @@ final class BatchOptions {
     return shard.map(Shard::parse);
   }
 
+  /** The threads that were asked for, 1 or more. */
+  int threads() {
+    return threads.count();
+  }
+
   /**
    * Where the runs come from: the engine that was asked for, or the shards to merge.
    *
@@ -80,10 +85,11 @@ final class BatchOptions {
    */
   RunEngine engine(Catalogue catalogue, List<RunPlan> plans) throws IOException {
     RunEngine made = Engines.registry().create(engine);
+    int most = threads();
     if (merge != null) {
       return new MergedShards(merge, plans);
     }
-    made.configure(new EngineSettings(catalogue, threads.count(), master));
+    made.configure(new EngineSettings(catalogue, most, master));
     return made;
   }
 }

@@ -86,7 +86,7 @@ final class CompareCommand implements Callable<Integer> {
   /** Writes what stands beside the tables of runs. */
   private void extras(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
       throws IOException {
-    AggregateFiles.write(folder, asked);
+    AggregateFiles.write(folder, asked, batch.threads());
     if (marlEval) {
       MarlEvalFile.write(folder, asked);
     }

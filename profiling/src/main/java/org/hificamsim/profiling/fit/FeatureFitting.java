@@ -5,7 +5,7 @@ import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
-import org.hificamsim.profiling.Parallel;
+import org.hificamsim.core.parallel.Parallel;
 
 /** Fits every f to all rows, and to all but those of each fold, object and lens. */
 final class FeatureFitting {

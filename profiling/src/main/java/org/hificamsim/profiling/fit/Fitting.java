@@ -6,7 +6,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.hificamsim.profiling.Parallel;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.SplittableRandom;
-import org.hificamsim.profiling.Parallel;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.opencv.Mats;
 import org.hificamsim.profiling.opencv.OpenCv;
 import org.opencv.core.Core;

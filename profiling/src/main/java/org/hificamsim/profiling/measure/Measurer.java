@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.Parallel;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.Sample;

@@ -5,6 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.output.CsvTable;
 import org.hificamsim.runs.output.Table;
@@ -17,19 +18,23 @@ import org.hificamsim.runs.statistics.SignFlips;
 /** The tables over all scenarios of a comparison, and those of pairs of policies. */
 public final class AggregateFiles {
   private final OutputFolder folder;
+  private final int threads;
 
-  private AggregateFiles(OutputFolder folder) {
+  private AggregateFiles(OutputFolder folder, int threads) {
     this.folder = folder;
+    this.threads = threads;
   }
 
   /**
    * Adds the tables to a folder's.
    *
    * @param cases every policy under every detection in every scenario
+   * @param threads that share the work, 1 or more
    */
-  public static void write(OutputFolder folder, List<CaseResult> cases) throws IOException {
+  public static void write(OutputFolder folder, List<CaseResult> cases, int threads)
+      throws IOException {
     List<PolicyScores> policies = PolicyScores.of(cases);
-    AggregateFiles files = new AggregateFiles(folder);
+    AggregateFiles files = new AggregateFiles(folder, threads);
     files.aggregates(policies);
     files.profiles(policies);
     files.improvements(PolicyPair.of(policies));
@@ -58,8 +63,8 @@ public final class AggregateFiles {
   }
 
   /** Side by side: an interval takes thousands of draws, and all of them seconds. */
-  private static <T, R> List<R> all(List<T> of, Function<T, R> estimate) {
-    return of.parallelStream().map(estimate).toList();
+  private <T, R> List<R> all(List<T> of, Function<T, R> estimate) {
+    return Parallel.map(of, threads, estimate);
   }
 
   private void profiles(List<PolicyScores> policies) throws IOException {
@@ -105,8 +110,8 @@ public final class AggregateFiles {
     List<PolicyPair.InScenario> inScenarios = new ArrayList<>();
     pairs.forEach(pair -> inScenarios.addAll(pair.inScenarios()));
     double[] p =
-        inScenarios.parallelStream()
-            .mapToDouble(pair -> SignFlips.p(pair.differences().values()))
+        all(inScenarios, pair -> SignFlips.p(pair.differences().values())).stream()
+            .mapToDouble(Double::doubleValue)
             .toArray();
     double[] corrected = Holm.corrected(p);
     try (CsvTable table = Table.PAIRS.create(folder)) {

@@ -1,13 +1,10 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
-import java.util.ArrayList;
+import java.io.UncheckedIOException;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorService;
-import java.util.concurrent.Executors;
-import java.util.concurrent.Future;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 
@@ -39,43 +36,19 @@ public final class LocalEngine implements RunEngine {
 
   @Override
   public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
-    ExecutorService pool = Executors.newFixedThreadPool(threads);
     try {
-      List<Future<?>> futures = new ArrayList<>();
-      for (RunTask task : tasks) {
-        futures.add(
-            pool.submit(
-                () -> {
-                  Outcome outcome = Outcome.of(executor, plans.get(task.plan()), task.repeat());
-                  finished.take(task, outcome);
-                  return null;
-                }));
-      }
-      for (Future<?> future : futures) {
-        await(future);
-      }
-    } finally {
-      pool.shutdownNow();
+      Parallel.map(tasks, threads, task -> run(plans, task, finished));
+    } catch (UncheckedIOException e) {
+      throw e.getCause();
     }
   }
 
-  private static void await(Future<?> task) throws IOException {
+  private RunTask run(List<RunPlan> plans, RunTask task, Finished finished) {
     try {
-      task.get();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      throw new IOException("interrupted", e);
-    } catch (ExecutionException e) {
-      if (e.getCause() instanceof RuntimeException fault) {
-        throw fault;
-      }
-      if (e.getCause() instanceof IOException fault) {
-        throw fault;
-      }
-      if (e.getCause() instanceof Error fault) {
-        throw fault;
-      }
-      throw new IllegalStateException(e.getCause());
+      finished.take(task, Outcome.of(executor, plans.get(task.plan()), task.repeat()));
+      return task;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 }

@@ -1,5 +1,7 @@
-package org.hificamsim.profiling;
+package org.hificamsim.core.parallel;
 
+import java.io.InterruptedIOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.ExecutionException;
@@ -31,19 +33,24 @@ public final class Parallel {
       }
       return results;
     } catch (ExecutionException e) {
-      throw e.getCause() instanceof RuntimeException fault
-          ? fault
-          : new IllegalStateException(e.getCause());
+      throw thrown(e.getCause());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new IllegalStateException("interrupted", e);
+      throw new UncheckedIOException(new InterruptedIOException("interrupted"));
     } finally {
       pool.shutdownNow();
     }
   }
 
+  private static RuntimeException thrown(Throwable cause) {
+    if (cause instanceof Error fault) {
+      throw fault;
+    }
+    return cause instanceof RuntimeException fault ? fault : new IllegalStateException(cause);
+  }
+
   private static Thread daemon(Runnable work) {
-    Thread thread = new Thread(work, "profiling");
+    Thread thread = new Thread(work, "parallel");
     thread.setDaemon(true);
     return thread;
   }
