@@ -19,6 +19,8 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Scenario;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -28,6 +30,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PolicyTest {
   private static final List<Double> RADII = List.of(3.0, 7.5, 14.0, 24.0);
   private static final String ZOOMS = "zooms=3;7.5;14;24";
+  private static final String LENS = "law=constant-area,hfov=40;80;160,pan=-90;0;90";
 
   private static final String DENSE =
       """
@@ -99,14 +102,17 @@ class PolicyTest {
   @ValueSource(strings = {"dense.xml", "so-that-the-policy-starts-over.scenario"})
   void theSummaryTellsWhatTheOptimumCouldNotProve(String name) throws IOException {
     Path file = Files.writeString(folder.resolve(name), dense());
-    String options = "detection=hifi:orb-power,policy=one-hop:nodes=0," + ZOOMS + ",out=results";
+    String options = "detection=geometric,policy=one-hop:nodes=0," + LENS + ",out=results";
     CamSimRun with = CamSimRun.of(folder.resolve("with"), options, file, 10);
     assertEquals(!name.equals("dense.xml"), with.err().contains("starts over"), with.err());
     ProvingZoomPolicy policy =
         (ProvingZoomPolicy) OwnSimulation.CATALOGUE.policies().create("one-hop:nodes=0");
-    Detection detection = OwnSimulation.detection("hifi:orb-power");
+    Detection detection = OwnSimulation.detection("geometric");
+    OpticsSpec optics =
+        BridgeOptions.parse(options, OwnSimulation.CATALOGUE).optics().orElseThrow();
+    Scenario own = OwnSimulation.scenario(file, optics);
     RunCoverage coverage =
-        OwnSimulation.record(folder.resolve("engine"), file, RADII, detection, policy, 10);
+        OwnSimulation.record(folder.resolve("engine"), own, detection, policy, 10);
     assertTrue(policy.unprovenSteps() > 5, policy.unprovenSteps() + " steps");
     assertEquals(
         List.of(
@@ -123,11 +129,12 @@ class PolicyTest {
       cameras.append(
           String.format(
               Locale.ROOT,
-              "<camera name='c%d' x='%d' y='%d' heading='0' viewing_angle='360' range='9'"
+              "<camera name='c%d' x='%d' y='%d' heading='%d' viewing_angle='360' range='9'"
                   + " ai_algorithm='Active' comm='0'/>\n",
               i,
               i * 5 % 13 - 6,
-              i * 7 % 11 - 5));
+              i * 7 % 11 - 5,
+              i * 37 % 360));
     }
     for (int i = 0; i < 30; i++) {
       objects.append(

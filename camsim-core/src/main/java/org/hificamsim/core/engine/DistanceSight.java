@@ -175,6 +175,10 @@ final class DistanceSight implements Sight {
   @Override
   public void mark(
       int camera, int views, PointGrid grid, int begin, int end, long[] masks, int words) {
+    if (discs.isAll()) {
+      discs.mark(camera, views, grid, begin, end, masks, words);
+      return;
+    }
     Pose pose = cameras.pose(camera);
     for (int i = begin; i < end; i++) {
       double squared = pose.squaredDistance(grid.x(i), grid.y(i));

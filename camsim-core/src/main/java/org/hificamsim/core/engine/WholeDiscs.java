@@ -107,6 +107,22 @@ final class WholeDiscs {
     return filled;
   }
 
+  /** As {@link Sight#mark}, where all views see discs. */
+  void mark(int camera, int views, PointGrid grid, int from, int to, long[] masks, int words) {
+    double x = cameras.x(camera);
+    double y = cameras.y(camera);
+    for (int i = from; i < to; i++) {
+      double dx = grid.x(i) - x;
+      double dy = grid.y(i) - y;
+      double squared = dx * dx + dy * dy;
+      int target = grid.point(i);
+      for (int view = 0; view < views; view++) {
+        long hit = negative(squared - outside[rows.row(camera, view)]);
+        masks[view * words + (target >> 6)] |= hit << target;
+      }
+    }
+  }
+
   /** Of the view that a camera sees through; 0, which all is outside of, where it sees nothing. */
   private double outside(int camera) {
     int view = cameras.seeing(camera);

@@ -110,6 +110,9 @@ public record ViewSet(
 
   /** Whether a view is at most one zoom level and one pan angle away from another. */
   public boolean isNextTo(int view, int other) {
+    if (pans.size() == 1) {
+      return Math.abs(view - other) <= 1; // without divisions
+    }
     return Math.abs(zoomOf(view) - zoomOf(other)) <= 1 && Math.abs(panOf(view) - panOf(other)) <= 1;
   }
 

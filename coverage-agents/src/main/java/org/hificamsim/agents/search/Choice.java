@@ -14,9 +14,14 @@ final class Choice {
     coverage = new int[problem.maxTargets()];
   }
 
+  /** No camera has a set. */
+  void clear() {
+    Arrays.fill(coverage, 0, problem.targets(), 0);
+  }
+
   /** Every camera's most preferred set. */
   void reset() {
-    Arrays.fill(coverage, 0, problem.targets(), 0);
+    clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {
       give(camera, problem.firstSet(camera));
     }
@@ -24,7 +29,7 @@ final class Choice {
 
   /** Every camera's most preferred set among those that remain. */
   void copy(Remaining remaining) {
-    Arrays.fill(coverage, 0, problem.targets(), 0);
+    clear();
     for (int camera = 0; camera < problem.cameras(); camera++) {
       give(camera, remaining.first(camera));
     }

@@ -104,6 +104,15 @@ public final class CoverageProblem {
     return (masks[set * words + (target >> 6)] >>> target & 1) != 0;
   }
 
+  /** Whether a set holds all that another one does. */
+  boolean holds(int set, int other) {
+    boolean holds = true;
+    for (int word = 0; word < words; word++) {
+      holds &= (mask(other, word) & ~mask(set, word)) == 0;
+    }
+    return holds;
+  }
+
   /** Adds {@code change} to the count of each target in one word of a mask. */
   static void add(int[] counts, int word, long mask, int change) {
     for (long bits = mask; bits != 0; bits &= bits - 1) {

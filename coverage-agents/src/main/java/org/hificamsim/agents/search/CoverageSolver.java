@@ -8,10 +8,11 @@ import org.hificamsim.agents.search.FeasibilitySearch.Outcome;
  *
  * <p>An upper bound, lowered by target weights ({@link WeightTuning}) and by searches that prove a
  * coverage impossible ({@link FeasibilitySearch}), meets a choice found by {@link LocalSearch} or
- * by such a search; they take turns with growing effort. Of all choices that reach the optimum, the
- * result is the one that gives camera 0 its most preferred set, then camera 1, and so on ({@link
- * PreferredChoice}): it depends on the problem alone, not on how the search went, unless that
- * search itself is too hard. Nothing is allocated after construction.
+ * by such a search; they take turns with growing effort. Where each camera has a set that holds all
+ * its others, there is nothing to search ({@link WholeSets}). Of all choices that reach the
+ * optimum, the result is the one that gives camera 0 its most preferred set, then camera 1, and so
+ * on ({@link PreferredChoice}): it depends on the problem alone, not on how the search went, unless
+ * that search itself is too hard. Nothing is allocated after construction.
  *
  * <p>The effort may be limited. Where the limit ends the search, the result is the best choice
  * found so far, {@link #bound} is what another one could reach at most, and {@link #proven} is
@@ -27,10 +28,10 @@ public final class CoverageSolver implements Solver {
   private static final int GROWTH = 4;
   private static final int MAX_HEURISTIC_EFFORT = 1 << 10;
 
-  private final CoverageProblem problem;
   private final long maxNodes;
   private final Domains domains;
   private final Choice choice;
+  private final WholeSets wholes;
   private final LocalSearch local;
   private final WeightTuning tuning;
   private final FeasibilitySearch search;
@@ -44,10 +45,10 @@ public final class CoverageSolver implements Solver {
    *     equally good choices has a limit of its own
    */
   public CoverageSolver(CoverageProblem problem, long maxNodes) {
-    this.problem = problem;
     this.maxNodes = maxNodes;
     domains = new Domains(problem);
     choice = new Choice(problem);
+    wholes = new WholeSets(problem);
     local = new LocalSearch(problem, domains.remaining());
     tuning = new WeightTuning(problem);
     search = new FeasibilitySearch(problem, domains);
@@ -57,13 +58,20 @@ public final class CoverageSolver implements Solver {
   @Override
   public void solve() {
     search.reset();
+    if (wholes.give(choice)) {
+      value = choice.least();
+      bound = value;
+      wholes.prefer(value, choice);
+    } else {
+      solveBySearch();
+    }
+  }
+
+  private void solveBySearch() {
     choice.reset();
     value = choice.least();
-    bound = value;
-    if (problem.sets() > problem.cameras()) { // some camera has a choice
-      domains.reset();
-      bound = domains.bound();
-    }
+    domains.reset();
+    bound = domains.bound();
     if (value < bound) {
       closeGap();
       preferred.find(value, choice);

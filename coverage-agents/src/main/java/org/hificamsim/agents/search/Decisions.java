@@ -57,17 +57,12 @@ final class Decisions {
     for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
       lesser[set] = false;
       for (int other = problem.firstSet(camera); other < problem.endSet(camera); other++) {
-        lesser[set] |= other != set && within(set, other) && (other < set || !within(other, set));
+        lesser[set] |=
+            other != set
+                && problem.holds(other, set)
+                && (other < set || !problem.holds(set, other));
       }
     }
-  }
-
-  private boolean within(int set, int other) {
-    boolean within = true;
-    for (int word = 0; word < problem.words(); word++) {
-      within &= (problem.mask(set, word) & ~problem.mask(other, word)) == 0;
-    }
-    return within;
   }
 
   /** Whether another set of the camera has all that this one has. */

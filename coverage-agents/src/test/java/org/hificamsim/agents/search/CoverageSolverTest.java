@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.junit.jupiter.api.Test;
 
@@ -32,6 +33,24 @@ class CoverageSolverTest {
       Exhaustive best = Exhaustive.solve(12, sets);
       assertEquals(best.value(), solver.value());
       assertArrayEquals(best.choice(), choice(solver, sets));
+    }
+  }
+
+  @Test
+  void searchesNothingWhereEachCameraHasASetThatHoldsItsOthers() {
+    SplittableRandom random = new SplittableRandom(8);
+    for (int trial = 0; trial < 5_000; trial++) {
+      int targets = 1 + random.nextInt(10);
+      long[][] sets = Problems.random(random, 1 + random.nextInt(6), 4, targets, 0.6);
+      for (long[] camera : sets) {
+        camera[random.nextInt(camera.length)] = Arrays.stream(camera).reduce(0, (a, b) -> a | b);
+      }
+      CoverageSolver solver = solve(targets, sets);
+      Exhaustive best = Exhaustive.solve(targets, sets);
+      assertEquals(best.value(), solver.value(), () -> Exhaustive.text(sets));
+      assertArrayEquals(best.choice(), choice(solver, sets), () -> Exhaustive.text(sets));
+      assertEquals(0, solver.nodes());
+      assertTrue(solver.proven());
     }
   }
 
