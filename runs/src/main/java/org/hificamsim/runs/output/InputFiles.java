@@ -4,9 +4,11 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
@@ -35,8 +37,8 @@ public final class InputFiles {
   /** Adds them to a folder's files. */
   public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
     Map<String, byte[]> files = new LinkedHashMap<>();
-    plans.stream().map(RunPlan::scenario).distinct().forEach(one -> add(files, one));
-    plans.stream().map(plan -> plan.detection().model()).distinct().forEach(one -> add(files, one));
+    distinct(plans, RunPlan::scenario).forEach(one -> add(files, one));
+    distinct(plans, plan -> plan.detection().model()).forEach(one -> add(files, one));
     PolicyFiles policies = new PolicyFiles();
     plans.stream()
         .flatMap(plan -> policies.of(plan.policy()).stream())
@@ -47,6 +49,18 @@ public final class InputFiles {
         out.write(file.getValue());
       }
     }
+  }
+
+  /** Without hashing, which is slow the first time for records of records of records. */
+  private static <T> List<T> distinct(List<RunPlan> plans, Function<RunPlan, T> part) {
+    List<T> distinct = new ArrayList<>();
+    for (RunPlan plan : plans) {
+      T one = part.apply(plan);
+      if (!distinct.contains(one)) {
+        distinct.add(one);
+      }
+    }
+    return distinct;
   }
 
   private static void add(Map<String, byte[]> files, Scenario scenario) {

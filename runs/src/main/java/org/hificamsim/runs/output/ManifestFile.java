@@ -17,8 +17,15 @@ public final class ManifestFile {
   /** Adds the file to a folder's. */
   public static void write(OutputFolder folder, List<String> command, Instant started, long steps)
       throws IOException {
+    write(folder, command, started, steps, SourceCommit.asked());
+  }
+
+  /** The same with a commit that was asked for before. */
+  static void write(
+      OutputFolder folder, List<String> command, Instant started, long steps, SourceCommit asked)
+      throws IOException {
     double seconds = Duration.between(started, Instant.now()).toMillis() / 1000.0;
-    Optional<String> commit = SourceCommit.found();
+    Optional<String> commit = asked.name();
     JsonFile.write(
         folder,
         ResultFolder.MANIFEST,

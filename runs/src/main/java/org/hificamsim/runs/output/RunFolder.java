@@ -34,6 +34,7 @@ public final class RunFolder implements Closeable {
           .flatMap(List::stream)
           .toList();
 
+  private final SourceCommit commit = SourceCommit.asked();
   private final OutputFolder folder;
   private final Detail detail;
   private final Rows steps;
@@ -127,7 +128,7 @@ public final class RunFolder implements Closeable {
 
   /** Adds {@code manifest.json}. */
   public void manifest(List<String> command, Instant started, long steps) throws IOException {
-    ManifestFile.write(folder, command, started, steps);
+    ManifestFile.write(folder, command, started, steps, commit);
   }
 
   /** Adds a table of its own. */
