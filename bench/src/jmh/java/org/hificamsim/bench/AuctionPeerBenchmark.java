@@ -5,6 +5,7 @@ import java.util.concurrent.TimeUnit;
 import org.hificamsim.bench.plain.PlainAuctions;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.network.agent.ScheduleKind;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
 import org.openjdk.jmh.annotations.Fork;
@@ -37,7 +38,7 @@ public class AuctionPeerBenchmark {
     @Setup
     public void start() {
       Scenario read = ScenarioReader.read(Path.of(scenario), name -> true, warning -> {});
-      ours = AuctionRun.of(read);
+      ours = AuctionRun.of(read, ScheduleKind.PASSIVE, 0);
       plain = new PlainAuctions(read, 0);
     }
   }

@@ -13,18 +13,20 @@ import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.agent.ScheduleKind;
 
-/** A run of CamSim's network as ours: schedule Passive, policy Broadcast. */
+/** A run of CamSim's network as ours. */
 public record AuctionRun(Simulation simulation, Network network) {
-  private static final NetworkSettings SETTINGS =
-      NetworkSettings.CAMSIM.withAll(ScheduleKind.PASSIVE, 0);
-
-  /** Starts a run with CamSim's order and visibility, and seed 0. */
-  public static AuctionRun of(Scenario scenario) {
+  /**
+   * Starts a run with CamSim's order and visibility, and seed 0.
+   *
+   * @param comm the number of the communication policy: 0 is Broadcast
+   */
+  public static AuctionRun of(Scenario scenario, ScheduleKind schedule, int comm) {
     Catalogue catalogue = Catalogue.load();
+    NetworkSettings settings = NetworkSettings.CAMSIM.withAll(schedule, comm);
     Scenario read = scenario.withoutZooms().withOrder(StepOrder.CAMSIM);
-    World world = new World(CamSimScenario.as(read, SETTINGS), catalogue.movements(), 0);
+    World world = new World(CamSimScenario.as(read, settings), catalogue.movements(), 0);
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
-    Network network = new Network(world, detection, SETTINGS, 0);
+    Network network = new Network(world, detection, settings, 0);
     Simulation simulation =
         new Simulation(
             world,

@@ -1,16 +1,6 @@
 package org.hificamsim.bench;
 
-import java.util.List;
 import java.util.concurrent.TimeUnit;
-import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.engine.Workers;
-import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.world.World;
-import org.hificamsim.network.Network;
-import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.runs.generate.RandomField;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -47,32 +37,15 @@ public class NetworkGrowthBenchmark {
   @Param({"0"})
   private int comm;
 
-  private Simulation simulation;
-  private Network network;
+  private AuctionRun run;
   private long messages;
   private long steps;
 
   /** Makes the scenario and starts the run. */
   @Setup
   public void start() {
-    Catalogue catalogue = Catalogue.load();
-    Scenario scenario =
-        new RandomField(cameras, cameras / 2, RandomField.CLUSTER_AREA, 1)
-            .scenario()
-            .withOrder(StepOrder.CAMSIM)
-            .withoutZooms();
-    World world = new World(scenario, catalogue.movements(), 0);
-    Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
-    network = new Network(world, detection, NetworkSettings.CAMSIM.withAll(schedule, comm), 0);
-    simulation =
-        new Simulation(
-            world,
-            detection,
-            catalogue.policies().create("zoom-out"),
-            network,
-            0,
-            List.of(),
-            Workers.CALLER);
+    RandomField field = new RandomField(cameras, cameras / 2, RandomField.CLUSTER_AREA, 1);
+    run = AuctionRun.of(field.scenario(), schedule, comm);
   }
 
   /** Says how many messages a step took. */
@@ -84,9 +57,9 @@ public class NetworkGrowthBenchmark {
   /** One step. */
   @Benchmark
   public double step() {
-    simulation.step();
-    messages += network.figures().communication();
+    run.simulation().step();
+    messages += run.network().figures().communication();
     steps++;
-    return network.figures().utility();
+    return run.network().figures().utility();
   }
 }
