@@ -104,7 +104,7 @@ final class Searches {
     return deaf || changed[target] > shared.changed(target);
   }
 
-  /** The time of the last {@link #put}. */
+  /** When what the camera knows of a target changed last; all did later where it is not apart. */
   long changed(int target) {
     return changed[target];
   }
