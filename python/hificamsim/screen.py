@@ -8,6 +8,8 @@ from .errors import Error
 from .worlds import Array
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
+# SDL takes a signal of the JVM in this process for a crash: one that stops its threads for a moment ends the process.
+os.environ["SDL_NO_SIGNAL_HANDLERS"] = "1"
 
 
 class Screen:

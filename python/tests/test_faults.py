@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 import pathlib
 import signal
@@ -241,6 +242,25 @@ def test_a_users_own_handler_runs(backend: str, tmp_path: pathlib.Path) -> None:
     steps()
     """
     assert signalled(program, signal.SIGTERM, tmp_path) == (7, "mine\n")
+
+
+def action(number: int) -> int:
+    """The function that the process calls on a signal, as the C library knows it; the first field of its struct."""
+    known = ctypes.create_string_buffer(256)
+    assert ctypes.CDLL(None).sigaction(number, None, known) == 0
+    return int.from_bytes(known.raw[: ctypes.sizeof(ctypes.c_void_p)], sys.byteorder)
+
+
+def test_a_window_leaves_the_signals_of_the_jvm_alone() -> None:
+    """A JVM stops its threads with SIGSEGV, now and then: who takes that for a crash ends the process."""
+    signals = [signal.SIGSEGV, signal.SIGBUS, signal.SIGFPE, signal.SIGILL, signal.SIGINT, signal.SIGTERM]
+    env = hificamsim.parallel_env("cluster-random", render_mode="human", backend="jvm")
+    env.reset(seed=1)
+    before = [action(number) for number in signals]
+    env.render()
+    assert [action(number) for number in signals] == before
+    env.close()
+    assert [action(number) for number in signals] == before
 
 
 def test_a_second_ctrl_c_does_not_wait_for_a_worker_that_hangs() -> None:

@@ -115,6 +115,7 @@ class PackageTest {
     } finally {
       python.destroyForcibly();
     }
-    return Files.readString(said, StandardCharsets.UTF_8);
+    String text = Files.readString(said, StandardCharsets.UTF_8);
+    return python.exitValue() == 0 ? text : text + "\nexit code " + python.exitValue();
   }
 }
