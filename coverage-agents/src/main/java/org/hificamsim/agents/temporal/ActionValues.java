@@ -24,7 +24,7 @@ import org.hificamsim.core.policy.NetworkView;
  */
 public final class ActionValues {
   /** Cameras that are fetched at a time: few enough for their values to stay in the first cache. */
-  static final int BLOCK = 32;
+  public static final int BLOCK = 32;
 
   /** Up to that many cameras, all values are in the cache anyway. */
   private static final int MAX_CACHED = 500;
@@ -177,6 +177,11 @@ public final class ActionValues {
     }
   }
 
+  /** Whether there are so many tables that reading one means to wait for memory. */
+  public boolean exceedsCache() {
+    return views.length > MAX_CACHED;
+  }
+
   /**
    * Reads what the decisions of some cameras are going to read, so that it comes from memory at
    * once, where camera by camera each would wait.
@@ -185,7 +190,7 @@ public final class ActionValues {
    */
   void fetch(NetworkView network, Percepts seen, int[] lastStates, int from, int to) {
     double sum = 0;
-    for (int camera = from; camera < to && views.length > MAX_CACHED; camera++) {
+    for (int camera = from; camera < to && exceedsCache(); camera++) {
       int state = state(camera, network.view(camera), seen.of(network, camera));
       sum += read(camera, state) + read(camera, Math.max(0, lastStates[camera]));
     }

@@ -2,7 +2,9 @@ package org.hificamsim.agents.voting;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.agents.temporal.SarsaZoomPolicy;
 import org.hificamsim.agents.temporal.TemporalDifferenceSettings;
 import org.hificamsim.core.policy.CameraTask;
@@ -28,9 +30,12 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private final VoteSettings settings;
   private NearestCameras nearest;
   private ViewTranslation translation;
-  private MajorityVote[] votes = {};
+  private MajorityVote[] votes = {}; // of a thread: those of the first camera of its share
+  private long[] messages = {}; // likewise
   private int[] elected = {};
-  private long[] messages = {};
+
+  @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
+  private int fetched;
 
   public QbSarsaZoomPolicy(
       TemporalDifferenceSettings learning, EpsilonGreedyChoice choice, VoteSettings settings) {
@@ -63,7 +68,8 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     elected = new int[network.cameras()];
     messages = new long[network.cameras()];
     votes = new MajorityVote[network.cameras()];
-    Arrays.setAll(votes, camera -> new MajorityVote(settings.ties(), network.views(camera)));
+    int views = IntStream.range(0, votes.length).map(network::views).max().orElse(0);
+    Arrays.setAll(votes, share -> new MajorityVote(settings.ties(), views));
     nearest = new NearestCameras(network, settings.neighbours());
     translation = new ViewTranslation(network);
   }
@@ -80,26 +86,54 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     return elected[camera];
   }
 
+  /** In blocks, for speed alone: {@link #fetch}. */
   private void elect(NetworkView network, int[] elected, int from, int to) {
-    for (int camera = from; camera < to; camera++) {
-      if (!network.moving(camera)) {
-        elected[camera] = elect(network, camera);
+    for (int first = from; first < to; first += ActionValues.BLOCK) {
+      int end = Math.min(to, first + ActionValues.BLOCK);
+      if (q().exceedsCache()) {
+        fetch(network, first, end);
+      }
+      for (int camera = first; camera < end; camera++) {
+        if (!network.moving(camera)) {
+          elected[camera] = elect(network, camera, votes[from]);
+          messages[from] += 2L * nearest.count(camera);
+        }
       }
     }
   }
 
-  private int elect(NetworkView network, int camera) {
-    int own = q().best(camera, state(network, camera, camera, network.view(camera)));
-    MajorityVote vote = votes[camera];
+  /**
+   * Reads what the neighbours of some cameras are going to answer, so that it comes from memory at
+   * once, where neighbour by neighbour each would wait (without it a step takes 1.3 times as long
+   * with 100,000 cameras).
+   */
+  private void fetch(NetworkView network, int from, int to) {
+    int sum = 0;
+    for (int camera = from; camera < to; camera++) {
+      int state = state(network, camera, camera, network.view(camera));
+      for (int i = 0; i < nearest.count(camera); i++) {
+        sum += q().best(nearest.neighbour(camera, i), state);
+      }
+    }
+    fetched = sum;
+  }
+
+  private int elect(NetworkView network, int camera, MajorityVote vote) {
+    int state = state(network, camera, camera, network.view(camera));
+    int own = q().best(camera, state);
     vote.open();
     if (settings.ownVote() == VoteSettings.OwnVote.YES) {
       vote.vote(own);
     }
     int asked = nearest.count(camera);
     for (int i = 0; i < asked; i++) {
-      ask(network, camera, nearest.neighbour(camera, i), vote);
+      int neighbour = nearest.neighbour(camera, i);
+      if (translation.isNeedless(camera, neighbour)) {
+        vote.vote(q().best(neighbour, state));
+      } else {
+        ask(network, camera, neighbour, vote);
+      }
     }
-    messages[camera] += 2L * asked;
     return vote.winner(own);
   }
 

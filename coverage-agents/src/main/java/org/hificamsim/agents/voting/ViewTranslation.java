@@ -89,6 +89,7 @@ final class ViewTranslation {
 
   private final int[] kinds;
   private final boolean[] plain;
+  private final boolean oneKind; // and plain
   private final int[][][] tables; // by kind, other kind, and view
 
   ViewTranslation(NetworkView network) {
@@ -100,12 +101,18 @@ final class ViewTranslation {
     List<Kind> all = new ArrayList<>(known.keySet());
     plain = new boolean[all.size()];
     tables = new int[all.size()][all.size()][];
+    oneKind = all.size() == 1 && all.get(0).plain();
     for (int from = 0; from < plain.length; from++) {
       plain[from] = all.get(from).plain();
       for (int to = 0; to < plain.length; to++) {
         tables[from][to] = all.get(from).translated(all.get(to));
       }
     }
+  }
+
+  /** Whether two cameras have the same levels alone, without a lens: states and views are alike. */
+  boolean isNeedless(int camera, int other) {
+    return oneKind || (kinds[camera] == kinds[other] && plain[kinds[camera]]);
   }
 
   /** Whether two cameras have levels alone, without a lens: these go by their numbers. */
