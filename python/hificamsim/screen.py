@@ -9,6 +9,7 @@ from .worlds import Array
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")
 # SDL takes a signal of the JVM in this process for a crash: one that stops its threads for a moment ends the process.
+# And SIGTERM, which should end it, would only close a window. SDL reads this when it starts.
 os.environ["SDL_NO_SIGNAL_HANDLERS"] = "1"
 
 
