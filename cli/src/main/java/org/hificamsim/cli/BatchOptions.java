@@ -85,11 +85,11 @@ final class BatchOptions {
    */
   RunEngine engine(Catalogue catalogue, List<RunPlan> plans) throws IOException {
     RunEngine made = Engines.registry().create(engine);
-    int most = threads();
+    EngineSettings settings = new EngineSettings(catalogue, threads(), master);
     if (merge != null) {
       return new MergedShards(merge, plans);
     }
-    made.configure(new EngineSettings(catalogue, most, master));
+    made.configure(settings);
     return made;
   }
 }
