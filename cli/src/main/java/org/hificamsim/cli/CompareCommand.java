@@ -77,7 +77,7 @@ final class CompareCommand implements Callable<Integer> {
             plans,
             ComparisonRun::execute,
             (folder, results) -> {
-              ComparisonFigures.write(folder, results, width);
+              ComparisonFigures.write(folder, results, width, batch.threads());
               extras(folder, results.subList(0, plans.size()), results);
             },
             ComparisonTable::print);

@@ -1,11 +1,14 @@
 package org.hificamsim.presentation.figures;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.PrintWidth;
@@ -23,28 +26,39 @@ public final class ComparisonFigures {
    *
    * @param cases every case with the optima
    * @param width in print; without it, as wide as their panels need on a screen
+   * @param threads that share the work, 1 or more
    */
-  public static void write(OutputFolder folder, List<CaseResult> cases, Optional<PrintWidth> width)
+  public static void write(
+      OutputFolder folder, List<CaseResult> cases, Optional<PrintWidth> width, int threads)
       throws IOException {
-    for (Map.Entry<String, Figure> figure : figures(cases).entrySet()) {
-      if (width.isPresent()) {
-        FigureFile.write(folder, figure.getKey(), figure.getValue(), width.get());
-      } else {
-        FigureFile.write(folder, figure.getKey(), figure.getValue());
-      }
+    Map<String, Supplier<Figure>> figures = figures(cases);
+    List<FigureFile.Drawn> drawn =
+        Parallel.map(List.copyOf(figures.values()), threads, figure -> draw(figure.get(), width));
+    int next = 0;
+    for (String name : figures.keySet()) {
+      drawn.get(next++).write(folder, name);
     }
   }
 
-  private static Map<String, Figure> figures(List<CaseResult> cases) {
-    Map<String, Figure> figures = new LinkedHashMap<>();
+  private static FigureFile.Drawn draw(Figure figure, Optional<PrintWidth> width) {
+    try {
+      return width.isPresent() ? FigureFile.draw(figure, width.get()) : FigureFile.draw(figure);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static Map<String, Supplier<Figure>> figures(List<CaseResult> cases) {
+    Map<String, Supplier<Figure>> figures = new LinkedHashMap<>();
     CaseGroups.byScenario(cases)
         .forEach(
             (name, group) ->
-                figures.put("k_min-" + name, OverTime.figure("k_min over time, " + name, group)));
-    figures.put("proportion", ProportionFigure.of(cases));
-    figures.put("coverage", coverage(cases));
+                figures.put(
+                    "k_min-" + name, () -> OverTime.figure("k_min over time, " + name, group)));
+    figures.put("proportion", () -> ProportionFigure.of(cases));
+    figures.put("coverage", () -> coverage(cases));
     if (cases.stream().anyMatch(one -> !one.isOptimum())) {
-      figures.put("profile", ProfileFigure.of(cases));
+      figures.put("profile", () -> ProfileFigure.of(cases));
     }
     return figures;
   }

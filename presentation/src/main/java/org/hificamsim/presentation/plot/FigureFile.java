@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Rectangle2D;
 import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.StringWriter;
@@ -18,7 +19,6 @@ import javax.imageio.ImageWriter;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import javax.xml.parsers.ParserConfigurationException;
-import org.apache.batik.svggen.SVGGeneratorContext;
 import org.apache.batik.svggen.SVGGraphics2D;
 import org.hificamsim.core.file.OutputFolder;
 import org.w3c.dom.Document;
@@ -40,31 +40,51 @@ public final class FigureFile {
 
   private FigureFile() {}
 
-  /** Writes {@code name.png} and {@code name.svg}. */
-  public static void write(OutputFolder folder, String name, Figure figure) throws IOException {
-    try (OutputStream out = folder.stream(name + ".png")) {
-      png(out, figure);
-    }
-    try (OutputStream out = folder.stream(name + ".svg")) {
-      svg(out, figure);
+  /**
+   * A figure as its two files hold it. Figures that share no panel can be drawn side by side.
+   *
+   * @param png for screens
+   * @param svg for papers, UTF-8
+   */
+  public record Drawn(byte[] png, byte[] svg) {
+    /** Writes {@code name.png} and {@code name.svg}. */
+    public void write(OutputFolder folder, String name) throws IOException {
+      try (OutputStream out = folder.stream(name + ".png")) {
+        out.write(png);
+      }
+      try (OutputStream out = folder.stream(name + ".svg")) {
+        out.write(svg);
+      }
     }
   }
 
-  /** Writes {@code name.png} and {@code name.svg} at a width in print. */
-  public static void write(OutputFolder folder, String name, Figure figure, PrintWidth width)
-      throws IOException {
+  /** Writes {@code name.png} and {@code name.svg}. */
+  public static void write(OutputFolder folder, String name, Figure figure) throws IOException {
+    draw(figure).write(folder, name);
+  }
+
+  /** Draws for the screen. */
+  public static Drawn draw(Figure figure) throws IOException {
+    ByteArrayOutputStream png = new ByteArrayOutputStream();
+    png(png, figure);
+    ByteArrayOutputStream svg = new ByteArrayOutputStream();
+    svg(svg, figure);
+    return new Drawn(png.toByteArray(), svg.toByteArray());
+  }
+
+  /** Draws at a width in print. */
+  public static Drawn draw(Figure figure, PrintWidth width) throws IOException {
     Figure print = width.of(figure);
-    try (OutputStream out = folder.stream(name + ".png")) {
-      png(out, print, width.pixels());
-    }
-    try (OutputStream out = folder.stream(name + ".svg")) {
-      SVGGraphics2D graphics = painted(print);
-      Element root = graphics.getRoot();
-      root.setAttribute("viewBox", "0 0 " + print.width() + " " + print.height());
-      root.setAttribute("width", width.millimetres() + "mm");
-      root.setAttribute("height", width.printed(print.height(), print) + "mm");
-      stream(graphics, root, out);
-    }
+    ByteArrayOutputStream png = new ByteArrayOutputStream();
+    png(png, print, width.pixels());
+    SVGGraphics2D graphics = painted(print);
+    Element root = graphics.getRoot();
+    root.setAttribute("viewBox", "0 0 " + print.width() + " " + print.height());
+    root.setAttribute("width", width.millimetres() + "mm");
+    root.setAttribute("height", width.printed(print.height(), print) + "mm");
+    ByteArrayOutputStream svg = new ByteArrayOutputStream();
+    stream(graphics, root, svg);
+    return new Drawn(png.toByteArray(), svg.toByteArray());
   }
 
   /** Writes a PNG image, {@link #SCALE} pixels to a point. */
@@ -128,11 +148,7 @@ public final class FigureFile {
   }
 
   private static SVGGraphics2D painted(Picture picture) {
-    SVGGeneratorContext context = SVGGeneratorContext.createDefault(document());
-    context.setComment("HiFi-CamSim");
-    context.setPrecision(2);
-    context.setImageHandler(new EmbeddedImages());
-    SVGGraphics2D graphics = new SVGGraphics2D(context, false);
+    SVGGraphics2D graphics = new SVGGraphics2D(new SvgContext(document()), false);
     graphics.setSVGCanvasSize(new Dimension(picture.width(), picture.height()));
     paint(picture, graphics);
     return graphics;

@@ -9,14 +9,17 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Random;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.parallel.Parallel;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Document;
@@ -79,6 +82,29 @@ class FigureFileTest {
   }
 
   @Test
+  void figuresThatAreDrawnSideBySideAreTheSameBytesAsAlone() throws IOException {
+    List<Integer> seeds = IntStream.range(0, 12).boxed().toList();
+    List<FigureFile.Drawn> drawn = Parallel.map(seeds, 4, FigureFileTest::drawn);
+    for (int seed : seeds) {
+      FigureFile.Drawn alone = drawn(seed);
+      assertArrayEquals(alone.png(), drawn.get(seed).png(), "PNG " + seed);
+      assertArrayEquals(alone.svg(), drawn.get(seed).svg(), "SVG " + seed);
+    }
+  }
+
+  private static FigureFile.Drawn drawn(int seed) {
+    double[] noise = new Random(seed).doubles(500).toArray();
+    XyPanel panel =
+        new XyPanel("noise", "x", "y").x(0, 500).y(0, 1).straight(Curve.of(noise), Palette.BLUE);
+    try {
+      return FigureFile.draw(
+          new Figure("Noise " + seed, "", List.of(), List.of(panel.chart()), 1, 300, 200));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @Test
   void panelsThatDoNotFitInARowStartAnother() {
     Figure wide = figure();
     Figure tall = new Figure(wide.title(), wide.note(), wide.legend(), wide.panels(), 1, 300, 200);
@@ -110,7 +136,7 @@ class FigureFileTest {
       throws Exception {
     for (int millimetres : new int[] {88, 180}) {
       try (OutputFolder out = new OutputFolder(folder)) {
-        FigureFile.write(out, "a", figure(), new PrintWidth(millimetres));
+        FigureFile.draw(figure(), new PrintWidth(millimetres)).write(out, "a");
         out.commit(List.of());
       }
       Element root =

@@ -1,6 +1,7 @@
 package org.hificamsim.runs.statistics;
 
 import java.util.Arrays;
+import java.util.List;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
@@ -19,24 +20,23 @@ public final class Improvement {
 
   /** The probability alone; both have the same scenarios in the same order. */
   static double probability(Strata policy, Strata over) {
-    double[] shares = new double[policy.scores().size()];
-    Arrays.setAll(shares, i -> share(policy.scores().get(i), over.scores().get(i)));
+    List<double[]> scores = policy.sortedByScenario();
+    List<double[]> others = over.sortedByScenario();
+    double[] shares = new double[scores.size()];
+    Arrays.setAll(shares, i -> share(scores.get(i), others.get(i)));
     return StatUtils.mean(Arrays.stream(shares).filter(share -> !Double.isNaN(share)).toArray());
   }
 
+  /** Of one scenario, both sides' scores rising. */
   private static double share(double[] scores, double[] others) {
-    double[] sorted = others.clone();
-    Arrays.sort(sorted);
-    double[] rising = scores.clone();
-    Arrays.sort(rising);
     double wins = 0;
     int below = 0;
     int notAbove = 0;
-    for (double score : rising) {
-      while (below < sorted.length && sorted[below] < score) {
+    for (double score : scores) {
+      while (below < others.length && others[below] < score) {
         below++;
       }
-      while (notAbove < sorted.length && sorted[notAbove] <= score) {
+      while (notAbove < others.length && others[notAbove] <= score) {
         notAbove++;
       }
       wins += (below + notAbove) / 2.0;

@@ -4,44 +4,103 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 
 /**
- * Scores by scenario: what is drawn again within each scenario, never across scenarios.
- *
- * @param scores one array per scenario, perhaps empty, of one score per seed
+ * Scores by scenario: what is drawn again within each scenario, never across scenarios. Scores know
+ * their places among all of them, so that those drawn by the thousand are put in order by counting.
  */
-public record Strata(List<double[]> scores) {
-  /** Scores that are NaN are left out. */
-  public Strata {
-    scores =
-        scores.stream()
-            .map(one -> Arrays.stream(one).filter(score -> !Double.isNaN(score)).toArray())
-            .toList();
+public final class Strata {
+  private final double[] rising;
+  private final int[][] places;
+
+  /**
+   * @param scores one array per scenario, perhaps empty, of one score per seed; those that are NaN
+   *     are left out
+   */
+  public Strata(List<double[]> scores) {
+    List<double[]> known = scores.stream().map(Strata::known).toList();
+    rising = known.stream().flatMapToDouble(Arrays::stream).sorted().toArray();
+    places = known.stream().map(this::places).toArray(int[][]::new);
+  }
+
+  /**
+   * @param rising all scores that can be drawn, rising
+   * @param places of the scores in {@code rising}, by scenario
+   */
+  private Strata(double[] rising, int[][] places) {
+    this.rising = rising;
+    this.places = places;
+  }
+
+  private static double[] known(double[] scores) {
+    return Arrays.stream(scores).filter(score -> !Double.isNaN(score)).toArray();
+  }
+
+  private int[] places(double[] scores) {
+    return Arrays.stream(scores).mapToInt(score -> Arrays.binarySearch(rising, score)).toArray();
+  }
+
+  /** The scores of each scenario. */
+  public List<double[]> scores() {
+    return Stream.of(places).map(this::at).toList();
+  }
+
+  private double[] at(int[] of) {
+    double[] scores = new double[of.length];
+    for (int i = 0; i < of.length; i++) {
+      scores[i] = rising[of[i]];
+    }
+    return scores;
   }
 
   /** How many scores there are. */
   public int runs() {
-    return scores.stream().mapToInt(one -> one.length).sum();
+    return Stream.of(places).mapToInt(one -> one.length).sum();
   }
 
   /** How many scenarios have a score. */
   public int scenarios() {
-    return (int) scores.stream().filter(one -> one.length > 0).count();
+    return (int) Stream.of(places).filter(one -> one.length > 0).count();
   }
 
   /** Whether drawing again can give anything else. */
   boolean varies() {
-    return scores.stream().anyMatch(one -> one.length > 1);
+    return Stream.of(places).anyMatch(one -> one.length > 1);
   }
 
   /** All scores, rising. */
   double[] sorted() {
-    return scores.stream().flatMapToDouble(Arrays::stream).sorted().toArray();
+    return inOrder(places);
+  }
+
+  /** The scores of each scenario, rising. */
+  List<double[]> sortedByScenario() {
+    return Stream.of(places).map(one -> inOrder(one)).toList();
+  }
+
+  private double[] inOrder(int[]... of) {
+    int[] counts = new int[rising.length];
+    int runs = 0;
+    for (int[] one : of) {
+      for (int place : one) {
+        counts[place]++;
+      }
+      runs += one.length;
+    }
+    double[] sorted = new double[runs];
+    int filled = 0;
+    for (int place = 0; place < counts.length; place++) {
+      for (int i = 0; i < counts[place]; i++) {
+        sorted[filled++] = rising[place];
+      }
+    }
+    return sorted;
   }
 
   /** The mean of each scenario that has a score. */
   double[] means() {
-    return scores.stream()
+    return scores().stream()
         .filter(one -> one.length > 0)
         .mapToDouble(one -> DoubleStream.of(one).average().orElseThrow())
         .toArray();
@@ -49,12 +108,18 @@ public record Strata(List<double[]> scores) {
 
   /** As many scores of each scenario, drawn from its own with replacement. */
   Strata drawn(SplittableRandom random) {
-    return new Strata(scores.stream().map(one -> drawn(one, random)).toList());
+    int[][] drawn = new int[places.length][];
+    for (int scenario = 0; scenario < drawn.length; scenario++) {
+      drawn[scenario] = drawn(places[scenario], random);
+    }
+    return new Strata(rising, drawn);
   }
 
-  private static double[] drawn(double[] scores, SplittableRandom random) {
-    double[] drawn = new double[scores.length];
-    Arrays.setAll(drawn, i -> scores[random.nextInt(scores.length)]);
+  private static int[] drawn(int[] places, SplittableRandom random) {
+    int[] drawn = new int[places.length];
+    for (int i = 0; i < drawn.length; i++) {
+      drawn[i] = places[random.nextInt(places.length)];
+    }
     return drawn;
   }
 }
