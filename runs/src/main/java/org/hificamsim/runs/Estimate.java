@@ -12,14 +12,15 @@ import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 public record Estimate(double mean, double low, double high) {
   private static final double LEVEL = 0.95;
 
-  /** The estimate of one metric. */
+  /** The estimate of one metric from one result or more. */
   public static Estimate of(List<RunResult> results, Metric metric) {
+    if (results.size() == 1) { // as most runs: without loading what statistics need
+      double only = metric.of(results.get(0));
+      return new Estimate(only, only, only);
+    }
     SummaryStatistics statistics = new SummaryStatistics();
     results.forEach(result -> statistics.addValue(metric.of(result)));
     double mean = statistics.getMean();
-    if (results.size() < 2) {
-      return new Estimate(mean, mean, mean);
-    }
     double quantile =
         new TDistribution(results.size() - 1).inverseCumulativeProbability((1 + LEVEL) / 2);
     double half = quantile * statistics.getStandardDeviation() / Math.sqrt(results.size());
