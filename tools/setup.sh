@@ -128,18 +128,11 @@ stale() {
         -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
-# Rewrites the classes of the jar $1 that are too old for an archive (docs/adr/0003-launcher.md).
-newer_classes() {
-    "$(build_home)/bin/java" --add-exports java.base/jdk.internal.org.objectweb.asm=ALL-UNNAMED \
-        "$root/tools/NewerClasses.java" "$1"
-}
-
 # Dumps the classes of a short run, for the JVM to map them at the next start (docs/adr/0003-launcher.md).
 # Whatever goes wrong here, the command line starts without them.
 archive_classes() {
     scratch=$(mktemp -d) || return 0
     rm -f "$archive"
-    newer_classes "$lib"/picocli-*.jar >/dev/null 2>&1 || true # slower to start, then
     if java=$(run_home) && "$java/bin/java" -XX:+UseSerialGC -Xlog:disable "-XX:ArchiveClassesAtExit=$archive.new" \
         -cp "$lib/*" org.hificamsim.cli.Main run "$root/scenarios/cluster-scripted.xml" --record --out "$scratch"; then
         mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that

@@ -13,7 +13,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import picocli.CommandLine;
 
 /** What {@code tools/setup.sh} does about locales and paths before the command line starts. */
 class LauncherTest {
@@ -53,39 +52,6 @@ class LauncherTest {
             + " -cp $home/cli.jar:$CLASSPATH org.hificamsim.cli.Main help\n";
     String output = shell(script, Map.of("LC_ALL", locale, "CLASSPATH", others));
     assertTrue(output.startsWith("Usage: hificamsim"), output);
-  }
-
-  @Test
-  void classesTooOldForAnArchiveAreRewrittenAndDoTheSame() throws Exception {
-    Path jar =
-        Path.of(CommandLine.class.getProtectionDomain().getCodeSource().getLocation().toURI());
-    String help = " -cp $PWD/new.jar picocli.AutoComplete --help";
-    String script =
-        "root='"
-            + Cli.ROOT
-            + "'\n"
-            + SOURCE
-            + "cp '"
-            + jar
-            + "' new.jar; newer_classes new.jar\n"
-            + JAVA
-            + " -cp '"
-            + jar
-            + "' picocli.AutoComplete --help >before.txt\n"
-            + JAVA
-            + " -Xlog:disable -XX:ArchiveClassesAtExit=new.jsa"
-            + help
-            + " >after.txt\n"
-            + JAVA
-            + " -XX:SharedArchiveFile=new.jsa -Xlog:class+load:file=loaded.txt"
-            + help;
-    String output = shell(script, Map.of());
-    String before = Files.readString(folder.resolve("before.txt"));
-    assertTrue(before.contains("Usage:"), before);
-    assertEquals(before, Files.readString(folder.resolve("after.txt")), output);
-    assertTrue(
-        Files.readString(folder.resolve("loaded.txt"))
-            .contains("picocli.CommandLine source: shared objects file"));
   }
 
   @Test

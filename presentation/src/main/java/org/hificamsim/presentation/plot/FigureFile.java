@@ -36,9 +36,18 @@ public final class FigureFile {
 
   static {
     System.setProperty("java.awt.headless", "true");
+    loadLoops();
   }
 
   private FigureFile() {}
+
+  /** One thread must be the first to paint: of two, each may wait for the other (JDK-6995195). */
+  private static void loadLoops() {
+    Graphics2D graphics = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB).createGraphics();
+    ground(graphics, 1, 1);
+    graphics.drawString("a", 0, 1);
+    graphics.dispose();
+  }
 
   /**
    * A figure as its two files hold it. Figures that share no panel can be drawn side by side.
@@ -118,13 +127,17 @@ public final class FigureFile {
   }
 
   private static void paint(Picture picture, Graphics2D graphics) {
+    ground(graphics, picture.width(), picture.height());
+    picture.paint(graphics);
+  }
+
+  private static void ground(Graphics2D graphics, int width, int height) {
     graphics.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     graphics.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     graphics.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
     graphics.setColor(Color.WHITE);
-    graphics.fill(new Rectangle2D.Double(0, 0, picture.width(), picture.height()));
-    picture.paint(graphics);
+    graphics.fill(new Rectangle2D.Double(0, 0, width, height));
   }
 
   /** As small as PNG can be: the default settings give files half as large again. */

@@ -15,11 +15,13 @@ import jdk.internal.org.objectweb.asm.ClassWriter;
 import jdk.internal.org.objectweb.asm.Opcodes;
 
 /**
- * Rewrites the classes of a jar in Java 8's format where theirs is that of Java 5: an archive of
- * classes for quick starting takes no older ones than Java 6's. What they do stays. The jar is
- * replaced when every class has been verified. Needs JDK 17's own copy of ASM:
+ * Rewrites the classes of a jar in Java 8's format where theirs is that of Java 5: JDK 17's
+ * archives of classes, for quick starting, hold none that are older than Java 6's. What they do
+ * stays. The jar is replaced when every class has been verified. Needs JDK 17's own copy of ASM:
  *
- * <pre>java --add-exports java.base/jdk.internal.org.objectweb.asm=ALL-UNNAMED NewerClasses.java JAR</pre>
+ * <pre>
+ * java --add-exports java.base/jdk.internal.org.objectweb.asm=ALL-UNNAMED NewerClasses.java JAR
+ * </pre>
  */
 final class NewerClasses {
   private static final int OLDEST = Opcodes.V1_6;
@@ -56,7 +58,8 @@ final class NewerClasses {
   }
 
   private static URLClassLoader loader(Path jar) throws IOException {
-    return new URLClassLoader(new URL[] {jar.toUri().toURL()});
+    return new URLClassLoader(
+        new URL[] {jar.toUri().toURL()}, ClassLoader.getPlatformClassLoader()); // the jar's alone
   }
 
   private static byte[] newer(byte[] content, ClassLoader loader) {
@@ -79,13 +82,15 @@ final class NewerClasses {
     return writer.toByteArray();
   }
 
-  /** Links all classes, which verifies them: a VerifyError ends this program. */
+  /** Initialises all classes, which verifies them: a VerifyError ends this program. */
   private static void verify(Path jar) throws Exception {
     try (ZipFile in = new ZipFile(jar.toFile());
         URLClassLoader loader = loader(jar)) {
       for (ZipEntry entry : Collections.list(in.entries())) {
         String name = entry.getName();
-        if (name.endsWith(".class") && !name.startsWith("META-INF/") && !name.startsWith("module-")) {
+        if (name.endsWith(".class")
+            && !name.startsWith("META-INF/")
+            && !name.startsWith("module-")) {
           String of = name.substring(0, name.length() - ".class".length()).replace('/', '.');
           Class.forName(of, true, loader);
         }

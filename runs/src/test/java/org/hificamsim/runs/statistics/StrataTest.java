@@ -1,0 +1,60 @@
+package org.hificamsim.runs.statistics;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.SplittableRandom;
+import org.junit.jupiter.api.Test;
+
+class StrataTest {
+  private static final Strata STRATA =
+      new Strata(
+          List.of(
+              new double[] {0.5, -0.0, 0.0, 0.5, Double.NaN, 0.25},
+              new double[0],
+              new double[] {Double.POSITIVE_INFINITY, 0.5, 0.0},
+              new double[] {Double.NaN}));
+
+  @Test
+  void whatIsDrawnIsInTheOrderThatSortingGives() {
+    SplittableRandom random = new SplittableRandom(1);
+    for (int i = 0; i < 100; i++) {
+      assertRising(STRATA.drawn(random));
+    }
+    assertRising(STRATA);
+  }
+
+  private static void assertRising(Strata strata) {
+    double[] all = strata.scores().stream().flatMapToDouble(Arrays::stream).sorted().toArray();
+    assertArrayEquals(bits(all), bits(strata.sorted()));
+    for (int scenario = 0; scenario < strata.scores().size(); scenario++) {
+      double[] scores = strata.scores().get(scenario).clone();
+      Arrays.sort(scores);
+      assertArrayEquals(bits(scores), bits(strata.sortedByScenario().get(scenario)));
+    }
+  }
+
+  private static long[] bits(double[] scores) {
+    return Arrays.stream(scores).mapToLong(Double::doubleToRawLongBits).toArray();
+  }
+
+  @Test
+  void scoresAreDrawnFromTheirOwnScenarioInTheOrderOfOneGenerator() {
+    SplittableRandom expected = new SplittableRandom(7);
+    List<double[]> drawn = STRATA.drawn(new SplittableRandom(7)).scores();
+    for (int scenario = 0; scenario < drawn.size(); scenario++) {
+      double[] own = STRATA.scores().get(scenario);
+      for (double score : drawn.get(scenario)) {
+        assertEquals(own[expected.nextInt(own.length)], score);
+      }
+    }
+  }
+
+  @Test
+  void whatHasNoScoreIsLeftOut() {
+    assertEquals(8, STRATA.runs());
+    assertEquals(2, STRATA.scenarios());
+  }
+}
