@@ -16,6 +16,7 @@ import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.LinearRing;
 import org.locationtech.jts.geom.Location;
+import org.locationtech.jts.math.Vector2D;
 import org.locationtech.jts.operation.union.UnaryUnionOp;
 
 class OutlineTest {
@@ -80,18 +81,40 @@ class OutlineTest {
         () -> "past " + obstacles.all());
   }
 
-  /** An edge and what is behind it, far beyond the reach. */
+  /**
+   * An edge and what is behind it, far beyond the reach: also in the middle, which may be half a
+   * turn away from both ends where the standpoint is beside a wall.
+   */
   private static Geometry shadow(Point at, Pieces pieces, int edge) {
-    double[] x = {pieces.x1[edge], pieces.x2[edge]};
-    double[] y = {pieces.y1[edge], pieces.y2[edge]};
-    Coordinate[] corners = new Coordinate[5];
-    for (int i = 0; i < 2; i++) {
-      double far = 1e4 / Math.hypot(x[i] - at.x(), y[i] - at.y());
-      corners[i] = new Coordinate(x[i], y[i]);
-      corners[3 - i] = new Coordinate(x[i] + far * (x[i] - at.x()), y[i] + far * (y[i] - at.y()));
-    }
-    corners[4] = corners[0];
-    return JTS.createPolygon(corners);
+    Vector2D one = direction(at, pieces.x1[edge], pieces.y1[edge]);
+    Vector2D other = direction(at, pieces.x2[edge], pieces.y2[edge]);
+    Coordinate end = new Coordinate(pieces.x1[edge], pieces.y1[edge]);
+    return JTS.createPolygon(
+        new Coordinate[] {
+          end,
+          new Coordinate(pieces.x2[edge], pieces.y2[edge]),
+          far(at, other),
+          far(at, one.add(other).normalize()),
+          far(at, one),
+          end
+        });
+  }
+
+  private static Vector2D direction(Point at, double x, double y) {
+    return Vector2D.create(x - at.x(), y - at.y()).normalize();
+  }
+
+  private static Coordinate far(Point at, Vector2D direction) {
+    return direction.multiply(1e4).translate(new Coordinate(at.x(), at.y()));
+  }
+
+  /** A wall a tenth of a millimetre below the standpoint hides half of the disc. */
+  @Test
+  void aWallCloseToTheStandpointHidesWhatIsBehindIt() {
+    Obstacle wall = new Obstacle.Wall(-0.6, -1e-4, 5, -1e-4, 0);
+    List<Point> polygon = VisibleRegion.of(new Obstacles(List.of(wall)), 0, 0).polygon(REACH);
+    double half = Math.PI * REACH * REACH / 2;
+    assertEquals(half, Area.ofRing(ring(polygon).getCoordinates()), 0.001 * REACH * REACH);
   }
 
   private static LinearRing ring(List<Point> points) {
