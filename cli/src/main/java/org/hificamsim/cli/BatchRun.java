@@ -3,7 +3,6 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.time.Instant;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -112,9 +111,7 @@ final class BatchRun {
                 manifest(files, steps);
               });
       Report.write(options.out(), options.out().resolve(ResultFolder.REPORT));
-      List<String> written = new ArrayList<>(folder.written());
-      written.add(ResultFolder.REPORT);
-      CrateFile.write(options.out(), written, all);
+      CrateFile.write(options.out(), folder.written(), List.of(ResultFolder.REPORT), all);
       return cases;
     }
   }

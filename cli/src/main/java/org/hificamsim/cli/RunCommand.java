@@ -145,12 +145,11 @@ final class RunCommand implements Callable<Integer> {
       }
       output.inputs(plan);
       output.commit(plan, results);
-      List<String> written = new ArrayList<>(output.written());
       if (replay.isPresent()) {
         report(folder);
-        written.add(ResultFolder.REPORT);
       }
-      CrateFile.write(folder, written, List.of(plan));
+      List<String> beside = replay.isPresent() ? List.of(ResultFolder.REPORT) : List.of();
+      CrateFile.write(folder, output.written(), beside, List.of(plan));
       if (json) {
         screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
       } else {

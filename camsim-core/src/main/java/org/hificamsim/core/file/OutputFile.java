@@ -78,7 +78,7 @@ public final class OutputFile implements Closeable {
   /** A stream; the caller closes it before {@link #commit}. */
   public synchronized OutputStream stream() throws IOException {
     Unfinished.add(this);
-    return stream(draft);
+    return buffered(unbuffered(draft));
   }
 
   /** Moves the file into place. */
@@ -94,10 +94,12 @@ public final class OutputFile implements Closeable {
   }
 
   /** A stream to a file that must not be there yet, not even as a link. */
-  static OutputStream stream(Path draft) throws IOException {
-    return new BufferedOutputStream(
-        Files.newOutputStream(draft, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
-        BUFFER);
+  static OutputStream unbuffered(Path draft) throws IOException {
+    return Files.newOutputStream(draft, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
+  }
+
+  static OutputStream buffered(OutputStream out) {
+    return new BufferedOutputStream(out, BUFFER);
   }
 
   static Writer writer(OutputStream out) {

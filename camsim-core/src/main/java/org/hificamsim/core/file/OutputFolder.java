@@ -15,9 +15,11 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.LinkedHashSet;
+import java.security.DigestOutputStream;
+import java.security.MessageDigest;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Set;
+import java.util.Map;
 import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.InputException;
@@ -34,8 +36,8 @@ public final class OutputFolder implements Closeable {
   private final Path folder;
   private final Path drafts;
   private final FileChannel lock;
-  private final Set<String> names = new LinkedHashSet<>();
-  private final Set<String> written = new LinkedHashSet<>();
+  private final Map<String, MessageDigest> names = new LinkedHashMap<>();
+  private final Map<String, String> written = new LinkedHashMap<>();
 
   /**
    * Makes the folder where it is missing.
@@ -133,29 +135,34 @@ public final class OutputFolder implements Closeable {
 
   /** A stream for a file of this name; the caller closes it before {@link #commit}. */
   public synchronized OutputStream stream(String name) throws IOException {
-    names.add(name);
-    return OutputFile.stream(drafts.resolve(name));
+    MessageDigest digest = Sha256.digest();
+    names.put(name, digest);
+    return OutputFile.buffered(
+        new DigestOutputStream(OutputFile.unbuffered(drafts.resolve(name)), digest));
   }
 
   /**
    * Moves every file opened into place, and removes what an earlier run left under {@code stale}.
    */
   public synchronized void commit(List<String> stale) throws IOException {
-    for (String name : names) {
+    for (String name : names.keySet()) {
       OutputFile.move(drafts.resolve(name), folder.resolve(name));
     }
     for (String name : stale) {
-      if (!names.contains(name)) {
+      if (!names.containsKey(name)) {
         Files.deleteIfExists(folder.resolve(name));
       }
     }
-    written.addAll(names);
+    names.forEach((name, digest) -> written.put(name, Sha256.text(digest)));
     names.clear();
   }
 
-  /** The files that commits have moved into place. */
-  public synchronized List<String> written() {
-    return List.copyOf(written);
+  /**
+   * The files that commits have moved into place, each with its SHA-256 in hexadecimal: worked out
+   * while it was written, by the thread that wrote it.
+   */
+  public synchronized Map<String, String> written() {
+    return new LinkedHashMap<>(written);
   }
 
   /** Removes whatever has not been committed, and lets others use the folder. */

@@ -3,16 +3,10 @@ package org.hificamsim.runs.output;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.OutputStream;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.DigestInputStream;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Map;
 
 /** A file of results as an entity of an RO-Crate, with its size and SHA-256. */
@@ -32,15 +26,15 @@ final class CrateEntry {
 
   private CrateEntry() {}
 
-  /** The entity of a file that exists. */
-  static ObjectNode of(Path file) throws IOException {
+  /** The entity of a file that exists, whose hash is known. */
+  static ObjectNode of(Path file, String sha256) throws IOException {
     String name = file.getFileName().toString();
     ObjectNode entity = new ObjectMapper().createObjectNode();
     entity.put("@id", id(name)).put("@type", "File").put("name", name);
     String ending = name.substring(name.lastIndexOf('.') + 1);
     entity.put("encodingFormat", FORMATS.getOrDefault(ending, "application/octet-stream"));
     entity.put("contentSize", String.valueOf(Files.size(file)));
-    entity.put("sha256", sha256(file));
+    entity.put("sha256", sha256);
     return entity;
   }
 
@@ -50,22 +44,6 @@ final class CrateEntry {
       return new URI(null, null, "/" + name, null).getRawPath().substring(1);
     } catch (URISyntaxException e) {
       throw new IllegalArgumentException(e);
-    }
-  }
-
-  private static String sha256(Path file) throws IOException {
-    MessageDigest digest = digest();
-    try (InputStream in = new DigestInputStream(Files.newInputStream(file), digest)) {
-      in.transferTo(OutputStream.nullOutputStream());
-    }
-    return HexFormat.of().formatHex(digest.digest());
-  }
-
-  private static MessageDigest digest() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java platform has SHA-256", e);
     }
   }
 }

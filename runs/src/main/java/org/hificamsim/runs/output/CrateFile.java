@@ -8,11 +8,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.Sha256;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.runs.RunPlan;
 
@@ -40,18 +43,25 @@ public final class CrateFile {
   /**
    * Writes the file.
    *
-   * @param files that were written, {@code manifest.json} among them
+   * @param written each file with its SHA-256, {@code manifest.json} among them
+   * @param beside files that were written otherwise
    * @param plans that were run
    */
-  public static void write(Path folder, List<String> files, List<RunPlan> plans)
+  public static void write(
+      Path folder, Map<String, String> written, List<String> beside, List<RunPlan> plans)
       throws IOException {
+    Map<String, String> hashes = new TreeMap<>(written);
+    for (String name : beside) {
+      hashes.put(name, Sha256.of(folder.resolve(name)));
+    }
     CrateFile file = new CrateFile(new ResultFolder(folder));
-    file.describe(files.stream().distinct().sorted().toList(), plans);
+    file.describe(hashes, plans);
     OutputFile.of("--out", folder.resolve(ResultFolder.CRATE))
         .write(file.crate.toPrettyString() + "\n");
   }
 
-  private void describe(List<String> files, List<RunPlan> plans) throws IOException {
+  private void describe(Map<String, String> hashes, List<RunPlan> plans) throws IOException {
+    List<String> files = List.copyOf(hashes.keySet());
     ObjectNode descriptor = entity(ResultFolder.CRATE, "CreativeWork");
     refer(descriptor.putObject("conformsTo"), CONTEXT);
     refer(descriptor.putObject("about"), "./");
@@ -62,8 +72,8 @@ public final class CrateFile {
     program();
     settings(plans);
     thesis();
-    for (String name : files) {
-      graph.add(CrateEntry.of(folder.path().resolve(name)));
+    for (Map.Entry<String, String> file : hashes.entrySet()) {
+      graph.add(CrateEntry.of(folder.path().resolve(file.getKey()), file.getValue()));
     }
   }
 

@@ -6,6 +6,7 @@ import java.io.OutputStream;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
@@ -147,8 +148,8 @@ public final class RunFolder implements Closeable {
     InputFiles.write(folder, List.of(plan));
   }
 
-  /** The files that are in their place. */
-  public List<String> written() {
+  /** The files that are in their place, each with its SHA-256. */
+  public Map<String, String> written() {
     return folder.written();
   }
 
