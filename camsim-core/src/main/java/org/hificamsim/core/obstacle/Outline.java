@@ -199,11 +199,20 @@ final class Outline {
 
   /** The distance at which a ray meets an edge; NaN where it does not, or runs along it. */
   private double toEdge(int edge, double x, double y) {
+    double cross = y * dx(edge) - x * dy(edge);
+    if (side(edge) * cross >= 0) {
+      return Double.NaN;
+    }
     double fx = pieces.x1[edge] - atX;
     double fy = pieces.y1[edge] - atY;
-    double from = x * fy - y * fx;
-    double along = from / (y * dx(edge) - x * dy(edge));
+    double along = (x * fy - y * fx) / cross;
     double distance = x * (fx + along * dx(edge)) + y * (fy + along * dy(edge));
-    return along >= 0 && along <= 1 && distance >= 0 ? distance : Double.NaN;
+    return along >= 0 && along <= 1 ? Math.max(0, distance) : Double.NaN;
+  }
+
+  /** The side of an edge that the standpoint is on; exactly, since cameras are put on walls. */
+  private int side(int edge) {
+    return Orientation.of(
+        pieces.x1[edge], pieces.y1[edge], pieces.x2[edge], pieces.y2[edge], atX, atY);
   }
 }

@@ -130,6 +130,16 @@ class OutlineTest {
     assertEquals(List.of(), VisibleRegion.of(wall, 2, 0).polygon(5));
   }
 
+  /** Its coordinates are of a wall's line but for rounding, which decides the side. */
+  @Test
+  void aStandpointAsGoodAsOnAWallSeesTheSideThatItIsOn() {
+    Obstacles wall = new Obstacles(List.of(new Obstacle.Wall(-2, 2.3, 2.8, -0.9, 0)));
+    assertTrue(wall.clear(1.3, 0.1, 2.2, 0));
+    List<Point> polygon = VisibleRegion.of(wall, 1.3, 0.1).polygon(1);
+    assertEquals(Math.PI / 2, Area.ofRing(ring(polygon).getCoordinates()), 0.001);
+    assertTrue(polygon.stream().anyMatch(p -> p.x() > 2.2 && p.y() > 0));
+  }
+
   @Test
   void aWallCutsTheRegionStraight() {
     Obstacles wall = new Obstacles(List.of(new Obstacle.Wall(2, -9, 2, 9, 0)));
