@@ -10,9 +10,16 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** SHA-256 of files, in hexadecimal. */
+/** SHA-256, in hexadecimal. */
 public final class Sha256 {
   private Sha256() {}
+
+  /** The hash of some bytes. */
+  public static String of(byte[] content) {
+    MessageDigest digest = digest();
+    digest.update(content);
+    return text(digest);
+  }
 
   /** The hash of a file. */
   public static String of(Path file) throws IOException {

@@ -9,16 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.Arrays;
-import java.util.HexFormat;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.Sha256;
 import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.Sample;
@@ -146,14 +144,8 @@ final class MeasurementJournal implements Closeable {
     for (Path template : dataset.templates().values()) {
       stamp(template, facts);
     }
-    try {
-      byte[] digest =
-          MessageDigest.getInstance("SHA-256")
-              .digest(facts.toString().getBytes(StandardCharsets.UTF_8));
-      return HexFormat.of().formatHex(digest).substring(0, KEY_LENGTH);
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException(e);
-    }
+    byte[] text = facts.toString().getBytes(StandardCharsets.UTF_8);
+    return Sha256.of(text).substring(0, KEY_LENGTH);
   }
 
   private static void stamp(Path file, StringBuilder facts) throws IOException {

@@ -4,16 +4,14 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.ArrayList;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
@@ -67,10 +65,11 @@ public record RunKey(
   private static RunKey of(List<Input> program, RunPlan plan, PolicyFiles files) {
     String scenario = ScenarioWriter.write(plan.scenario());
     List<Input> inputs = new ArrayList<>(program);
-    inputs.add(new Input("scenario", plan.scenario().name(), digest(bytes(scenario))));
+    inputs.add(new Input("scenario", plan.scenario().name(), Sha256.of(bytes(scenario))));
     inputs.add(new Input("detection", plan.detection().name(), digest(plan.detection().model())));
     for (Path file : files.of(plan.policy())) {
-      inputs.add(new Input("file of policy", file.toString(), digest(PolicyFiles.content(file))));
+      inputs.add(
+          new Input("file of policy", file.toString(), Sha256.of(PolicyFiles.content(file))));
     }
     Detection detection = plan.detection();
     return new RunKey(
@@ -81,7 +80,7 @@ public record RunKey(
   static String sweep(List<RunPlan> plans) {
     Stream<String> keys = of(plans).stream().map(RunKey::text);
     Stream<String> seeds = plans.stream().map(plan -> plan.seed() + " " + plan.repeats());
-    return digest(bytes(Stream.concat(keys, seeds).collect(Collectors.joining("\n"))));
+    return Sha256.of(bytes(Stream.concat(keys, seeds).collect(Collectors.joining("\n"))));
   }
 
   /** The key of a text; one of an unknown version where it is none of ours. */
@@ -113,17 +112,9 @@ public record RunKey(
         .map(Input::toString);
   }
 
-  static String digest(byte[] content) {
-    try {
-      return HexFormat.of().formatHex(MessageDigest.getInstance("SHA-256").digest(content));
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java platform has SHA-256", e);
-    }
-  }
-
   /** Of all parameters; of a model that is code, of its class, which {@link UserCode} knows. */
   private static String digest(DetectionModel model) {
-    return digest(
+    return Sha256.of(
         model instanceof HiFiDetection fitted
             ? ModelFiles.bytes(fitted)
             : bytes(model.getClass().getName()));

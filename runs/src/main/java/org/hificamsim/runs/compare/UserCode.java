@@ -15,6 +15,7 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.Movement;
 
@@ -80,13 +81,13 @@ final class UserCode {
               .map(file -> root.relativize(file) + " " + digestOf(file))
               .sorted()
               .collect(Collectors.joining("\n"));
-      return RunKey.digest(content.getBytes(StandardCharsets.UTF_8));
+      return Sha256.of(content.getBytes(StandardCharsets.UTF_8));
     }
   }
 
   private static String digestOf(Path file) {
     try {
-      return RunKey.digest(Files.readAllBytes(file));
+      return Sha256.of(file);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
