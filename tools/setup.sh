@@ -7,7 +7,7 @@ gradle=/usr/share/gradle/bin/gradle # Debian's; the one on PATH may be another v
 debian_opencv=/usr/share/java/opencv.jar # instead of Maven Central's, as in profiling/build.gradle
 lib=$root/cli/build/install/hificamsim/lib
 archive=${lib%/*}.jsa
-installing=yes # no, after --no-install: what is missing is told, and nothing is installed or fetched
+installing=yes # no, after --no-install: what is missing is listed, and nothing is installed or fetched
 
 say() { echo "hificamsim: $*" >&2; }
 die() { say "$@"; exit 1; }

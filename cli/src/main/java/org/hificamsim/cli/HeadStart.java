@@ -26,7 +26,7 @@ final class HeadStart {
     if (words.length > 1 && words[0].equals("run")) {
       Thread thread = new Thread(HeadStart::load, "head start");
       thread.setDaemon(true);
-      thread.setUncaughtExceptionHandler((one, fault) -> {}); // told where it is needed
+      thread.setUncaughtExceptionHandler((one, fault) -> {}); // reported where it is needed
       thread.start();
     }
   }

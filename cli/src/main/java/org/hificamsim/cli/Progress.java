@@ -22,7 +22,7 @@ final class Progress implements AutoCloseable {
   private static final long QUIET = TimeUnit.SECONDS.toNanos(2);
   private static final long BETWEEN_LINES = TimeUnit.SECONDS.toNanos(10);
 
-  /** How progress is told. */
+  /** How progress is shown. */
   enum Telling {
     /** A bar that is drawn again and again. */
     BAR,

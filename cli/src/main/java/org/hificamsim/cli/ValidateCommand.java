@@ -24,7 +24,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code hificamsim validate}: reads scenario files and tells all that is wrong or odd. */
+/** {@code hificamsim validate}: reads scenario files and reports all that is wrong or odd. */
 @Command(
     name = "validate",
     description = "Checks scenario files: errors (exit code 2) and warnings, with their place.")

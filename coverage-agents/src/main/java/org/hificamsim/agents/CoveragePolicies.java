@@ -54,7 +54,7 @@ public final class CoveragePolicies {
             OptimalExpectedZoomPolicy::from)
         .register(
             OneHopZoomPolicy.NAME,
-            "the exactly best score when each camera moves at most one view, global knowledge",
+            "the exactly best score that cameras reach within the step, with global knowledge",
             OneHopZoomPolicy::from)
         .register(
             BestFixedZoomPolicy.NAME,

@@ -1,4 +1,4 @@
-/** The zoom policies of chapter 7, registered by name. */
+/** The zoom policies, registered by name. */
 @StableApi(since = "0.1")
 package org.hificamsim.agents;
 

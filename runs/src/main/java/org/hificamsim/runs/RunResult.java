@@ -17,7 +17,8 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * @param coveredK share that two or more cameras covered
  * @param meanK mean number of cameras that cover a target
  * @param detections one for each camera, target and step
- * @param zoomChanges how often a camera's level differed from the one of the step before
+ * @param zoomChanges how often a camera's view (its zoom level or pan angle) differed from that of
+ *     the step before
  * @param messages sent between cameras
  * @param unprovenSteps steps whose configuration is not proven to be the best that the policy could
  *     take; -1 under a policy that does not claim it to be

@@ -1,2 +1,2 @@
-/** One experiment: a scenario under a detection model and a policy, repeated over seeds. */
+/** A run: what is to be run, its settings, its results. */
 package org.hificamsim.runs;

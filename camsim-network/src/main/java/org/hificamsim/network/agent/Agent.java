@@ -241,7 +241,7 @@ public final class Agent {
   }
 
   /**
-   * Asks a neighbour to bid for a target; one that is offline is asked in vain (quirk Q7).
+   * Asks a neighbour to bid for a target; one that is offline does not answer (quirk Q7).
    *
    * @param counted whether the attempt counts as sent
    */

@@ -8,7 +8,7 @@ import java.util.concurrent.TimeUnit;
 import org.hificamsim.presentation.replay.ReplayJson;
 
 /**
- * What one open page is yet to be told, as server-sent events. A page that is slow gets fewer
+ * What one open page has yet to receive, as server-sent events. A page that is slow gets fewer
  * steps, never a longer queue: the last one is always among them.
  */
 final class EventStream implements Session.Watcher {

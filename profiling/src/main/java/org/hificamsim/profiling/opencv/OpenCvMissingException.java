@@ -1,6 +1,6 @@
 package org.hificamsim.profiling.opencv;
 
-/** OpenCV's native library does not load here: told in one line, with what helps. */
+/** OpenCV's native library does not load here: reported in one line, with what helps. */
 public final class OpenCvMissingException extends RuntimeException {
   private static final long serialVersionUID = 1L;
 

@@ -7,7 +7,7 @@ import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
  * What a picture of a heat map shows of each cell: the figures of the page's {@code heat.js}. NaN
- * is nothing to show; 0 is told apart from all else.
+ * is nothing to show; 0 has a look of its own.
  */
 public enum HeatFigure {
   MEAN_K("cameras that would detect there, mean", "no camera, at no step", Unit.CAMERAS) {

@@ -3,7 +3,7 @@ package org.hificamsim.runs.output;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 
-/** How much a run's folder tells of each step. */
+/** How much a run's folder says of each step. */
 public enum Detail {
   /** What all cameras cover between them. */
   STEPS,
