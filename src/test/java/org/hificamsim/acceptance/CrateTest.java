@@ -126,6 +126,32 @@ class CrateTest {
     assertFalse(parts.contains("scenario-ring-random.xml"));
   }
 
+  @Test
+  void whatAnEarlierComparisonLeftIsRemoved() throws Exception {
+    Path out = folder.resolve("compare");
+    List<Object> words = new ArrayList<>(List.of("compare", "--steps", 5, "--repeat", 2));
+    words.addAll(List.of("--out", out, Cli.scenario("ring-random")));
+    command(Stream.concat(words.stream(), Stream.of("--latex")).toArray());
+    Files.writeString(out.resolve("notes.txt"), "mine");
+    assertTrue(files(out).containsAll(List.of("summary.tex", "scenario-ring-random.xml")));
+    words.set(words.size() - 1, Cli.scenario("lattice-random"));
+    command(words.toArray());
+    Set<String> files = files(out);
+    assertTrue(files.remove("notes.txt"));
+    assertTrue(files.remove(CRATE));
+    assertEquals(files, references(entities(out).get("./").get("hasPart")));
+    assertFalse(Files.readString(out.resolve("report.html")).contains("ring-random"));
+  }
+
+  @Test
+  void aRunIntoTheFolderOfAComparisonHasItsOwnPage() throws Exception {
+    Path out = folder.resolve("compare");
+    command("compare", Cli.scenario("ring-random"), "--steps", 5, "--repeat", 2, "--out", out);
+    command("run", Cli.scenario("ring-random"), "--steps", 5, "--record", "--out", out);
+    assertFalse(files(out).contains("summary.csv"));
+    assertTrue(Files.readString(out.resolve("report.html")).contains("runPage("));
+  }
+
   private static void command(Object... words) {
     Cli cli = Cli.run(words);
     assertEquals(0, cli.exit(), cli.err());

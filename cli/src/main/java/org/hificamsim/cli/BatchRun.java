@@ -99,21 +99,24 @@ final class BatchRun {
     long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
     try (OutputFolder folder = new OutputFolder(options.out());
         Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
-      Comparison comparison = new Comparison(engine, progress::advance);
-      List<CaseResult> cases =
-          writing.execute(
-              new ComparisonRun(comparison, yardsticks, options.resume()),
-              plans,
-              folder,
-              (files, results) -> {
-                extras.write(files, results);
-                InputFiles.write(files, all);
-                manifest(files, steps);
-              });
-      Report.write(options.out(), options.out().resolve(ResultFolder.REPORT));
-      CrateFile.write(options.out(), folder.written(), List.of(ResultFolder.REPORT), all);
-      return cases;
+      Comparison comparison = new Comparison(engine, progress);
+      return writing.execute(
+          new ComparisonRun(
+              comparison, yardsticks, options.resume(), () -> describe(folder, all)),
+          plans,
+          folder,
+          (files, results) -> {
+            extras.write(files, results);
+            InputFiles.write(files, all);
+            manifest(files, steps);
+          });
     }
+  }
+
+  /** The page of the files that are in their place, and the crate that names them all. */
+  private static void describe(OutputFolder folder, List<RunPlan> all) throws IOException {
+    Report.write(folder.path(), folder.path().resolve(ResultFolder.REPORT));
+    CrateFile.write(folder.path(), folder.written(), List.of(ResultFolder.REPORT), all);
   }
 
   /** Says so where a policy's claim to be the best is not proven for every step. */
@@ -145,7 +148,7 @@ final class BatchRun {
       run.execute(
           engine,
           options.resume(),
-          progress::advance,
+          progress,
           options.out(),
           folder -> manifest(folder, run.steps()));
     }

@@ -13,7 +13,6 @@ import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
@@ -115,8 +114,7 @@ final class CamSimCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     Scenario scenario =
         StandingObjects.of(plan(catalogue, options.settings(screen.err())).scenario());
-    OutputFolder.made(to.toAbsolutePath().getParent());
-    new OutputFile(to.toAbsolutePath()).write(ScenarioWriter.write(scenario));
+    OutputFile.inFolder("--for-camsim", to).write(ScenarioWriter.write(scenario));
     screen.out().println(to);
     return 0;
   }

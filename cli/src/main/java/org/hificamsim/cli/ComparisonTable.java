@@ -4,9 +4,7 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
-import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
@@ -100,8 +98,8 @@ final class ComparisonTable {
     table.add("detection", "policy", "interquartile mean [95%]", "optimality gap [95%]");
     for (PolicyScores one : policies) {
       List<String> row = new ArrayList<>(List.of(one.detection(), one.policy()));
-      row.add(text("%.3f", Aggregate.IQM.estimate(one.scores())));
-      row.add(text("%.3f", Aggregate.OPTIMALITY_GAP.estimate(one.scores())));
+      row.add(Aggregate.IQM.estimate(one.scores()).text("%.3f"));
+      row.add(Aggregate.OPTIMALITY_GAP.estimate(one.scores()).text("%.3f"));
       table.add(row.toArray(new String[0]));
     }
     out.println("all scenarios, of the optimum:");
@@ -114,14 +112,6 @@ final class ComparisonTable {
     int runs = one.runs().size();
     String of =
         sample.size() == 0 || sample.size() == runs ? "" : sample.size() + "/" + runs + ": ";
-    return of + text(format, sample.mean());
-  }
-
-  private static String text(String format, Estimate estimate) {
-    String pattern =
-        Double.isNaN(estimate.low()) ? format : format + " [" + format + ", " + format + "]";
-    return Double.isNaN(estimate.mean())
-        ? "-"
-        : String.format(Locale.ROOT, pattern, estimate.mean(), estimate.low(), estimate.high());
+    return of + sample.mean().text(format);
   }
 }

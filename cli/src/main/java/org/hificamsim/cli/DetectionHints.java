@@ -102,7 +102,8 @@ final class DetectionHints {
     List<ZoomLevel> levels = levels(camera, scenario);
     double radius = levels.get(levels.size() - 1).radius();
     double height = radius / Math.tan(Math.toRadians(camera.viewingAngle()) / 2);
-    return camera.viewingAngle() < 180 && radius > 0 ? ", such as " + plain(height) : "";
+    boolean known = camera.viewingAngle() < 180 && radius > 0 && Double.isFinite(height);
+    return known ? ", such as " + plain(height) : "";
   }
 
   private static List<ZoomLevel> levels(CameraSpec camera, Scenario scenario) {

@@ -22,14 +22,12 @@ final class JudgementTable {
     for (Table81.Cell cell : judgement.cells()) {
       out.printf(
           Locale.ROOT,
-          "%-8s %-15s %-9s %9.2f  %.3f [%.3f, %.3f] %6s  %-8s %s%n",
+          "%-8s %-15s %-9s %9.2f  %-20s %6s  %-8s %s%n",
           cell.published().layout().label(),
           cell.published().policy(),
           cell.published().hifi() ? "hi-fi" : "CamSim",
           cell.published().proportion(),
-          cell.ours().mean(),
-          cell.ours().low(),
-          cell.ours().high(),
+          cell.ours().text("%.3f"),
           Double.isNaN(cell.standard()) ? "" : String.format(Locale.ROOT, "%.2f", cell.standard()),
           Role.of(cell).label(),
           cell.verdict().label());

@@ -6,7 +6,6 @@ import java.util.Locale;
 import org.hificamsim.reproduction.ladder.LadderFiles;
 import org.hificamsim.reproduction.ladder.LadderResult;
 import org.hificamsim.reproduction.ladder.RungResult;
-import org.hificamsim.runs.Estimate;
 
 /** The tables that a ladder prints when it is done: each scenario, then all with the costs. */
 final class LadderTable {
@@ -53,8 +52,8 @@ final class LadderTable {
         one.scenario(),
         one.rung().name(),
         String.format(Locale.ROOT, "%.3f", one.optimum().mean()),
-        text("%.2f", 1, one.tau()),
-        text("%.1f", 100, one.share()),
+        one.tau().text("%.2f"),
+        one.share().times(100).text("%.1f"),
         end);
   }
 
@@ -62,18 +61,6 @@ final class LadderTable {
       String scenario, String rung, String optimum, String tau, String lost, String end) {
     out.printf(Locale.ROOT, start, scenario, rung, optimum, tau, lost);
     out.println(end);
-  }
-
-  private static String text(String format, double unit, Estimate estimate) {
-    String pattern = format + " [" + format + ", " + format + "]";
-    return Double.isNaN(estimate.mean())
-        ? "-"
-        : String.format(
-            Locale.ROOT,
-            pattern,
-            unit * estimate.mean(),
-            unit * estimate.low(),
-            unit * estimate.high());
   }
 
   private static int width(List<String> texts) {

@@ -9,7 +9,6 @@ import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.KMinFigure;
 import org.hificamsim.presentation.figures.KMinPanel;
 import org.hificamsim.presentation.figures.RunCurve;
@@ -30,18 +29,17 @@ final class PlotCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    String name = out.getFileName().toString();
-    boolean svg = name.toLowerCase(Locale.ROOT).endsWith(".svg");
-    if (!svg && !name.toLowerCase(Locale.ROOT).endsWith(".png")) {
+    String name = out.toString().toLowerCase(Locale.ROOT);
+    boolean svg = name.endsWith(".svg");
+    if (!svg && !name.endsWith(".png")) {
       throw new InputException("--out is '" + out + "', expected a name that ends in .png or .svg");
     }
     List<RunCurve> runs = new ArrayList<>();
     for (Path folder : folders) {
       runs.add(RunCurve.read(folder));
     }
-    OutputFolder.made(out.toAbsolutePath().getParent());
     Figure figure = figure(runs);
-    OutputFile.of("--out", out)
+    OutputFile.inFolder("--out", out)
         .write(
             svg
                 ? stream -> FigureFile.svg(stream, figure)

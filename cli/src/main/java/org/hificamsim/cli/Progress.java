@@ -6,13 +6,14 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
+import org.hificamsim.runs.compare.RunProgress;
 
 /**
  * The progress of a long run on standard error: a bar on a terminal, else a line now and then. The
  * launcher says which by {@code -Dhificamsim.terminal=true}. Quiet for the first seconds, so that
  * short runs show nothing.
  */
-final class Progress implements AutoCloseable {
+final class Progress implements RunProgress, AutoCloseable {
   /** Units between two looks at the clock, at most: more would save nothing. */
   private static final long MAX_UNSEEN = 64;
 
@@ -77,7 +78,8 @@ final class Progress implements AutoCloseable {
   }
 
   /** Counts one unit; any number of threads may, and mostly none waits for another. */
-  void advance() {
+  @Override
+  public void advance() {
     if (done.incrementAndGet() >= nextLook) {
       look();
     }
@@ -94,7 +96,8 @@ final class Progress implements AutoCloseable {
   }
 
   /** Counts what was done before: it takes no time, and says nothing of the speed. */
-  synchronized void resume(long units) {
+  @Override
+  public synchronized void resume(long units) {
     done.set(units);
     nextLook = telling == Telling.NOTHING ? Long.MAX_VALUE : units + 1;
     started = clock.getAsLong();

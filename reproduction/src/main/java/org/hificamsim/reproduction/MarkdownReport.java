@@ -37,14 +37,12 @@ final class MarkdownReport {
     line("|---|---|---|---:|---:|---|---:|---:|---:|---:|---:|---|");
     for (Table81.Cell cell : cells) {
       line(
-          "| %s | %s | %s | %.2f | %.3f [%.3f, %.3f] | %s | %s | %s | %s | %s | %s | %s |",
+          "| %s | %s | %s | %.2f | %s | %s | %s | %s | %s | %s | %s | %s |",
           cell.published().layout().label(),
           cell.published().policy(),
           cell.published().hifi() ? "hi-fi" : "CamSim",
           cell.published().proportion(),
-          cell.ours().mean(),
-          cell.ours().low(),
-          cell.ours().high(),
+          cell.ours().text("%.3f"),
           cell.verdict().label(),
           number(cell.overHifi()),
           number(cell.at45()),

@@ -1,7 +1,6 @@
 package org.hificamsim.reproduction;
 
 import java.util.Locale;
-import org.hificamsim.runs.Estimate;
 
 /** The reason for a verdict, in one line. */
 final class Reason {
@@ -38,16 +37,13 @@ final class Reason {
 
   static String of(Statement statement) {
     Statement.Margin weakest = statement.weakest();
-    Estimate value = weakest.value();
     String checks =
         format(
-            "%d of %d checks hold; weakest: %s %+.3f [%+.3f, %+.3f]",
+            "%d of %d checks hold; weakest: %s %s",
             statement.held(),
             statement.margins().size(),
             weakest.where(),
-            value.mean(),
-            value.low(),
-            value.high());
+            weakest.value().text("%+.3f"));
     return statement.remark().isEmpty() ? checks : checks + "; " + statement.remark();
   }
 

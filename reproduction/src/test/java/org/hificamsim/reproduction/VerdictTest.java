@@ -27,6 +27,12 @@ class VerdictTest {
   }
 
   @Test
+  void aSingleRunDecidesNoStatement() {
+    assertEquals(Verdict.WITHIN_INTERVAL, Verdict.of(List.of(Estimate.single(0.5))));
+    assertEquals(Verdict.WITHIN_INTERVAL, Verdict.of(List.of(Estimate.single(-0.5))));
+  }
+
+  @Test
   void aStatementNeedsAllItsMargins() {
     Estimate clear = new Estimate(0.2, 0.1, 0.3);
     Estimate open = new Estimate(0.1, -0.1, 0.3);

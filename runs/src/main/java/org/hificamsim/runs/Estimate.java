@@ -1,18 +1,22 @@
 package org.hificamsim.runs;
 
 import java.util.List;
+import java.util.Locale;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 
 /**
- * A mean over repeats with its 95% confidence interval (Student's t).
+ * A value with its 95% interval, whose ends are NaN where there is none.
  *
- * @param low equals the mean where there is a single repeat
+ * @param mean of runs, or what else is estimated; NaN where there is none
  */
 public record Estimate(double mean, double low, double high) {
   private static final double LEVEL = 0.95;
 
-  /** The estimate of one metric from one result or more. */
+  /**
+   * The mean of one metric over repeats, with Student's interval; its ends equal the mean where
+   * there is a single repeat.
+   */
   public static Estimate of(List<RunResult> results, Metric metric) {
     if (results.size() == 1) { // as most runs: without loading what statistics need
       double only = metric.of(results.get(0));
@@ -25,5 +29,25 @@ public record Estimate(double mean, double low, double high) {
         new TDistribution(results.size() - 1).inverseCumulativeProbability((1 + LEVEL) / 2);
     double half = quantile * statistics.getStandardDeviation() / Math.sqrt(results.size());
     return new Estimate(mean, mean - half, mean + half);
+  }
+
+  /** A value without an interval: what a single run gives. */
+  public static Estimate single(double value) {
+    return new Estimate(value, Double.NaN, Double.NaN);
+  }
+
+  /**
+   * The value with its interval in brackets, if it has one; a dash where there is no value.
+   *
+   * @param format of each number
+   */
+  public String text(String format) {
+    String pattern = Double.isNaN(low) ? format : format + " [" + format + ", " + format + "]";
+    return Double.isNaN(mean) ? "-" : String.format(Locale.ROOT, pattern, mean, low, high);
+  }
+
+  /** In another unit, of which one of this is {@code factor}. */
+  public Estimate times(double factor) {
+    return new Estimate(factor * mean, factor * low, factor * high);
   }
 }

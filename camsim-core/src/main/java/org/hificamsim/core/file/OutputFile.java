@@ -48,6 +48,19 @@ public final class OutputFile implements Closeable {
     return new OutputFile(path);
   }
 
+  /**
+   * A file that an option names, in a folder that is made where it is missing.
+   *
+   * @throws InputException when the path is a folder, or its folder cannot be made or written
+   */
+  public static OutputFile inFolder(String option, Path path) {
+    Path folder = path.toAbsolutePath().getParent();
+    if (folder != null) {
+      OutputFolder.made(folder);
+    }
+    return of(option, path);
+  }
+
   /** What fills a file. */
   @FunctionalInterface
   public interface Content {

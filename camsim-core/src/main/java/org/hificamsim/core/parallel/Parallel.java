@@ -4,7 +4,9 @@ import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletionService;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorCompletionService;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
@@ -15,17 +17,21 @@ public final class Parallel {
   private Parallel() {}
 
   /**
-   * The results in the order of the items. The first failure stops the items that have not begun,
-   * and is thrown.
+   * The results in the order of the items. The first failure is thrown at once; items that have not
+   * begun are dropped, and threads at work are interrupted.
    *
    * @param threads 1 or more
    */
   public static <T, R> List<R> map(List<T> items, int threads, Function<T, R> work) {
     ExecutorService pool = Executors.newFixedThreadPool(threads, Parallel::daemon);
     try {
+      CompletionService<R> service = new ExecutorCompletionService<>(pool);
       List<Future<R>> futures = new ArrayList<>();
       for (T item : items) {
-        futures.add(pool.submit(() -> work.apply(item)));
+        futures.add(service.submit(() -> work.apply(item)));
+      }
+      for (int i = 0; i < items.size(); i++) {
+        service.take().get(); // in the order in which they end
       }
       List<R> results = new ArrayList<>();
       for (Future<R> future : futures) {

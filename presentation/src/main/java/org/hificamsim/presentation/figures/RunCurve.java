@@ -26,14 +26,15 @@ public record RunCurve(
     JsonNode summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
     int repeats = summary.path("repeat").asInt();
     int steps = summary.path("steps").asInt();
-    if (repeats < 1 || steps < 1 || steps > MAX_STEPS) {
+    if (repeats < 1 || steps < 1) {
       throw new InputException(
-          folder.resolve(ResultFolder.SUMMARY)
-              + ": steps is "
-              + steps
-              + " and repeat is "
-              + repeats
-              + ", expected what 'hificamsim run' writes");
+          "%s: steps is %s and repeat is %s, expected what 'hificamsim run' writes"
+              .formatted(folder.resolve(ResultFolder.SUMMARY), steps, repeats));
+    }
+    if (steps > MAX_STEPS) {
+      throw new InputException(
+          "%s: steps is %s, expected at most %s to draw"
+              .formatted(folder.resolve(ResultFolder.SUMMARY), steps, MAX_STEPS));
     }
     long[] sums = new long[steps];
     StepRow.each(folder, row -> sums[row.step(steps)] += row.kMin());

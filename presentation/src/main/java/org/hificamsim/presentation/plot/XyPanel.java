@@ -122,9 +122,11 @@ public final class XyPanel {
     return line(curve, color, DASHED);
   }
 
-  /** Adds a vertical line from {@code low} to {@code high}: an interval. */
+  /** Adds a vertical line from {@code low} to {@code high}: an interval; none where they are NaN. */
   public XyPanel interval(double x, double low, double high, Color color) {
-    return line(new Curve(new double[] {x, x}, new double[] {low, high}), color, INTERVAL);
+    return Double.isNaN(low)
+        ? this
+        : line(new Curve(new double[] {x, x}, new double[] {low, high}), color, INTERVAL);
   }
 
   /** Adds the pale area between two curves over the same x: intervals all along. */

@@ -1,5 +1,6 @@
 package org.hificamsim.presentation.report;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -85,9 +86,10 @@ final class ComparisonReport {
     ComparisonCheck.check(summary, results);
     write(data.putObject("summary"), summary, MAX_SUMMARY_ROWS);
     write(data.putObject("results"), results, MAX_ROWS);
-    data.set("settings", new ResultFolder(folder).json(ResultFolder.SETTINGS));
+    JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
+    data.set("settings", settings);
     if (Table.STEPS.isIn(folder)) {
-      data.set("curves", Curves.of(Table.STEPS.read(folder)));
+      data.set("curves", Curves.of(folder, settings));
     }
     addColors(summary);
   }

@@ -1,12 +1,19 @@
 package org.hificamsim.presentation.report;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.hificamsim.core.InputException;
+import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TableFile;
 
 /** k_min over time of all cases, in few enough points for a page. */
@@ -21,28 +28,57 @@ final class Curves {
    * The curves: {@code steps} that each point is a mean over, and a list {@code cases} of {@code
    * scenario}, {@code detection}, {@code policy}, {@code k_min}.
    *
-   * @param table rows of a case by step
+   * @param folder whose table of steps, which may be too large to hold, is read
+   * @param settings of the plans: how many steps each has
+   * @throws InputException when the table is broken, or has a case that the settings lack
    */
-  static ObjectNode of(TableFile table) {
-    Map<List<String>, double[]> cases = new LinkedHashMap<>();
-    Map<List<String>, Integer> lengths = new LinkedHashMap<>();
-    for (int row = 0; row < table.rows().size(); row++) {
-      lengths.merge(table.caseOf(row), 1, Integer::sum);
-    }
+  static ObjectNode of(Path folder, JsonNode settings) throws IOException {
+    Map<List<String>, Integer> lengths = lengths(settings);
     int longest = lengths.values().stream().mapToInt(length -> length).max().orElse(1);
     int most =
         Math.max(2, Math.min(MAX_POINTS_OF_A_CASE, MAX_POINTS / Math.max(1, lengths.size())));
-    int group = (longest + most - 1) / most;
-    for (int row = 0; row < table.rows().size(); row++) {
-      List<String> key = table.caseOf(row);
-      int length = lengths.get(key);
-      double[] sums = cases.computeIfAbsent(key, any -> new double[(length + group - 1) / group]);
-      int point = (int) table.number(row, "step") / group;
-      if (point >= 0 && point < sums.length) {
-        sums[point] += table.number(row, "k_min") / Math.min(group, length - point * group);
-      }
-    }
+    int group = Math.max(1, (longest + most - 1) / most);
+    Map<List<String>, double[]> cases = new LinkedHashMap<>();
+    Table.STEPS.read(
+        folder,
+        block -> {
+          for (int row = 0; row < block.rows().size(); row++) {
+            List<String> key = block.caseOf(row);
+            int length = length(lengths, block, row, key);
+            double[] sums =
+                cases.computeIfAbsent(key, any -> new double[(length + group - 1) / group]);
+            int point = (int) block.number(row, "step") / group;
+            if (point >= 0 && point < sums.length) {
+              sums[point] += block.number(row, "k_min") / Math.min(group, length - point * group);
+            }
+          }
+        });
     return node(cases, group);
+  }
+
+  private static Map<List<String>, Integer> lengths(JsonNode settings) {
+    Map<List<String>, Integer> lengths = new HashMap<>();
+    for (JsonNode plan : settings) {
+      lengths.put(
+          List.of(
+              plan.path("scenario").asText(),
+              plan.path("detection").asText(),
+              plan.path("policy").asText()),
+          plan.path("steps").asInt());
+    }
+    return lengths;
+  }
+
+  private static int length(
+      Map<List<String>, Integer> lengths, TableFile table, int row, List<String> key) {
+    Integer length = lengths.get(key);
+    if (length == null) {
+      throw new InputException(
+          "%s:%s: %s is not in %s, expected the files of one comparison"
+              .formatted(
+                  table.file(), table.line(row), String.join(", ", key), ResultFolder.SETTINGS));
+    }
+    return length;
   }
 
   private static ObjectNode node(Map<List<String>, double[]> cases, int group) {

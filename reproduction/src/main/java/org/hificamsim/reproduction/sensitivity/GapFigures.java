@@ -109,7 +109,9 @@ final class GapFigures {
     double[] low = own.stream().mapToDouble(gap -> gap.difference().low()).toArray();
     double[] mean = own.stream().mapToDouble(gap -> gap.difference().mean()).toArray();
     double[] high = own.stream().mapToDouble(gap -> gap.difference().high()).toArray();
-    panel.band(new Curve(x, low), new Curve(x, high), color);
+    if (Arrays.stream(low).noneMatch(Double::isNaN)) { // with a single seed there is no interval
+      panel.band(new Curve(x, low), new Curve(x, high), color);
+    }
     panel.straight(new Curve(x, mean), color).dots(new Curve(x, mean), color);
   }
 

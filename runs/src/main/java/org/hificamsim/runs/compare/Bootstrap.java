@@ -17,16 +17,19 @@ public final class Bootstrap {
   private Bootstrap() {}
 
   /**
-   * The mean with its interval; values that are NaN are left out.
+   * The mean with its interval, of which a single value has none; values that are NaN are left out.
    *
    * @return NaN throughout where no value is left
    */
   public static Estimate mean(double[] values) {
     double[] known = Arrays.stream(values).filter(value -> !Double.isNaN(value)).toArray();
     if (known.length == 0) {
-      return new Estimate(Double.NaN, Double.NaN, Double.NaN);
+      return Estimate.single(Double.NaN);
     }
     double mean = StatUtils.mean(known);
+    if (known.length == 1) {
+      return Estimate.single(mean);
+    }
     SplittableRandom random = new SplittableRandom(SEED);
     double[] means = new double[RESAMPLES];
     for (int i = 0; i < means.length; i++) {

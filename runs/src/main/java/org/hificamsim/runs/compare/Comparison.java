@@ -19,15 +19,15 @@ import org.hificamsim.runs.RunPlan;
  */
 public final class Comparison {
   private final RunEngine engine;
-  private final Runnable runFinished;
+  private final RunProgress progress;
 
   /**
    * @param engine where the runs are computed, configured
-   * @param runFinished called after each run, from any thread
+   * @param progress hears of each run
    */
-  public Comparison(RunEngine engine, Runnable runFinished) {
+  public Comparison(RunEngine engine, RunProgress progress) {
     this.engine = engine;
-    this.runFinished = runFinished;
+    this.progress = progress;
   }
 
   /**
@@ -45,30 +45,29 @@ public final class Comparison {
     for (RunPlan plan : plans) {
       cases.add(new CaseUnderWay(plan, keys.get(cases.size()).text()));
     }
+    long resumed = 0;
     List<RunTask> missing = new ArrayList<>();
     for (RunTask task : tasks(plans)) {
       CaseUnderWay one = cases.get(task.plan());
       Optional<Outcome> found = journal.find(one.key, one.plan.seed(task.repeat()));
       if (found.isPresent()) {
-        take(one, task, found.get());
+        one.take(task.repeat(), found.get());
+        resumed++;
       } else {
         missing.add(task);
       }
     }
+    progress.resume(resumed);
     engine.run(
         plans,
         missing,
         (task, outcome) -> {
           CaseUnderWay one = cases.get(task.plan());
           journal.add(one.key, one.plan.seed(task.repeat()), outcome);
-          take(one, task, outcome);
+          one.take(task.repeat(), outcome);
+          progress.advance();
         });
     return score(cases);
-  }
-
-  private void take(CaseUnderWay one, RunTask task, Outcome outcome) {
-    one.take(task.repeat(), outcome);
-    runFinished.run();
   }
 
   /** Every run, seed by seed, so that all cases make headway together. */
@@ -110,7 +109,7 @@ public final class Comparison {
     private final Outcome[] outcomes;
     private final double[] settling;
     private final double[][] levels;
-    private final long[] sums;
+    private final double[] sums; // of whole numbers, exact; at the end the means
 
     CaseUnderWay(RunPlan plan, String key) {
       this.plan = plan;
@@ -118,7 +117,7 @@ public final class Comparison {
       this.outcomes = new Outcome[plan.repeats()];
       this.settling = new double[plan.repeats()];
       this.levels = new double[plan.repeats()][];
-      this.sums = new long[plan.steps()];
+      this.sums = new double[plan.steps()];
     }
 
     synchronized void take(int repeat, Outcome outcome) {
@@ -140,11 +139,8 @@ public final class Comparison {
                 bestFixed(fixed, repeat),
                 settling[repeat]));
       }
-      return new CaseResult(
-          plan,
-          runs,
-          Arrays.stream(sums).mapToDouble(sum -> sum / (double) runs.size()).toArray(),
-          levels);
+      Arrays.setAll(sums, step -> sums[step] / runs.size());
+      return new CaseResult(plan, runs, sums, levels);
     }
 
     private static OptionalDouble bestFixed(Optional<CaseUnderWay> fixed, int repeat) {

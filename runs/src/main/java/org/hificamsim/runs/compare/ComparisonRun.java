@@ -1,6 +1,7 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
@@ -14,15 +15,27 @@ public final class ComparisonRun {
   private final Comparison comparison;
   private final Yardsticks yardsticks;
   private final boolean resume;
+  private final Ending ending;
 
   /**
    * @param yardsticks what is run beside the plans that are asked for
    * @param resume whether runs that an earlier, killed comparison finished count
+   * @param ending what is still to be done when the files are in their place; should it fail, the
+   *     journal stays and {@code resume} has all runs
    */
-  public ComparisonRun(Comparison comparison, Yardsticks yardsticks, boolean resume) {
+  public ComparisonRun(
+      Comparison comparison, Yardsticks yardsticks, boolean resume, Ending ending) {
     this.comparison = comparison;
     this.yardsticks = yardsticks;
     this.resume = resume;
+    this.ending = ending;
+  }
+
+  /** Makes further files of those that are in their place, such as the page. */
+  @FunctionalInterface
+  public interface Ending {
+    /** Writes them. */
+    void write() throws IOException;
   }
 
   /** Adds further files, such as plots and a manifest, to those of the results. */
@@ -55,7 +68,10 @@ public final class ComparisonRun {
       List<CaseResult> results = comparison.run(yardsticks.with(plans), journal);
       List<CaseResult> all = results.subList(0, Yardsticks.withOptimum(plans).size());
       extras.write(folder, all);
-      folder.commit(List.of(ResultFolder.REPORT, ResultFolder.CRATE));
+      List<String> stale = new ArrayList<>(List.of(ResultFolder.REPORT, ResultFolder.CRATE));
+      stale.addAll(new ResultFolder(folder.path()).written());
+      folder.commit(stale);
+      ending.write();
       journal.finish();
       return all;
     }

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.io.Writer;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.output.LatexTable;
@@ -97,10 +96,6 @@ public final class LatexFile {
 
   /** A value with its interval; a dash where there is none. */
   private static String text(String format, Estimate value) {
-    String pattern =
-        Double.isNaN(value.low()) ? format : format + " [" + format + ", " + format + "]";
-    return Double.isNaN(value.mean())
-        ? "--"
-        : String.format(Locale.ROOT, pattern, value.mean(), value.low(), value.high());
+    return Double.isNaN(value.mean()) ? "--" : value.text(format);
   }
 }

@@ -60,7 +60,7 @@ public record Ratio(double[] performance, double[] optimum) {
   }
 
   /**
-   * A figure of the seeds with its 95% interval.
+   * A figure of the seeds with its 95% interval, of which a single seed has none.
    *
    * @param seeds how many there are
    */
@@ -68,6 +68,9 @@ public record Ratio(double[] performance, double[] optimum) {
     int[] drawn = new int[seeds];
     Arrays.setAll(drawn, i -> i);
     double value = figure.applyAsDouble(drawn);
+    if (seeds == 1) {
+      return Estimate.single(value);
+    }
     SplittableRandom random = new SplittableRandom(SEED);
     double[] values = new double[RESAMPLES];
     for (int i = 0; i < values.length; i++) {
@@ -76,7 +79,7 @@ public record Ratio(double[] performance, double[] optimum) {
     }
     double[] known = Arrays.stream(values).filter(one -> !Double.isNaN(one)).toArray();
     if (Double.isNaN(value) || known.length == 0) {
-      return new Estimate(Double.NaN, Double.NaN, Double.NaN);
+      return Estimate.single(Double.NaN);
     }
     Percentile percentile = new Percentile().withEstimationType(Percentile.EstimationType.R_7);
     percentile.setData(known);

@@ -27,8 +27,6 @@ public record Sample(double[] values) {
 
   /** The mean with its 95% interval, of which a single run has none. */
   public Estimate mean() {
-    return values.length == 1
-        ? new Estimate(values[0], Double.NaN, Double.NaN)
-        : Bootstrap.mean(values);
+    return Bootstrap.mean(values);
   }
 }

@@ -51,10 +51,10 @@ public final class ShardRun {
    *
    * @param engine where the runs are computed, configured
    * @param resume whether runs that are in the folder already count
-   * @param runFinished called after each run, from any thread
+   * @param progress hears of each run
    * @throws InputException when the folder holds another part
    */
-  public void execute(RunEngine engine, boolean resume, Runnable runFinished, Path out, Extra extra)
+  public void execute(RunEngine engine, boolean resume, RunProgress progress, Path out, Extra extra)
       throws IOException {
     try (OutputFolder folder = new OutputFolder(out)) {
       checkFolder(out, resume);
@@ -62,10 +62,10 @@ public final class ShardRun {
         ShardFolder.write(folder, shard, plans);
         engine.run(
             plans,
-            missing(journal, runFinished),
+            missing(journal, progress),
             (task, outcome) -> {
               journal.add(keys.get(task.plan()), seed(task), outcome);
-              runFinished.run();
+              progress.advance();
             });
         extra.write(folder);
         folder.commit(List.of());
@@ -73,15 +73,14 @@ public final class ShardRun {
     }
   }
 
-  private List<RunTask> missing(Journal journal, Runnable runFinished) throws IOException {
+  private List<RunTask> missing(Journal journal, RunProgress progress) throws IOException {
     List<RunTask> missing = new ArrayList<>();
     for (RunTask task : tasks) {
-      if (journal.find(keys.get(task.plan()), seed(task)).isPresent()) {
-        runFinished.run();
-      } else {
+      if (journal.find(keys.get(task.plan()), seed(task)).isEmpty()) {
         missing.add(task);
       }
     }
+    progress.resume(tasks.size() - missing.size());
     return missing;
   }
 

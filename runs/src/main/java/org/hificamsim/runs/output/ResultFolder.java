@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -66,6 +67,35 @@ public record ResultFolder(Path path) {
       words.add(plain ? text : "'" + text.replace("'", "'\\''") + "'");
     }
     return String.join(" ", words);
+  }
+
+  /**
+   * The files that the last command wrote here, as its RO-Crate names them: what is left of them
+   * once another command has written its own would pass for its results. None where there is no
+   * crate, or none that can be read.
+   */
+  public List<String> written() throws IOException {
+    if (!Files.isRegularFile(path.resolve(CRATE))) {
+      return List.of();
+    }
+    List<String> names = new ArrayList<>();
+    try {
+      for (JsonNode entity : json(CRATE).path("@graph")) {
+        if (entity.path("@type").asText().equals("File")) {
+          names.add(entity.path("name").asText());
+        }
+      }
+    } catch (InputException e) {
+      return List.of(); // what cannot be read names nothing
+    }
+    names.removeIf(name -> !isHere(name));
+    return names;
+  }
+
+  /** Whether it names a file of this very folder. */
+  private boolean isHere(String name) {
+    return name.matches("[^./][^/\\p{Cntrl}]*")
+        && Files.isRegularFile(path.resolve(name), LinkOption.NOFOLLOW_LINKS);
   }
 
   /** The version that made the folder. */

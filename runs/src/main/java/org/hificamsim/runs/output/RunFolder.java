@@ -52,15 +52,20 @@ public final class RunFolder implements Closeable {
   public RunFolder(Path path, Detection detection, Detail detail, TableFormat format)
       throws IOException {
     boolean certain = detection.certain();
-    folder = new OutputFolder(path);
-    Table ofSteps = certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE;
-    steps = RowsAside.of(format.createNumbers(ofSteps, folder));
-    this.detail = detail;
     boolean record = detail != Detail.STEPS;
-    Table ofCameras = detail == Detail.VIEWS ? Table.RUN_VIEWS : Table.RUN_ZOOMS;
-    zooms = record ? format.create(ofCameras, folder) : null;
-    Table ofTargets = certain ? Table.RUN_TARGETS : Table.RUN_TARGETS_BY_CHANCE;
-    targets = record ? format.create(ofTargets, folder) : null;
+    this.detail = detail;
+    folder = new OutputFolder(path);
+    try {
+      Table ofCameras = detail == Detail.VIEWS ? Table.RUN_VIEWS : Table.RUN_ZOOMS;
+      zooms = record ? format.create(ofCameras, folder) : null;
+      Table ofTargets = certain ? Table.RUN_TARGETS : Table.RUN_TARGETS_BY_CHANCE;
+      targets = record ? format.create(ofTargets, folder) : null;
+      Table ofSteps = certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE;
+      steps = RowsAside.of(format.createNumbers(ofSteps, folder));
+    } catch (IOException | RuntimeException e) {
+      folder.close(); // and its lock, for whoever tries again
+      throw e;
+    }
   }
 
   /** The listener that writes one repeat. */
@@ -162,7 +167,8 @@ public final class RunFolder implements Closeable {
   public void commit(RunPlan plan, List<RunResult> results) throws IOException {
     closeTables();
     SummaryFile.write(folder, plan, results);
-    folder.commit(BESIDE);
+    List<String> earlier = new ResultFolder(folder.path()).written();
+    folder.commit(Stream.concat(BESIDE.stream(), earlier.stream()).toList());
   }
 
   @Override

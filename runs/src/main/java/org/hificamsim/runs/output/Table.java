@@ -6,6 +6,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.Consumer;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
 
@@ -62,6 +63,8 @@ public enum Table {
       "rungs.csv",
       "scenario,rung,optimum,tau,tau_low,tau_high,chosen,regret,regret_low,regret_high,"
           + "share,share_low,share_high");
+
+  private static final int BLOCK_ROWS = 10_000;
 
   private final String file;
   private final String first;
@@ -120,5 +123,16 @@ public enum Table {
    */
   public TableFile read(Path folder) throws IOException {
     return TableFile.read(new ResultFolder(folder).file(file), List.of(first.split(",")));
+  }
+
+  /**
+   * Reads the table of a folder in blocks of rows, so that any size will do.
+   *
+   * @param taker takes each block in order, at least one
+   * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
+   */
+  public void read(Path folder, Consumer<TableFile> taker) throws IOException {
+    TableFile.read(
+        new ResultFolder(folder).file(file), List.of(first.split(",")), BLOCK_ROWS, taker);
   }
 }

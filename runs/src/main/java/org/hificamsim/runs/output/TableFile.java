@@ -1,29 +1,35 @@
 package org.hificamsim.runs.output;
 
+import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.MappingIterator;
 import com.fasterxml.jackson.dataformat.csv.CsvMapper;
 import com.fasterxml.jackson.dataformat.csv.CsvParser;
 import java.io.BufferedReader;
+import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStreamReader;
 import java.io.Reader;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.zip.GZIPInputStream;
+import java.util.zip.ZipException;
 import org.hificamsim.core.InputException;
 
 /**
- * A CSV file as text: the cells of a page are those of the table.
+ * A CSV file as text, or a block of its rows: the cells of a page are those of the table.
  *
  * @param file where it was
  * @param columns the header
  * @param rows each as long as the header
+ * @param first the number of the first row, from 0
  */
-public record TableFile(Path file, List<String> columns, List<String[]> rows) {
+public record TableFile(Path file, List<String> columns, List<String[]> rows, long first) {
   private static final CsvMapper MAPPER =
       CsvMapper.builder().enable(CsvParser.Feature.WRAP_AS_ARRAY).build();
 
@@ -34,26 +40,52 @@ public record TableFile(Path file, List<String> columns, List<String[]> rows) {
    * @throws InputException when it is broken or has other columns
    */
   static TableFile read(Path file, List<String> expected) throws IOException {
-    List<String[]> rows = new ArrayList<>();
+    List<TableFile> whole = new ArrayList<>();
+    read(file, expected, Integer.MAX_VALUE, whole::add);
+    return whole.get(0);
+  }
+
+  /**
+   * Reads a table that may be too large to hold at once.
+   *
+   * @param size most rows of a block
+   * @param taker takes each block in order, at least one, which is empty where there are no rows
+   */
+  static void read(Path file, List<String> expected, int size, Consumer<TableFile> taker)
+      throws IOException {
     try (Reader reader = reader(file);
         MappingIterator<String[]> all = MAPPER.readerFor(String[].class).readValues(reader)) {
-      while (all.hasNext()) {
-        rows.add(all.next());
-      }
+      List<String> columns = all.hasNextValue() ? List.of(all.nextValue()) : List.of();
+      long first = 0;
+      do {
+        TableFile block = new TableFile(file, columns, rows(all, size), first);
+        block.check(expected);
+        taker.accept(block);
+        first += block.rows.size();
+      } while (all.hasNextValue());
     } catch (JsonProcessingException e) {
-      throw new InputException(
-          "%s:%s:%s: %s, expected a table that 'hificamsim' writes"
-              .formatted(
-                  file,
-                  e.getLocation().getLineNr(),
-                  e.getLocation().getColumnNr(),
-                  e.getOriginalMessage()),
+      JsonLocation place = e.getLocation();
+      throw broken(
+          file,
+          place == null ? "" : ":" + place.getLineNr() + ":" + place.getColumnNr(),
+          e.getOriginalMessage(),
           e);
+    } catch (ZipException | EOFException | CharacterCodingException e) {
+      throw broken(file, "", e.getMessage(), e);
     }
-    List<String> columns = rows.isEmpty() ? List.of() : List.of(rows.remove(0));
-    TableFile table = new TableFile(file, columns, rows);
-    table.check(expected);
-    return table;
+  }
+
+  private static List<String[]> rows(MappingIterator<String[]> all, int size) throws IOException {
+    List<String[]> rows = new ArrayList<>();
+    while (rows.size() < size && all.hasNextValue()) {
+      rows.add(all.nextValue());
+    }
+    return rows;
+  }
+
+  private static InputException broken(Path file, String place, String what, IOException cause) {
+    return new InputException(
+        file + place + ": " + what + ", expected a table that 'hificamsim' writes", cause);
   }
 
   private static Reader reader(Path file) throws IOException {
@@ -107,7 +139,7 @@ public record TableFile(Path file, List<String> columns, List<String[]> rows) {
   }
 
   /** The line of a row, from 1, as long as no value holds a line end. */
-  public int line(int row) {
-    return row + 2;
+  public long line(int row) {
+    return first + row + 2;
   }
 }

@@ -32,7 +32,7 @@ class ComparisonRunTest {
     Path journal = folder.resolve(Journal.NAME);
     try (OutputFolder output = new OutputFolder(folder)) {
       List<CaseResult> results =
-          comparison()
+          comparison(false, () -> assertTrue(Files.exists(journal)))
               .executeWithoutTables(
                   List.of(plan()),
                   output,
@@ -47,14 +47,33 @@ class ComparisonRunTest {
     new OutputFolder(folder).close();
   }
 
+  /** So that what the page could not hold need not be computed again. */
+  @Test
+  void allRunsAreInTheJournalUntilTheEndingIsWritten() throws IOException {
+    try (OutputFolder output = new OutputFolder(folder)) {
+      ComparisonRun failing =
+          comparison(
+              false,
+              () -> {
+                throw new IOException("no space left");
+              });
+      assertThrows(
+          IOException.class,
+          () -> failing.executeWithoutTables(List.of(plan()), output, (files, cases) -> {}));
+      assertEquals(2, Files.readAllLines(folder.resolve(Journal.NAME)).size());
+      comparison(true, () -> {}).executeWithoutTables(List.of(plan()), output, (files, all) -> {});
+    }
+    assertFalse(Files.exists(folder.resolve(Journal.NAME)));
+  }
+
   private void assertHeld() {
     assertThrows(InputException.class, () -> new OutputFolder(folder));
   }
 
-  private static ComparisonRun comparison() {
+  private static ComparisonRun comparison(boolean resume, ComparisonRun.Ending ending) {
     RunEngine engine = Engines.registry().create("local");
     engine.configure(new EngineSettings(CATALOGUE, 1, Optional.empty()));
-    return new ComparisonRun(new Comparison(engine, () -> {}), Yardsticks.OPTIMUM, false);
+    return new ComparisonRun(new Comparison(engine, () -> {}), Yardsticks.OPTIMUM, resume, ending);
   }
 
   private static RunPlan plan() {

@@ -32,6 +32,14 @@ class RatioTest {
   }
 
   @Test
+  void aSingleSeedHasNoInterval() {
+    Estimate estimate = new Ratio(new double[] {9}, new double[] {10}).estimate();
+    assertEquals(Estimate.single(0.9), estimate);
+    assertEquals("0.90", estimate.text("%.2f"));
+    assertEquals(Estimate.single(3), Bootstrap.mean(new double[] {Double.NaN, 3}));
+  }
+
+  @Test
   void withNoOptimumAboveZeroThereIsNoRatio() {
     assertTrue(Double.isNaN(new Ratio(new double[] {0}, new double[] {0}).estimate().mean()));
   }
