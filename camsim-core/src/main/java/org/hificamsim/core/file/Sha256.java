@@ -10,15 +10,18 @@ import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.HexFormat;
 
-/** SHA-256, in hexadecimal. */
+/** SHA-256, in hexadecimal unless said otherwise. */
 public final class Sha256 {
   private Sha256() {}
 
   /** The hash of some bytes. */
   public static String of(byte[] content) {
-    MessageDigest digest = digest();
-    digest.update(content);
-    return text(digest);
+    return HexFormat.of().formatHex(bytes(content));
+  }
+
+  /** The 32 bytes of the hash of some bytes. */
+  public static byte[] bytes(byte[] content) {
+    return digest().digest(content);
   }
 
   /** The hash of a file. */

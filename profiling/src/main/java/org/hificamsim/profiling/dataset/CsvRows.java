@@ -54,7 +54,7 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
           return value;
         }
       } catch (NumberFormatException e) {
-        // told below
+        // reported below
       }
       throw error(column, expected);
     }
@@ -83,6 +83,11 @@ public record CsvRows(String file, List<String> columns, List<Map<String, Cell>>
       rows.add(row(columns, line));
     }
     return new CsvRows(name, columns, rows);
+  }
+
+  /** A text as a cell that reads back from a table between commas or semicolons. */
+  public static String quoted(String text) {
+    return text.matches("[^,;\"\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
   }
 
   private static Map<String, Cell> row(List<String> columns, List<Cell> line) {

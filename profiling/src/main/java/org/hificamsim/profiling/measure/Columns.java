@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.profiling.dataset.Covariate;
+import org.hificamsim.profiling.dataset.CsvRows;
 
 /**
  * The columns of a table of measurements.
@@ -44,8 +45,8 @@ record Columns(PipReading pip, List<Covariate> covariates, List<String> detector
     List<String> cells =
         new ArrayList<>(
             List.of(
-                quoted(row.image()),
-                quoted(row.object()),
+                CsvRows.quoted(row.image()),
+                CsvRows.quoted(row.object()),
                 String.valueOf(row.size()),
                 String.valueOf(row.distance()),
                 String.valueOf(row.focalLength()),
@@ -65,9 +66,5 @@ record Columns(PipReading pip, List<Covariate> covariates, List<String> detector
 
   private static String cell(Double value) {
     return value == null ? "" : value.toString();
-  }
-
-  private static String quoted(String text) {
-    return text.matches("[^,;\"\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
   }
 }

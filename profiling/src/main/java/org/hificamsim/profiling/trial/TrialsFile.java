@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.measure.Measurement;
 
 /** {@code simulation.csv}: every photo, as it was measured and as it is simulated. */
@@ -32,8 +33,8 @@ public final class TrialsFile {
         .formatted(
             trials.model().detector(),
             trials.model().name(),
-            quoted(photo.image()),
-            quoted(photo.object()),
+            CsvRows.quoted(photo.image()),
+            CsvRows.quoted(photo.object()),
             photo.size(),
             photo.distance(),
             photo.focalLength(),
@@ -42,9 +43,5 @@ public final class TrialsFile {
             one.measured() ? 1 : 0,
             one.simulated() ? 1 : 0,
             Double.isNaN(one.chance()) ? "" : one.chance());
-  }
-
-  private static String quoted(String text) {
-    return text.matches("[^\",\n\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
   }
 }
