@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A sweep in parts: the parts' runs make the files of the whole, and nothing less does. */
+/** A comparison in parts: the parts' runs make the files of the whole, and nothing less does. */
 class ShardCommandTest {
   private static final int RUNS = 2 * (3 + 1) * 5;
 
@@ -84,16 +84,16 @@ class ShardCommandTest {
   }
 
   @Test
-  void aPartOfAnotherSweepIsNamed() {
+  void aPartOfAnotherComparisonIsNamed() {
     Object[] other =
         Stream.concat(Arrays.stream(merging(thirds)), Stream.of("--seed", 1)).toArray();
-    assertRefused("is shard 1/3 of another sweep", other);
+    assertRefused("is shard 1/3 of another comparison", other);
   }
 
   @Test
   void aFolderWithoutAPartIsNamed() throws IOException {
     assertRefused("has no shard.json", merging(List.of(whole)));
-    Files.writeString(folder.resolve("shard.json"), "{\"sweep\": 3}");
+    Files.writeString(folder.resolve("shard.json"), "{\"comparison\": 3}");
     assertRefused("shard.json: expected what --shard writes", merging(List.of(folder)));
   }
 
@@ -103,7 +103,7 @@ class ShardCommandTest {
     byte[] runs = Files.readAllBytes(first.resolve("runs.jsonl"));
     assertRefused("holds shard 1/3, expected a folder of its own", words(first, "--shard", "2/3"));
     Object[] other = words(first, "--shard", "1/3", "--resume", "--order", "camsim");
-    assertRefused("holds shard 1/3 of another sweep", other);
+    assertRefused("holds shard 1/3 of another comparison", other);
     assertArrayEquals(runs, Files.readAllBytes(first.resolve("runs.jsonl")));
   }
 

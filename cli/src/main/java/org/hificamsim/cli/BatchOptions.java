@@ -64,7 +64,7 @@ final class BatchOptions {
     return resume;
   }
 
-  /** The part of the sweep that was asked for, if not the whole. */
+  /** The part of the comparison that was asked for, if not the whole. */
   Optional<Shard> shard() {
     if (shard.isPresent() && merge != null) {
       throw new InputException("--shard and --merge are given, expected one of them");
@@ -80,7 +80,7 @@ final class BatchOptions {
   /**
    * Where the runs come from: the engine that was asked for, or the shards to merge.
    *
-   * @param plans of the whole sweep, made by {@code Yardsticks.with}
+   * @param plans of the whole comparison, made by {@code Yardsticks.with}
    * @throws InputException when there is no such engine, it cannot work, or shards are missing
    */
   RunEngine engine(Catalogue catalogue, List<RunPlan> plans) throws IOException {

@@ -12,9 +12,9 @@ import org.hificamsim.runs.compare.RunTask;
  * @param fault null when there is none
  */
 record Answer(RunTask task, Outcome outcome, RuntimeException fault) implements Serializable {
-  static Answer to(RunTask task, PortableComparison sweep) {
+  static Answer to(RunTask task, PortableComparison comparison) {
     try {
-      return new Answer(task, sweep.outcome(task), null);
+      return new Answer(task, comparison.outcome(task), null);
     } catch (RuntimeException e) {
       return new Answer(task, null, e);
     }

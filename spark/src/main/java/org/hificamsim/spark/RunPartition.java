@@ -14,10 +14,10 @@ final class RunPartition extends AbstractFunction2<TaskContext, Iterator<RunTask
     implements Serializable {
   private static final long serialVersionUID = 1L;
 
-  private final Broadcast<PortableComparison> sweep;
+  private final Broadcast<PortableComparison> comparison;
 
-  RunPartition(Broadcast<PortableComparison> sweep) {
-    this.sweep = sweep;
+  RunPartition(Broadcast<PortableComparison> comparison) {
+    this.comparison = comparison;
   }
 
   @Override
@@ -25,7 +25,7 @@ final class RunPartition extends AbstractFunction2<TaskContext, Iterator<RunTask
     List<Answer> answers = new ArrayList<>();
     boolean sound = true;
     while (sound && tasks.hasNext()) {
-      Answer answer = Answer.to(tasks.next(), sweep.value());
+      Answer answer = Answer.to(tasks.next(), comparison.value());
       answers.add(answer);
       sound = answer.fault() == null;
     }

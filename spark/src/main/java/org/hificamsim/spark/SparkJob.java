@@ -20,17 +20,17 @@ import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.RunTask;
 import scala.reflect.ClassTag$;
 
-/** A sweep as one Spark job. Every run is a task of its own, until there are too many for Spark. */
+/** A comparison as one Spark job. Every run is a task of its own, until there are too many for Spark. */
 final class SparkJob {
   private static final int MAX_PARTITIONS = 10_000;
   private static final int PATIENCE_SECONDS = 30;
 
   private final SparkMaster master;
-  private final PortableComparison sweep;
+  private final PortableComparison comparison;
 
-  SparkJob(SparkMaster master, PortableComparison sweep) {
+  SparkJob(SparkMaster master, PortableComparison comparison) {
     this.master = master;
-    this.sweep = sweep;
+    this.comparison = comparison;
   }
 
   /** Computes the tasks and hands each outcome to {@code finished} as it arrives. */
@@ -50,7 +50,7 @@ final class SparkJob {
       throws IOException {
     RDD<RunTask> partitions =
         context.parallelize(tasks, Math.min(tasks.size(), MAX_PARTITIONS)).rdd();
-    Broadcast<PortableComparison> shared = context.broadcast(sweep);
+    Broadcast<PortableComparison> shared = context.broadcast(comparison);
     AnswerCollector taking = new AnswerCollector(finished);
     try {
       context

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.TestMethodOrder;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A sweep with a user's policy and model file on a real cluster of one master and two workers, one
+ * A comparison with a user's policy and model file on a real cluster of one master and two workers, one
  * of which is killed.
  */
 @TestMethodOrder(MethodOrderer.OrderAnnotation.class)
@@ -91,7 +91,7 @@ class SparkClusterTest {
     command.addAll(List.of("--conf", "spark.executor.memory=512m", "--jars", jar.toString()));
     command.addAll(List.of("--conf", "spark.driver.host=127.0.0.1"));
     command.addAll(List.of("--class", "org.hificamsim.cli.Main", application()));
-    command.addAll(sweep("submitted", List.of("--engine", "spark")));
+    command.addAll(comparison("submitted", List.of("--engine", "spark")));
     ProcessBuilder submit = process("submitted", command);
     submit.environment().put("SPARK_HOME", home.toString());
     submit.environment().put("SPARK_LOCAL_IP", "127.0.0.1");
@@ -111,7 +111,7 @@ class SparkClusterTest {
             "-cp",
             String.join(File.pathSeparator, home + "/jars/*", application(), policy.toString())));
     command.add("org.hificamsim.cli.Main");
-    command.addAll(sweep(name, engine));
+    command.addAll(comparison(name, engine));
     return process(name, command);
   }
 
@@ -121,7 +121,7 @@ class SparkClusterTest {
         .redirectOutput(folder.resolve(name + ".log").toFile());
   }
 
-  private static List<String> sweep(String name, List<String> engine) {
+  private static List<String> comparison(String name, List<String> engine) {
     List<String> words = new ArrayList<>();
     words.addAll(List.of("compare", ROOT.resolve("scenarios/cluster-random.xml").toString()));
     words.addAll(List.of("--detections", "camsim-range," + model));

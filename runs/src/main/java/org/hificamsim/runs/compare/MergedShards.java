@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.runs.RunPlan;
 
-/** The runs of a sweep from the folders of all its shards, as an engine that computes nothing. */
+/** The runs of a comparison from the folders of all its shards, as an engine that computes nothing. */
 public final class MergedShards implements RunEngine {
   private static final int MAX_NAMED = 10;
 
@@ -21,8 +21,8 @@ public final class MergedShards implements RunEngine {
    * Checks that the shards are there, each once and complete.
    *
    * @param folders of {@code --shard} runs
-   * @param plans of the whole sweep, made by {@link Yardsticks#with}
-   * @throws InputException naming what is missing, comes twice or belongs to another sweep
+   * @param plans of the whole comparison, made by {@link Yardsticks#with}
+   * @throws InputException naming what is missing, comes twice or belongs to another comparison
    */
   public MergedShards(List<Path> folders, List<RunPlan> plans) throws IOException {
     for (Path folder : folders) {
@@ -65,7 +65,7 @@ public final class MergedShards implements RunEngine {
                             .formatted(folder)));
     if (!shard.isOf(plans)) {
       throw new InputException(
-          "--merge '%s' is shard %s of another sweep%s, expected this one's scenarios, models, policies, steps, seeds and version"
+          "--merge '%s' is shard %s of another comparison%s, expected this one's scenarios, models, policies, steps, seeds and version"
               .formatted(folder, shard.shard(), shard.changed(plans)));
     }
     return shard;

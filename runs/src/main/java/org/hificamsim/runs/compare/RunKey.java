@@ -76,8 +76,8 @@ public record RunKey(
         inputs, detection.threshold(), detection.rule().text(), plan.policy(), plan.steps());
   }
 
-  /** A digest of the keys of all runs of a sweep. */
-  static String sweep(List<RunPlan> plans) {
+  /** A digest of the keys of all runs of a comparison. */
+  static String comparison(List<RunPlan> plans) {
     Stream<String> keys = of(plans).stream().map(RunKey::text);
     Stream<String> seeds = plans.stream().map(plan -> plan.seed() + " " + plan.repeats());
     return Sha256.of(bytes(Stream.concat(keys, seeds).collect(Collectors.joining("\n"))));

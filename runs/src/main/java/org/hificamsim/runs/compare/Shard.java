@@ -8,7 +8,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * One of the equal parts of a sweep.
+ * One of the equal parts of a comparison.
  *
  * @param number which part, 1 to {@code of}
  * @param of how many parts there are
@@ -42,7 +42,7 @@ public record Shard(int number, int of) {
    * one run more than another. Case by case the seeds begin one further, so that a part does not
    * get the same seeds of all.
    *
-   * @param plans of the whole sweep
+   * @param plans of the whole comparison
    */
   List<RunTask> tasks(List<RunPlan> plans) {
     List<RunTask> tasks = new ArrayList<>();

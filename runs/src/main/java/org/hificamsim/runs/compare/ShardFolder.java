@@ -13,7 +13,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * Where a shard's runs are kept: {@code shard.json} tells which part of which sweep, {@code
+ * Where a shard's runs are kept: {@code shard.json} says which part of which comparison, {@code
  * runs.jsonl} is its journal.
  *
  * @param content of {@code shard.json}
@@ -23,8 +23,8 @@ record ShardFolder(Path path, Content content) {
   private static final String NAME = "shard.json";
   private static final int MAX_BYTES = 1 << 16;
 
-  /** Which part of which sweep, the sweep as a digest of all that its results depend on. */
-  record Content(String sweep, int shard, int of) {}
+  /** Which part of which comparison, the comparison as a digest of all that its results depend on. */
+  record Content(String comparison, int shard, int of) {}
 
   private static final ObjectMapper MAPPER =
       new ObjectMapper().enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES);
@@ -42,7 +42,7 @@ record ShardFolder(Path path, Content content) {
     if (Files.size(file) <= MAX_BYTES) {
       try {
         Content content = MAPPER.readValue(Files.readAllBytes(file), Content.class);
-        if (content != null && content.sweep != null && Shard.isOne(content.shard, content.of)) {
+        if (content != null && content.comparison != null && Shard.isOne(content.shard, content.of)) {
           return Optional.of(new ShardFolder(path, content));
         }
       } catch (com.fasterxml.jackson.core.JsonProcessingException e) {
@@ -60,17 +60,17 @@ record ShardFolder(Path path, Content content) {
     folder.commit(List.of());
   }
 
-  /** Whether it holds this part of this sweep. */
+  /** Whether it holds this part of this comparison. */
   boolean isOf(Shard shard, List<RunPlan> plans) {
     return content.equals(content(shard, plans));
   }
 
-  /** Whether it holds a part of this sweep. */
+  /** Whether it holds a part of this comparison. */
   boolean isOf(List<RunPlan> plans) {
-    return content.sweep().equals(RunKey.sweep(plans));
+    return content.comparison().equals(RunKey.comparison(plans));
   }
 
-  /** What tells its sweep from this one, for error lines; empty where that cannot be named. */
+  /** The input that another comparison has, for error lines; empty where that cannot be named. */
   String changed(List<RunPlan> plans) throws IOException {
     try (Journal runs = runs()) {
       return runs.changed(RunKey.of(plans)).map(input -> " (another " + input + ")").orElse("");
@@ -95,6 +95,6 @@ record ShardFolder(Path path, Content content) {
   }
 
   private static Content content(Shard shard, List<RunPlan> plans) {
-    return new Content(RunKey.sweep(plans), shard.number(), shard.of());
+    return new Content(RunKey.comparison(plans), shard.number(), shard.of());
   }
 }

@@ -10,7 +10,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * Computes one part of a sweep into a folder of its own, for {@link MergedShards}; safe to kill at
+ * Computes one part of a comparison into a folder of its own, for {@link MergedShards}; safe to kill at
  * any moment.
  */
 public final class ShardRun {
@@ -20,7 +20,7 @@ public final class ShardRun {
   private final List<RunTask> tasks;
 
   /**
-   * @param plans of the whole sweep, made by {@link Yardsticks#with}
+   * @param plans of the whole comparison, made by {@link Yardsticks#with}
    */
   public ShardRun(Shard shard, List<RunPlan> plans) {
     this.shard = shard;
@@ -95,10 +95,10 @@ public final class ShardRun {
     }
     ShardFolder other = found.get();
     if (other.isOf(plans) || resume) {
-      String sweep = other.isOf(plans) ? "" : " of another sweep" + other.changed(plans);
+      String comparison = other.isOf(plans) ? "" : " of another comparison" + other.changed(plans);
       throw new InputException(
           "--out '%s' holds shard %s%s, expected a folder of its own for %s"
-              .formatted(out, other.shard(), sweep, shard));
+              .formatted(out, other.shard(), comparison, shard));
     }
   }
 }
