@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from .torch_envs import benchmarl_task, torchrl_env
     from .vector import CameraVectorEnv, NetworkEnv, single_env, vector_env
 
-__version__ = "0.1.0"
+__version__ = "0.2.0.dev0"
 
 _LATER = {
     "CameraEnv": "parallel",

@@ -18,6 +18,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
+import org.hificamsim.runs.output.ManifestFile;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
@@ -28,6 +29,7 @@ import org.w3c.dom.Element;
 class EmbeddingGuideTest {
   private static final Path EXAMPLES = Cli.ROOT.resolve("examples");
   private static final Path REPOSITORY = Cli.ROOT.resolve("build/repository");
+  private static final String VERSION = ManifestFile.version();
   private static final String GRADLE_HOME = System.getProperty("hificamsim.gradle");
   private static final Pattern BLOCK = Pattern.compile("```java\\n(.*?)```", Pattern.DOTALL);
 
@@ -126,8 +128,8 @@ class EmbeddingGuideTest {
   }
 
   private static void checkPom(String library, List<String> dependencies) throws Exception {
-    Path files = REPOSITORY.resolve("org/hificamsim").resolve(library).resolve("0.1.0");
-    Path pom = files.resolve(library + "-0.1.0.pom");
+    Path files = REPOSITORY.resolve("org/hificamsim").resolve(library).resolve(VERSION);
+    Path pom = files.resolve(library + "-" + VERSION + ".pom");
     Element root =
         DocumentBuilderFactory.newDefaultInstance()
             .newDocumentBuilder()
@@ -142,7 +144,7 @@ class EmbeddingGuideTest {
     }
     assertEquals(dependencies, found);
     for (String ending : List.of(".jar", "-sources.jar", "-javadoc.jar")) {
-      assertTrue(Files.size(files.resolve(library + "-0.1.0" + ending)) > 0);
+      assertTrue(Files.size(files.resolve(library + "-" + VERSION + ending)) > 0);
     }
   }
 
