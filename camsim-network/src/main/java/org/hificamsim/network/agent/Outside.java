@@ -5,8 +5,8 @@ import org.hificamsim.core.visibility.Pose;
 
 /**
  * Which places are surely out of a camera's reach or angle: most pairs of a camera and a target are
- * told apart so, without the arc cosine of CamSim's own test, a native call, and without a root: a
- * square keeps the order where it keeps the sign.
+ * told apart so, without the arc cosine of CamSim's own test and without a root: a square keeps the
+ * order where it keeps the sign.
  */
 final class Outside {
   /** Far more than what rounding does to a cosine or a squared distance. */
