@@ -1,6 +1,7 @@
 package org.hificamsim.network.agent;
 
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Pose;
 
 /**
@@ -28,12 +29,26 @@ final class Outside {
     }
   }
 
-  /** Whether a place is surely not seen. */
-  boolean has(double x, double y) {
-    double dx = x - pose.x();
-    double dy = y - pose.y();
-    double squared = dx * dx + dy * dy;
-    double along = dx * pose.headingX() + dy * pose.headingY();
-    return squared > squaredReach || along * Math.abs(along) < signedSquare * squared;
+  /**
+   * Finds the places that are not surely outside, among some of a grid.
+   *
+   * @param found receives their numbers in the grid, in its order
+   * @return how many
+   */
+  int findOthers(PointGrid places, int from, int to, int[] found) {
+    double x = pose.x();
+    double y = pose.y();
+    double headingX = pose.headingX();
+    double headingY = pose.headingY();
+    int count = 0;
+    for (int i = from; i < to; i++) {
+      double dx = places.x(i) - x;
+      double dy = places.y(i) - y;
+      double squared = dx * dx + dy * dy;
+      double along = dx * headingX + dy * headingY;
+      found[count] = i;
+      count += squared > squaredReach || along * Math.abs(along) < signedSquare * squared ? 0 : 1;
+    }
+    return count;
   }
 }
