@@ -49,6 +49,7 @@ public final class Network implements Cooperation, WorldObserver {
   private final Agent.Shared shared;
   private final Agent[] agents;
   private final CameraBandit[] bandits;
+  private boolean learning; // whether any camera has a bandit
   private int added;
   private int appeared;
   private long step;
@@ -111,8 +112,10 @@ public final class Network implements Cooperation, WorldObserver {
   @Override
   public void cooperate() {
     tally.begin();
-    searches.refresh(agents, added);
-    inTurn(choosing);
+    searches.refresh(agents, added, cameras.revision());
+    if (learning) {
+      inTurn(choosing);
+    }
     inTurn(advertising);
     inTurn(bidding);
     inTurn(settling);
@@ -198,6 +201,7 @@ public final class Network implements Cooperation, WorldObserver {
   public void cameraAdded(int camera) {
     agents[camera] = factory.agent(camera, shared);
     bandits[camera] = factory.bandit(agents[camera]);
+    learning |= bandits[camera] != CameraBandit.NONE;
     for (int other = 0; other < camera; other++) {
       agents[camera].meet(other);
       if (cameras.online(other)) {

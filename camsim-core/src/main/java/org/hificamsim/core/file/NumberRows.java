@@ -17,6 +17,7 @@ public final class NumberRows implements Rows {
   private final String lineEnd;
   private final DoubleTexts doubles = new DoubleTexts();
   private final StringBuilder row = new StringBuilder();
+  private char[] text = new char[256];
 
   /**
    * Writes the header.
@@ -45,11 +46,21 @@ public final class NumberRows implements Rows {
     row.setLength(row.length() - 1);
     row.append(lineEnd);
     try {
-      out.append(row);
+      write();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
     row.setLength(0);
+  }
+
+  /** Without a string of the row. */
+  private void write() throws IOException {
+    int length = row.length();
+    if (length > text.length) {
+      text = new char[2 * length];
+    }
+    row.getChars(0, length, text, 0);
+    out.write(text, 0, length);
   }
 
   @Override

@@ -39,10 +39,14 @@ public record Pose(double x, double y, double heading, double headingX, double h
 
   /** The same, from the cosine of half the angle. */
   public boolean isInCone(double cosine, double atX, double atY) {
+    return along(atX, atY) >= cosine * distance(atX, atY);
+  }
+
+  /** How far ahead of the pose a point is, metres; below 0 behind it. */
+  double along(double atX, double atY) {
     double dx = atX - x;
     double dy = atY - y;
-    double along = dx * headingX + dy * headingY;
-    return along >= cosine * Math.sqrt(dx * dx + dy * dy);
+    return dx * headingX + dy * headingY;
   }
 
   /** The cosine of {@link #offAxis}, as computed; NaN for the pose's own position. */
@@ -58,6 +62,6 @@ public record Pose(double x, double y, double heading, double headingX, double h
    * own position, or where rounding takes the cosine past 1.
    */
   public double offAxis(double atX, double atY) {
-    return Math.acos(cosine(atX, atY));
+    return ArcCosine.of(cosine(atX, atY));
   }
 }

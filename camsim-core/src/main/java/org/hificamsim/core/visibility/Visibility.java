@@ -22,7 +22,7 @@ import org.hificamsim.core.detection.ZoomLevel;
  * </ol>
  */
 public final class Visibility {
-  /** The cosine of an angle that is neither 0 nor pi, however it was rounded, is nearer to 0. */
+  /** A cosine nearer to 0 is one of an angle between 0 and pi: rounding takes less than 1e-14. */
   private static final double BETWEEN = 1 - 1e-9;
 
   private final Detection detection;
@@ -172,23 +172,25 @@ public final class Visibility {
     if (!(distance <= zoom.radius())) {
       return Double.NaN;
     }
-    double offAxis = offAxis(camera, zoom, x, y);
+    double offAxis = offAxis(camera, zoom, x, y, distance);
     return isWithin(camera, zoom, x, y, offAxis)
         ? model.confidence(size, distance, offAxis, zoom)
         : Double.NaN;
   }
 
   /**
-   * The angle; any other between 0 and pi where that makes no difference, without a native call.
+   * The angle; any other between 0 and pi where that makes no difference, without a root.
+   *
+   * @param distance of the point, metres
    */
-  private double offAxis(Pose camera, ZoomLevel zoom, double x, double y) {
+  private double offAxis(Pose camera, ZoomLevel zoom, double x, double y, double distance) {
     if (asInCamSim && !zoom.allRound()) {
       return camera.offAxis(x, y);
     }
     if (!model.dependsOnBearing()) {
       return 0;
     }
-    boolean between = Math.abs(camera.cosine(x, y)) < BETWEEN;
+    boolean between = Math.abs(camera.along(x, y)) < BETWEEN * distance;
     return between && !model.dependsOnBearing(zoom) ? Math.PI / 2 : camera.offAxis(x, y);
   }
 

@@ -28,6 +28,23 @@ class NumberRowsTest {
   }
 
   @Test
+  void aRowMayBeOfAnyLengthAndAShortOneMayFollow() throws IOException {
+    String row = "-9223372036854775808;".repeat(100);
+    assertEquals(
+        "a;b;c;d\r\n" + row + "1\r\n2\r\n",
+        written(
+            rows -> {
+              for (int cell = 0; cell < 100; cell++) {
+                rows.add(Long.MIN_VALUE);
+              }
+              rows.add(1);
+              rows.end();
+              rows.add(2);
+              rows.end();
+            }));
+  }
+
+  @Test
   void aNumberThatComesAgainAfterManyOthersHasTheSameText() {
     DoubleTexts texts = new DoubleTexts();
     Random random = new Random(1);

@@ -87,6 +87,19 @@ class VisibilityTest {
     assertEquals(1 / 3.25, visibility.confidence(ORIGIN, allRound, 3, 0, 1, 0));
   }
 
+  @Property
+  void camSimsCameraThatSeesAllRoundIsAsSureAsAtTheTrueAngle(
+      @ForAll @DoubleRange(min = -10, max = 10) double x,
+      @ForAll @DoubleRange(min = -10, max = 10) double y,
+      @ForAll @DoubleRange(min = -720, max = 720) double heading) {
+    CamSimVisibilityDetection model = new CamSimVisibilityDetection();
+    Visibility visibility = Visibility.asInCamSim(Detection.of(model));
+    Pose camera = Pose.of(1, 2, Math.toRadians(heading));
+    ZoomLevel zoom = zoom(360, 30);
+    double sure = model.confidence(1, camera.distance(x, y), camera.offAxis(x, y), zoom);
+    assertEquals(sure, visibility.confidence(camera, zoom, x, y, 1, 0));
+  }
+
   /** The same question asked of bearings instead of a scalar product. */
   @Property(tries = 2000, edgeCases = EdgeCasesMode.NONE)
   void agreesWithBearings(

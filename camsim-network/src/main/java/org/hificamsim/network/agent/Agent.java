@@ -96,16 +96,19 @@ public final class Agent {
     policy = newPolicy;
     countsFallback = false;
     links.thaw();
+    shared.searches().outdate();
   }
 
   /** Gets to know another camera, the last in its list. */
   public void meet(int other) {
     neighbours.add(other);
+    shared.searches().outdate();
   }
 
   /** Forgets all other cameras, for good (behaviour 7, step 4). */
   public void forgetNeighbours() {
     neighbours.clear();
+    shared.searches().outdate();
   }
 
   /** Looks for a new target that nobody owns. */

@@ -1,12 +1,13 @@
 package org.hificamsim.network.agent;
 
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Pose;
 
 /**
  * Which places are surely out of a camera's reach or angle: most pairs of a camera and a target are
- * told apart so, without the arc cosine of CamSim's own test, a native call, and without a root: a
- * square keeps the order where it keeps the sign.
+ * told apart so, without the arc cosine of CamSim's own test and without a root: a square keeps the
+ * order where it keeps the sign.
  */
 final class Outside {
   /** Far more than what rounding does to a cosine or a squared distance. */
@@ -28,12 +29,26 @@ final class Outside {
     }
   }
 
-  /** Whether a place is surely not seen. */
-  boolean has(double x, double y) {
-    double dx = x - pose.x();
-    double dy = y - pose.y();
-    double squared = dx * dx + dy * dy;
-    double along = dx * pose.headingX() + dy * pose.headingY();
-    return squared > squaredReach || along * Math.abs(along) < signedSquare * squared;
+  /**
+   * Finds the places that are not surely outside, among some of a grid.
+   *
+   * @param found receives their numbers in the grid, in its order
+   * @return how many
+   */
+  int findOthers(PointGrid places, int from, int to, int[] found) {
+    double x = pose.x();
+    double y = pose.y();
+    double headingX = pose.headingX();
+    double headingY = pose.headingY();
+    int count = 0;
+    for (int i = from; i < to; i++) {
+      double dx = places.x(i) - x;
+      double dy = places.y(i) - y;
+      double squared = dx * dx + dy * dy;
+      double along = dx * headingX + dy * headingY;
+      found[count] = i;
+      count += squared > squaredReach || along * Math.abs(along) < signedSquare * squared ? 0 : 1;
+    }
+    return count;
   }
 }

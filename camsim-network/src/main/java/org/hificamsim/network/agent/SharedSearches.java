@@ -11,12 +11,15 @@ import java.util.BitSet;
  * <p>Time is counted in changes, of which no two happen at once.
  */
 public final class SharedSearches {
+  private static final int UNKNOWN = -1;
+
   private final int[] searcher;
   private final long[] since;
   private final long[] changed;
   private final int[] apart; // cameras that have heard something else since
   private final BitSet listening = new BitSet();
   private boolean reachingAll;
+  private int revision = UNKNOWN;
   private long now;
 
   /** All look for nothing. */
@@ -31,8 +34,15 @@ public final class SharedSearches {
   /**
    * Finds out who is online, until this is asked again, and whether a message to all neighbours
    * reaches all of them. Where a bandit zooms it goes to each, since what each sees is counted.
+   *
+   * @param newRevision of the cameras; with the last one nothing is done, unless an agent has said
+   *     that it is out of date
    */
-  public void refresh(Agent[] agents, int count) {
+  public void refresh(Agent[] agents, int count, int newRevision) {
+    if (newRevision == revision) {
+      return;
+    }
+    revision = newRevision;
     listening.clear();
     reachingAll = true;
     for (int camera = 0; camera < count; camera++) {
@@ -42,6 +52,11 @@ public final class SharedSearches {
         reachingAll &= agents[camera].isInReachOf(count - 1);
       }
     }
+  }
+
+  /** An agent has other neighbours, or another schedule. */
+  void outdate() {
+    revision = UNKNOWN;
   }
 
   /** The cameras that hear a message to everyone, and who sends it; for reading only. */

@@ -23,6 +23,7 @@ public final class Sightings {
   private final double[][] confidence; // by camera and target
   private final InsertionOrder[] visible;
   private final Outside[] outsides;
+  private final int[] near;
   private final int[] seen;
 
   /** What cameras will see, nothing so far. */
@@ -37,6 +38,7 @@ public final class Sightings {
     Arrays.setAll(visible, camera -> new InsertionOrder(targets.count()));
     outsides = new Outside[cameras.count()];
     Arrays.setAll(outsides, camera -> new Outside());
+    near = new int[targets.count()];
     seen = new int[targets.count()];
   }
 
@@ -94,16 +96,14 @@ public final class Sightings {
 
   private int find(
       long step, int camera, Pose pose, ZoomLevel zoom, int start, int end, int before) {
-    Outside outside = outsides[camera];
+    int others = outsides[camera].findOthers(places, start, end, near);
     int count = before;
-    for (int i = start; i < end; i++) {
-      if (!outside.has(places.x(i), places.y(i))) {
-        int target = places.point(i);
-        double sure = confidence(step, camera, pose, zoom, target);
-        confidence[camera][target] = sure;
-        seen[count] = target;
-        count += sure > 0 ? 1 : 0;
-      }
+    for (int i = 0; i < others; i++) {
+      int target = places.point(near[i]);
+      double sure = confidence(step, camera, pose, zoom, target);
+      confidence[camera][target] = sure;
+      seen[count] = target;
+      count += sure > 0 ? 1 : 0;
     }
     return count;
   }

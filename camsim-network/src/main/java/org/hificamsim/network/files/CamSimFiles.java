@@ -95,8 +95,16 @@ public final class CamSimFiles implements Closeable {
 
   @Override
   public void close() throws IOException {
-    for (Closeable one : opened) {
-      one.close();
+    closeFrom(0);
+  }
+
+  /** What was opened last first, and the others even if one cannot be closed. */
+  private void closeFrom(int first) throws IOException {
+    if (first < opened.size()) {
+      Closeable one = opened.get(first);
+      try (one) {
+        closeFrom(first + 1);
+      }
     }
   }
 
@@ -108,7 +116,7 @@ public final class CamSimFiles implements Closeable {
   }
 
   private <T extends Closeable> T opened(T table) {
-    opened.add(0, table);
+    opened.add(table);
     tables.add(table);
     return table;
   }

@@ -1,13 +1,16 @@
 package org.hificamsim.network.agent;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Arrays;
 import java.util.Random;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.junit.jupiter.api.Test;
@@ -27,7 +30,7 @@ class OutsideTest {
       outside.of(pose, zoom);
       double x = place();
       double y = place();
-      if (outside.has(x, y)) {
+      if (has(x, y)) {
         surely++;
         assertEquals(0, visibility.confidence(pose, zoom, x, y, 1, 0));
       }
@@ -38,11 +41,32 @@ class OutsideTest {
   @Test
   void thePlaceOfTheCameraAndTheBorderAreLeftToTheExactTest() {
     outside.of(Pose.of(1, 1, 0), level(2, Math.PI / 2));
-    assertFalse(outside.has(1, 1));
-    assertFalse(outside.has(1, 3));
-    assertFalse(outside.has(2, 2));
-    assertTrue(outside.has(1, 3.000001));
-    assertTrue(outside.has(2.00001, 2));
+    assertFalse(has(1, 1));
+    assertFalse(has(1, 3));
+    assertFalse(has(2, 2));
+    assertTrue(has(1, 3.000001));
+    assertTrue(has(2.00001, 2));
+  }
+
+  @Test
+  void ofSomePlacesTheOthersAreFoundInTheirOrder() {
+    outside.of(Pose.of(0, 0, 0), level(2, Math.PI));
+    double[] ahead = {3, 1, -1, 2, 1.5};
+    PointGrid places = PointGrid.single(ahead.length);
+    for (int place = 0; place < ahead.length; place++) {
+      places.add(place, 0, ahead[place]);
+    }
+    places.sort();
+    int[] found = new int[ahead.length];
+    assertEquals(2, outside.findOthers(places, 1, 4, found));
+    assertArrayEquals(new int[] {1, 3}, Arrays.copyOf(found, 2));
+  }
+
+  private boolean has(double x, double y) {
+    PointGrid places = PointGrid.single(1);
+    places.add(0, x, y);
+    places.sort();
+    return outside.findOthers(places, 0, 1, new int[1]) == 0;
   }
 
   private static ZoomLevel level(double radius, double angle) {

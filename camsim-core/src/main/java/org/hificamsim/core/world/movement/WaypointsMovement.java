@@ -16,6 +16,9 @@ import org.hificamsim.core.world.Targets;
 final class WaypointsMovement implements Movement {
   private static final double NEAR = 1 - 0.00001;
 
+  /** East, which CamSim asks for as atan2(1, 0) each time: the same number. */
+  private static final double EAST = Math.PI / 2;
+
   private List<Waypoint> path;
   private int next = 1;
 
@@ -40,7 +43,7 @@ final class WaypointsMovement implements Movement {
       next = (next + 1) % path.size();
     }
     Waypoint waypoint = path.get(next);
-    targets.turnTo(target, Math.atan2(1, 0) - Math.atan2(waypoint.y() - y, waypoint.x() - x));
+    targets.turnTo(target, EAST - Math.atan2(waypoint.y() - y, waypoint.x() - x));
     double dx = Math.sin(targets.heading(target)) * targets.speed(target);
     double dy = Math.cos(targets.heading(target)) * targets.speed(target);
     targets.advance(target, dx, dy, random.turn());

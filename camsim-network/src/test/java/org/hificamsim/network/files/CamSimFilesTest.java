@@ -1,0 +1,64 @@
+package org.hificamsim.network.files;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import java.io.IOException;
+import java.nio.file.DirectoryNotEmptyException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.world.World;
+import org.hificamsim.core.world.movement.Movements;
+import org.hificamsim.network.Network;
+import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.runs.RunPlan;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class CamSimFilesTest {
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @CsvSource({"steps, extra", "extra, steps"})
+  void ofARunThatFailsNothingIsLeftEvenWhereAnotherFileCannotBeDeleted(String stuck, String other)
+      throws IOException {
+    CamSimFiles files = files();
+    Path draft = in(stuck).get(0);
+    Files.delete(draft);
+    Files.createDirectories(draft.resolve("not empty"));
+    assertThrows(DirectoryNotEmptyException.class, files::close);
+    assertEquals(List.of(), in(other));
+  }
+
+  /** Two tables, each in a folder of its own. */
+  private CamSimFiles files() throws IOException {
+    Path steps = Files.createDirectory(folder.resolve("steps"));
+    Path extra = Files.createDirectory(folder.resolve("extra"));
+    CamSimFiles.Places places =
+        new CamSimFiles.Places(
+            steps.resolve("o.csv"),
+            Optional.empty(),
+            Optional.of(extra.resolve("x.csv")),
+            Optional.empty());
+    Scenario scenario = new TestScenario().camera(0, 0).target(1, 0).scenario();
+    Detection detection = Detection.of(new CamSimVisibilityDetection());
+    World world = new World(scenario, Movements.registry(), 0);
+    Network network = new Network(world, detection, NetworkSettings.CAMSIM, 0);
+    RunPlan plan = new RunPlan(scenario, detection, "zoom-out", 1, 0, 1);
+    return new CamSimFiles(places, plan, world, network);
+  }
+
+  private List<Path> in(String name) throws IOException {
+    try (Stream<Path> files = Files.list(folder.resolve(name))) {
+      return files.toList();
+    }
+  }
+}

@@ -1,0 +1,84 @@
+package org.hificamsim.network.files;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.io.Writer;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.hificamsim.network.statistics.StepFigures;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class StepTableTest {
+  private static final StepFigures FIGURES =
+      new StepFigures(3, 0.5, 7, 1, 0.25, 9, 12.5, 0.75, 1, 2, 4);
+
+  /** A disk with room for the header alone. */
+  private static final class Full extends Writer {
+    private int room = 100;
+    private boolean closed;
+
+    @Override
+    public void write(char[] text, int from, int length) throws IOException {
+      room -= length;
+      if (room < 0) {
+        throw new IOException("No space left on device");
+      }
+    }
+
+    @Override
+    public void flush() {}
+
+    @Override
+    public void close() {
+      closed = true;
+    }
+  }
+
+  @Test
+  void aStepIsARowOfEachTable() throws IOException {
+    Writer steps = new StringWriter();
+    Writer extra = new StringWriter();
+    try (StepTable ofSteps = StepTable.camSim(steps);
+        StepTable ofExtra = StepTable.extra(extra)) {
+      ofSteps.camSim(FIGURES);
+      ofExtra.extra(FIGURES, 1.5);
+    }
+    assertEquals(
+        lines(
+            "time;utility;communication;visible;strategy;totUtil;totComm;overlap;confidence;"
+                + "proportion",
+            "3;0.5;7.0;0;1;0.25;9.0;12.5;0.75;1.0"),
+        steps.toString());
+    assertEquals(
+        lines("time;cameras_seeing;overlap_area;handovers", "3;4;1.5;2"), extra.toString());
+  }
+
+  private static String lines(String... all) {
+    return Stream.of(all).map(line -> line + System.lineSeparator()).collect(Collectors.joining());
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 100_000})
+  void whoRunsTheStepsLearnsThatARowCannotBeWritten(int rows) {
+    Full full = new Full();
+    UncheckedIOException e =
+        assertThrows(
+            UncheckedIOException.class,
+            () -> {
+              try (StepTable table = StepTable.camSim(full)) {
+                for (int row = 0; row < rows; row++) {
+                  table.camSim(FIGURES);
+                }
+              }
+            });
+    assertEquals("No space left on device", e.getCause().getMessage());
+    assertTrue(full.closed);
+  }
+}
