@@ -13,7 +13,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.worlds.ActionKind;
 import org.hificamsim.worlds.Rewards;
 import org.hificamsim.worlds.Section;
-import org.hificamsim.worlds.Setup;
+import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -24,6 +24,7 @@ import org.openjdk.jmh.annotations.OperationsPerInvocation;
 import org.openjdk.jmh.annotations.OutputTimeUnit;
 import org.openjdk.jmh.annotations.Param;
 import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
 import org.openjdk.jmh.annotations.State;
 import org.openjdk.jmh.annotations.TearDown;
 import org.openjdk.jmh.annotations.Warmup;
@@ -57,14 +58,14 @@ public class WorldsBenchmark {
   private int most;
 
   /** Reads the scenario and makes the worlds. */
-  @org.openjdk.jmh.annotations.Setup
+  @Setup
   public void start() {
     Catalogue catalogue = Catalogue.load();
     Scenario read =
         ScenarioReader.read(
             Path.of(scenario + ".xml"), catalogue.movements()::knows, warning -> {});
-    Setup setup =
-        new Setup(
+    WorldSettings settings =
+        new WorldSettings(
             read,
             catalogue.movements(),
             Detection.of(catalogue.detection(detection)),
@@ -73,7 +74,7 @@ public class WorldsBenchmark {
             () -> Rewards.registry().create(reward),
             EPISODE,
             true);
-    worlds = Worlds.of(setup, WORLDS, 1, 0, ByteBuffer::allocateDirect);
+    worlds = Worlds.of(settings, WORLDS, 1, 0, ByteBuffer::allocateDirect);
     Section section = worlds.block().sections().get(0);
     actions = worlds.memory().slice(section.offset(), section.bytes());
     actions.order(ByteOrder.nativeOrder());

@@ -9,7 +9,7 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.PolicyScores;
-import org.hificamsim.runs.compare.Sample;
+import org.hificamsim.runs.compare.SeedValues;
 import org.hificamsim.runs.compare.Score;
 import org.hificamsim.runs.statistics.Aggregate;
 
@@ -108,7 +108,7 @@ final class ComparisonTable {
 
   /** A figure's mean; with the number of runs that have it, if not all do. */
   private static String text(String format, CaseResult one, Score score) {
-    Sample sample = one.sample(score);
+    SeedValues sample = one.sample(score);
     int runs = one.runs().size();
     String of =
         sample.size() == 0 || sample.size() == runs ? "" : sample.size() + "/" + runs + ": ";

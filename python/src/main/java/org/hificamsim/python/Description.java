@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.agents.observation.Feature;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.worlds.Section;
-import org.hificamsim.worlds.Setup;
+import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
 
 /**
@@ -31,7 +31,7 @@ record Description(
     List<Feature> features,
     List<Section> sections,
     int bytes) {
-  static Description of(Worlds worlds, Setup setup) {
+  static Description of(Worlds worlds, WorldSettings setup) {
     NetworkView network = worlds.network(0);
     IntStream cameras = IntStream.range(0, network.cameras());
     return new Description(

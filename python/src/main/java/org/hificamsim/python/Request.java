@@ -20,7 +20,7 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
 import org.hificamsim.worlds.ActionKind;
 import org.hificamsim.worlds.Rewards;
-import org.hificamsim.worlds.Setup;
+import org.hificamsim.worlds.WorldSettings;
 
 /**
  * What Python asks for, as JSON. What is null is left to the scenario, or to the default.
@@ -62,7 +62,7 @@ record Request(
   }
 
   /** Reads the scenario, and finds everything by its name. */
-  Setup setup(Catalogue catalogue) {
+  WorldSettings setup(Catalogue catalogue) {
     Overrides overrides = overrides();
     DetectionSpec spec = DetectionSpec.parse(detection, catalogue::detection);
     Scenario read =
@@ -70,7 +70,7 @@ record Request(
             ScenarioReader.read(Path.of(scenario), catalogue.movements()::knows, warning -> {}));
     Detection used = overrides.detection(spec, read);
     Rewards.registry().create(reward); // a wrong one is refused here
-    return new Setup(
+    return new WorldSettings(
         read,
         catalogue.movements(),
         used,

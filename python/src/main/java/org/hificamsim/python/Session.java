@@ -4,14 +4,15 @@ import java.nio.ByteBuffer;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.world.World;
-import org.hificamsim.worlds.Setup;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
 
 /** Worlds that Python has opened; one thread may call at a time. */
 public final class Session implements AutoCloseable {
   private static final int MAX_WIDTH = 10_000;
 
-  private final Setup setup;
+  private final WorldSettings setup;
   private final Worlds worlds;
   private final Painted painted;
 
@@ -43,7 +44,7 @@ public final class Session implements AutoCloseable {
   private Painted painted(Catalogue catalogue, long seed) {
     World world = new World(setup.scenario(), catalogue.movements(), seed);
     return new Painted(
-        org.hificamsim.presentation.replay.Setup.of(world, setup.detection(), "played", seed),
+        Setup.of(world, setup.detection(), "played", seed),
         setup.detection());
   }
 

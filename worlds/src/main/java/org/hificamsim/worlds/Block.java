@@ -20,15 +20,15 @@ public record Block(List<Section> sections) {
    *
    * @param of one of them
    */
-  static Block of(int worlds, OneWorld of, Setup setup) {
+  static Block of(int worlds, OneWorld of, WorldSettings settings) {
     int cameras = of.network().cameras();
-    int size = setup.layout().size();
+    int size = settings.layout().size();
     Builder builder = new Builder(worlds);
-    builder.add("actions", "i4", cameras, setup.actions().numbers());
+    builder.add("actions", "i4", cameras, settings.actions().numbers());
     builder.add("observations", "f4", cameras, size);
     builder.add("finals", "f4", cameras, size);
     builder.add("rewards", "f4", cameras);
-    builder.add("masks", "u1", cameras, Masks.width(of.network(), setup.actions()));
+    builder.add("masks", "u1", cameras, Masks.width(of.network(), settings.actions()));
     builder.add("ends", "u1");
     builder.add("measures", "f4", OneWorld.MEASURES);
     builder.add("states", "f4", StateLayout.size(cameras, of.network().targets()));

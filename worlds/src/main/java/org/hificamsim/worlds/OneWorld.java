@@ -21,7 +21,7 @@ final class OneWorld implements StepListener {
   /** How many numbers {@link #measures} has. */
   static final int MEASURES = 3;
 
-  private final Setup setup;
+  private final WorldSettings settings;
   private final World world;
   private final PlayedPolicy policy;
   private final Reward reward;
@@ -40,21 +40,21 @@ final class OneWorld implements StepListener {
   /**
    * @param first the first of the worlds; null for itself
    */
-  OneWorld(Setup setup, long seed, OneWorld first) {
-    this.setup = setup;
+  OneWorld(WorldSettings settings, long seed, OneWorld first) {
+    this.settings = settings;
     like = first == null ? null : first.like;
     world =
         first == null
-            ? new World(setup.scenario(), setup.movements(), seed)
+            ? new World(settings.scenario(), settings.movements(), seed)
             : first.world.another(seed);
-    policy = new PlayedPolicy(setup.actions());
-    reward = setup.reward().get();
+    policy = new PlayedPolicy(settings.actions());
+    reward = settings.reward().get();
     int cameras = world.cameras().count();
     rewards = new float[cameras];
-    actions = new int[cameras * setup.actions().numbers()];
+    actions = new int[cameras * settings.actions().numbers()];
     reset(seed);
     like = first == null ? observer : like;
-    masks = new Masks(network(), setup.actions());
+    masks = new Masks(network(), settings.actions());
   }
 
   /** Begins the first episode of a seed. */
@@ -75,7 +75,7 @@ final class OneWorld implements StepListener {
     world.restart(ofEpisode);
     reward.begin();
     simulation =
-        new Simulation(world, setup.detection(), policy, ofEpisode, List.of(this, watcher));
+        new Simulation(world, settings.detection(), policy, ofEpisode, List.of(this, watcher));
     step = 0;
     simulation.untilDecision();
     observer = observer();
@@ -84,8 +84,8 @@ final class OneWorld implements StepListener {
   /** All episodes of all worlds have the same cameras, as long as nothing happens to them. */
   private CameraObserver observer() {
     return like == null
-        ? new CameraObserver(network(), setup.layout())
-        : new CameraObserver(network(), setup.layout(), like);
+        ? new CameraObserver(network(), settings.layout())
+        : new CameraObserver(network(), settings.layout(), like);
   }
 
   /** The seed of an episode: the first one has the world's. */
@@ -133,7 +133,7 @@ final class OneWorld implements StepListener {
 
   /** Whether the episode is over. */
   boolean over() {
-    return step == setup.steps();
+    return step == settings.steps();
   }
 
   NetworkView network() {
@@ -169,13 +169,13 @@ final class OneWorld implements StepListener {
    * @param observations as they were observed
    */
   void writeState(float[] observations, float[] out) {
-    double over = (double) step / setup.steps();
+    double over = (double) step / settings.steps();
     StateLayout.write(
         network().oracle(),
-        setup.scenario().field(),
+        settings.scenario().field(),
         over,
         observations,
-        setup.layout().size(),
+        settings.layout().size(),
         out);
   }
 }

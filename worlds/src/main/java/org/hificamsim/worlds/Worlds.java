@@ -20,7 +20,7 @@ import org.hificamsim.core.policy.SeenPairs;
  * worlds have to be reset. One thread may call at a time.
  */
 public final class Worlds implements AutoCloseable {
-  private final Setup setup;
+  private final WorldSettings settings;
   private final OneWorld[] worlds;
   private final Workers workers;
   private final Block block;
@@ -51,10 +51,10 @@ public final class Worlds implements AutoCloseable {
    * @param count 1 or more
    * @param threads that share the worlds, 1 or more
    */
-  public static Worlds of(Setup setup, int count, int threads, long seed, Memory memory) {
+  public static Worlds of(WorldSettings settings, int count, int threads, long seed, Memory memory) {
     check("worlds", count);
     check("threads", threads);
-    return new Worlds(setup, count, Math.min(threads, count), seed, memory);
+    return new Worlds(settings, count, Math.min(threads, count), seed, memory);
   }
 
   /** Where the shared block of memory comes from. */
@@ -70,13 +70,13 @@ public final class Worlds implements AutoCloseable {
     }
   }
 
-  private Worlds(Setup setup, int count, int threads, long seed, Memory source) {
-    this.setup = setup;
+  private Worlds(WorldSettings settings, int count, int threads, long seed, Memory source) {
+    this.settings = settings;
     this.seed = seed;
     worlds = new OneWorld[count];
-    Arrays.setAll(worlds, i -> new OneWorld(setup, seed + i, worlds[0]));
+    Arrays.setAll(worlds, i -> new OneWorld(settings, seed + i, worlds[0]));
     NetworkView network = worlds[0].network();
-    block = Block.of(count, worlds[0], setup);
+    block = Block.of(count, worlds[0], settings);
     memory = source.of(block.bytes());
     actions = block.part(memory, "actions").asIntBuffer();
     observations = block.part(memory, "observations").asFloatBuffer();
@@ -86,11 +86,11 @@ public final class Worlds implements AutoCloseable {
     ends = block.part(memory, "ends");
     measures = block.part(memory, "measures").asFloatBuffer();
     states = block.part(memory, "states").asFloatBuffer();
-    choices = setup.actions().choices(network);
+    choices = settings.actions().choices(network);
     maskedRevision = new int[count];
-    maskOften = setup.actions() == ActionKind.STEPS || takesTime();
+    maskOften = settings.actions() == ActionKind.STEPS || takesTime();
     workers = Workers.of(threads);
-    observed = new float[threads][network.cameras() * setup.layout().size()];
+    observed = new float[threads][network.cameras() * settings.layout().size()];
     pairs = new SeenPairs[threads];
     Arrays.setAll(pairs, worker -> new SeenPairs());
     state = new float[threads][StateLayout.size(network.cameras(), network.targets())];
@@ -98,7 +98,7 @@ public final class Worlds implements AutoCloseable {
   }
 
   private boolean takesTime() {
-    return setup
+    return settings
         .scenario()
         .everyCamera()
         .anyMatch(camera -> camera.optics().filter(optics -> optics.takesTime()).isPresent());
@@ -183,7 +183,7 @@ public final class Worlds implements AutoCloseable {
     rewards.put(i * world.rewards().length, world.rewards());
     measures.put(i * OneWorld.MEASURES, world.measures());
     ends.put(i, (byte) (world.over() ? 1 : 0));
-    if (world.over() && setup.autoReset()) {
+    if (world.over() && settings.autoReset()) {
       observe(i, finals, worker);
       world.next();
     }
@@ -209,9 +209,9 @@ public final class Worlds implements AutoCloseable {
   private void checkActions() {
     int each = worlds[0].actions().length;
     for (int i = 0; i < worlds.length; i++) {
-      if (!setup.autoReset() && worlds[i].over()) {
+      if (!settings.autoReset() && worlds[i].over()) {
         throw new InputException(
-            "the episode of " + setup.steps() + " steps is over, expected a reset");
+            "the episode of " + settings.steps() + " steps is over, expected a reset");
       }
       for (int at = 0; at < each; at += choices.length) {
         checkActions(i, i * each, at);

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 /** Cameras of mate-4v8-9 take their time to turn; those of cluster-random need none. */
 class ActionsTest {
   private static Played played(String scenario, ActionKind kind) {
-    return new Played(Played.setup(scenario, "coverage", kind, 100_000, true), 1, 1, 4);
+    return new Played(Played.settings(scenario, "coverage", kind, 100_000, true), 1, 1, 4);
   }
 
   @Test

@@ -19,13 +19,13 @@ final class Played implements AutoCloseable {
   private final int count;
   private long step;
 
-  Played(Setup setup, int count, int threads, long seed) {
+  Played(WorldSettings settings, int count, int threads, long seed) {
     this.count = count;
-    worlds = Worlds.of(setup, count, threads, seed, ByteBuffer::allocateDirect);
+    worlds = Worlds.of(settings, count, threads, seed, ByteBuffer::allocateDirect);
   }
 
-  static Setup setup(String scenario, String reward, ActionKind actions, int steps, boolean auto) {
-    return new Setup(
+  static WorldSettings settings(String scenario, String reward, ActionKind actions, int steps, boolean auto) {
+    return new WorldSettings(
         scenario(scenario),
         CATALOGUE.movements(),
         Detection.of(CATALOGUE.detection("hifi:orb-lin")),

@@ -12,7 +12,7 @@ class RewardsTest {
 
   private static Played played(String reward) {
     return new Played(
-        Played.setup("cluster-random", reward, ActionKind.VIEW, 1_000, true), 1, 1, 4);
+        Played.settings("cluster-random", reward, ActionKind.VIEW, 1_000, true), 1, 1, 4);
   }
 
   @Test

@@ -22,15 +22,15 @@ import org.junit.jupiter.params.provider.ValueSource;
 class WorldsTest {
   private static final int STEPS = 120;
 
-  private static Setup setup(String scenario, int steps) {
-    return Played.setup(scenario, "coverage", ActionKind.VIEW, steps, true);
+  private static WorldSettings settings(String scenario, int steps) {
+    return Played.settings(scenario, "coverage", ActionKind.VIEW, steps, true);
   }
 
   /** Campus has lenses, walls, targets that come and go, and a camera that fails. */
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "campus", "mate-4v8-9"})
   void whatAWorldDoesDependsOnItsSeedAndActionsAlone(String scenario) {
-    try (Played many = new Played(setup(scenario, 50), 5, 3, 7)) {
+    try (Played many = new Played(settings(scenario, 50), 5, 3, 7)) {
       List<List<Integer>> hashes = new ArrayList<>();
       for (int step = 0; step < STEPS; step++) {
         many.step(7);
@@ -38,7 +38,7 @@ class WorldsTest {
       }
       int[] those = {0, 1, 4};
       for (int i = 0; i < those.length; i++) {
-        try (Played one = new Played(setup(scenario, 50), 1, 1, 7 + those[i])) {
+        try (Played one = new Played(settings(scenario, 50), 1, 1, 7 + those[i])) {
           for (int step = 0; step < STEPS; step++) {
             one.step(7 + those[i]);
             assertEquals(hashes.get(step).get(i), one.hash(0), "world " + those[i] + " at " + step);
@@ -52,8 +52,8 @@ class WorldsTest {
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "campus"})
   void aResetWithTheSameSeedBeginsTheSameAgain(String scenario) {
-    try (Played played = new Played(setup(scenario, 50), 2, 1, 3);
-        Played fresh = new Played(setup(scenario, 50), 2, 1, 3)) {
+    try (Played played = new Played(settings(scenario, 50), 2, 1, 3);
+        Played fresh = new Played(settings(scenario, 50), 2, 1, 3)) {
       for (int step = 0; step < STEPS; step++) {
         played.step(3);
       }
@@ -70,7 +70,7 @@ class WorldsTest {
 
   @Test
   void theNextEpisodeIsAnotherOne() {
-    try (Played played = new Played(setup("cluster-random", 200), 1, 1, 3)) {
+    try (Played played = new Played(settings("cluster-random", 200), 1, 1, 3)) {
       List<float[]> first = episode(played, 200);
       List<float[]> second = episode(played, 200);
       assertArrayEquals(first.get(0), second.get(0), "targets begin where the file puts them");
@@ -91,7 +91,7 @@ class WorldsTest {
   @ParameterizedTest
   @ValueSource(strings = {"cluster-random", "campus"})
   void theFirstEpisodeIsTheRunOfItsSeed(String scenario) {
-    Setup setup = setup(scenario, STEPS + 1);
+    WorldSettings settings = settings(scenario, STEPS + 1);
     List<int[]> views = new ArrayList<>();
     List<Integer> kMin = new ArrayList<>();
     RunCoverage coverage = new RunCoverage();
@@ -103,13 +103,13 @@ class WorldsTest {
           kMin.add(measured.kMin());
         };
     new Simulation(
-            new World(setup.scenario(), setup.movements(), 5),
-            setup.detection(),
+            new World(settings.scenario(), settings.movements(), 5),
+            settings.detection(),
             Played.CATALOGUE.policies().create("random"),
             5,
             List.of(noting, coverage))
         .run(STEPS);
-    try (Played played = new Played(setup, 1, 1, 5)) {
+    try (Played played = new Played(settings, 1, 1, 5)) {
       double uncovered = 0;
       for (int step = 0; step < STEPS; step++) {
         played.stepAll(views.get(step));
@@ -123,8 +123,8 @@ class WorldsTest {
 
   @Test
   void anEndKeepsTheLastObservationAndBeginsAnew() {
-    try (Played auto = new Played(setup("cluster-random", 10), 2, 1, 1);
-        Played longer = new Played(setup("cluster-random", 11), 2, 1, 1)) {
+    try (Played auto = new Played(settings("cluster-random", 10), 2, 1, 1);
+        Played longer = new Played(settings("cluster-random", 11), 2, 1, 1)) {
       float[] first = auto.floats("observations", 1);
       for (int step = 0; step < 10; step++) {
         assertEquals(0, auto.bytes("ends", 1)[0]);
@@ -140,8 +140,8 @@ class WorldsTest {
 
   @Test
   void withoutAutoResetAnEpisodeEnds() {
-    Setup setup = Played.setup("cluster-random", "coverage", ActionKind.VIEW, 2, false);
-    try (Played played = new Played(setup, 1, 1, 1)) {
+    WorldSettings settings = Played.settings("cluster-random", "coverage", ActionKind.VIEW, 2, false);
+    try (Played played = new Played(settings, 1, 1, 1)) {
       played.stepAll(0);
       played.stepAll(0);
       String line = assertThrows(InputException.class, () -> played.stepAll(0)).getMessage();
@@ -153,7 +153,7 @@ class WorldsTest {
 
   @Test
   void anActionThatIsNoneIsRefusedBeforeAnythingMoves() {
-    try (Played played = new Played(setup("cluster-random", 10), 2, 2, 1)) {
+    try (Played played = new Played(settings("cluster-random", 10), 2, 2, 1)) {
       int before = played.hash(0);
       String line = assertThrows(InputException.class, () -> played.stepAll(0, 0, 5)).getMessage();
       assertEquals("action 5 of camera Cam_03 in world 0, expected 0 to 4", line);
@@ -164,8 +164,8 @@ class WorldsTest {
 
   @Test
   void stepsAllocateNothing() {
-    Setup setup = setup("mate-4v8-9", 1_000_000);
-    try (Played played = new Played(setup, 3, 1, 1)) {
+    WorldSettings settings = settings("mate-4v8-9", 1_000_000);
+    try (Played played = new Played(settings, 3, 1, 1)) {
       Worlds worlds = played.worlds();
       Runnable round =
           () -> {
@@ -180,7 +180,7 @@ class WorldsTest {
 
   @Test
   void theStateTellsEverything() {
-    try (Played played = new Played(setup("cluster-random", 10), 1, 1, 1)) {
+    try (Played played = new Played(settings("cluster-random", 10), 1, 1, 1)) {
       played.stepAll(4);
       played.worlds().state();
       float[] state = played.floats("states", 0);

@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.output.CsvFormat;
+import org.hificamsim.runs.output.CsvTableFormat;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.RunFolder;
 import org.junit.jupiter.api.io.TempDir;
@@ -46,7 +46,7 @@ class PlainRunTest {
         ScenarioReader.read(FILE, catalogue.movements().names()::contains, warning -> {});
     Detection detection = new Detection(catalogue.detection("camsim-range"), 0.3);
     RunPlan plan = new RunPlan(scenario, detection, policy, STEPS, 0, 1);
-    try (RunFolder output = new RunFolder(folder, detection, Detail.STEPS, new CsvFormat())) {
+    try (RunFolder output = new RunFolder(folder, detection, Detail.STEPS, new CsvTableFormat())) {
       var results = new RunExecutor(catalogue).execute(plan, run -> List.of(output.listener(run)));
       output.commit(plan, results);
     }

@@ -18,7 +18,7 @@ final class Stages {
   private final Objective objective;
   private final CoverageProblem problem;
   private final Decisions decisions;
-  private final Outlook[] outlooks;
+  private final ValueBounds[] outlooks;
   private final int[] k;
   private final int[] supply;
   private int levels;
@@ -28,15 +28,15 @@ final class Stages {
     this.objective = objective;
     this.problem = problem;
     this.decisions = decisions;
-    outlooks = new Outlook[objective instanceof Objective.Lexicographic ? MAX_STAGES : 1];
+    outlooks = new ValueBounds[objective instanceof Objective.Lexicographic ? MAX_STAGES : 1];
     Arrays.setAll(
-        outlooks, stage -> new Outlook(problem, decisions, new Worth(problem.maxCameras())));
+        outlooks, stage -> new ValueBounds(problem, decisions, new Worth(problem.maxCameras())));
     k = new int[problem.maxTargets()];
     supply = new int[problem.maxTargets()];
     fill(objective);
   }
 
-  Outlook[] outlooks() {
+  ValueBounds[] outlooks() {
     return outlooks;
   }
 

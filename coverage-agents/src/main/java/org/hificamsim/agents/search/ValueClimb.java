@@ -6,9 +6,9 @@ package org.hificamsim.agents.search;
  */
 final class ValueClimb {
   private final CoverageProblem problem;
-  private final Outlook[] outlooks;
+  private final ValueBounds[] outlooks;
 
-  ValueClimb(CoverageProblem problem, Outlook[] outlooks) {
+  ValueClimb(CoverageProblem problem, ValueBounds[] outlooks) {
     this.problem = problem;
     this.outlooks = outlooks;
   }

@@ -2,7 +2,7 @@ package org.hificamsim.agents.search;
 
 /**
  * Branch and bound over the cameras for a choice of greater value, while the values of earlier
- * {@link Outlook}s stay at their goals: the open camera with the fewest sets that may lead to the
+ * {@link ValueBounds}s stay at their goals: the open camera with the fewest sets that may lead to the
  * goal comes first, and its sets by what they gain.
  */
 final class ValueSearch {
@@ -10,7 +10,7 @@ final class ValueSearch {
 
   private final CoverageProblem problem;
   private final Decisions decisions;
-  private final Outlook[] outlooks;
+  private final ValueBounds[] outlooks;
   private final long[] goals;
   private final boolean[] tried;
   private Choice best;
@@ -22,7 +22,7 @@ final class ValueSearch {
   /**
    * @param goals of each outlook; those before the stage under way are kept
    */
-  ValueSearch(CoverageProblem problem, Decisions decisions, Outlook[] outlooks, long[] goals) {
+  ValueSearch(CoverageProblem problem, Decisions decisions, ValueBounds[] outlooks, long[] goals) {
     this.problem = problem;
     this.decisions = decisions;
     this.outlooks = outlooks;
@@ -111,7 +111,7 @@ final class ValueSearch {
   /** Takes the decisions, and for open cameras what gains most beside them. */
   private void keep() {
     int floor = decisions.open();
-    Outlook outlook = outlooks[stage];
+    ValueBounds outlook = outlooks[stage];
     while (decisions.open() > 0) {
       int camera = decisions.openCamera(0);
       decisions.decide(camera, mostGain(camera));
@@ -139,7 +139,7 @@ final class ValueSearch {
   }
 
   private int branch() {
-    Outlook outlook = outlooks[stage];
+    ValueBounds outlook = outlooks[stage];
     int chosen = NONE;
     int fewest = Integer.MAX_VALUE;
     for (int i = 0; i < decisions.open(); i++) {
@@ -160,7 +160,7 @@ final class ValueSearch {
 
   /** Readies a camera's sets to be tried; returns how many may lead to the goal. */
   private int open(int camera) {
-    Outlook outlook = outlooks[stage];
+    ValueBounds outlook = outlooks[stage];
     int count = 0;
     for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
       tried[set] = false;

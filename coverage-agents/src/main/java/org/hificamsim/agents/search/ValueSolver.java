@@ -6,7 +6,7 @@ import org.hificamsim.core.metrics.Objective;
  * Solves {@link CoverageProblem}s exactly where a choice is worth the sum over its targets of a
  * {@link Worth}: the objectives {@code covered}, {@code sum} and {@code lexicographic}.
  *
- * <p>{@link ValueClimb} makes a good choice, {@link Outlook} bounds what any other is worth, and
+ * <p>{@link ValueClimb} makes a good choice, {@link ValueBounds} bounds what any other is worth, and
  * {@link ValueSearch} closes the gap between them. The order of {@code lexicographic} needs as many
  * worths as its weights do not fit into one number: {@link Stages}. Of equally good choices the
  * result is the one that gives camera 0 its most preferred set, then camera 1, and so on; a search
@@ -19,7 +19,7 @@ public final class ValueSolver implements Solver {
   private final long maxNodes;
   private final Decisions decisions;
   private final Stages stages;
-  private final Outlook[] outlooks;
+  private final ValueBounds[] outlooks;
   private final long[] goals;
   private final ValueClimb climb;
   private final ValueSearch search;

@@ -150,13 +150,13 @@ class SameSearchTest {
         problem -> {
           Decisions decisions = new Decisions(problem);
           decisions.reset();
-          Outlook outlook = new Stages(Objective.parse(text), problem, decisions).outlooks()[0];
+          ValueBounds outlook = new Stages(Objective.parse(text), problem, decisions).outlooks()[0];
           outlook.reset();
           sums[0] += outlook.look();
           sums[1] += outlook.tune();
           Choice choice = new Choice(problem);
           choice.reset();
-          new ValueClimb(problem, new Outlook[] {outlook}).improve(0, choice);
+          new ValueClimb(problem, new ValueBounds[] {outlook}).improve(0, choice);
           sums[2] += choice.value(outlook.worth());
         });
     assertEquals(free + " " + priced + " " + climbed, sums[0] + " " + sums[1] + " " + sums[2]);

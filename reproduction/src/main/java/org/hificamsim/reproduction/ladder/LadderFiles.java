@@ -12,7 +12,7 @@ import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.CsvTable;
-import org.hificamsim.runs.output.JsonFile;
+import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.Table;
 
 /** The files of a ladder: two tables, its picture, and what a step costs on this machine. */
@@ -110,7 +110,7 @@ public final class LadderFiles {
   }
 
   private void costs(List<Double> costs) throws IOException {
-    JsonFile.write(
+    JsonOutput.write(
         folder,
         COST + ".json",
         json -> {

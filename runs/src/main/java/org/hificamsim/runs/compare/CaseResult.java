@@ -43,8 +43,8 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
   }
 
   /** What is known of a figure. */
-  public Sample sample(Score score) {
-    return new Sample(figures(score));
+  public SeedValues sample(Score score) {
+    return new SeedValues(figures(score));
   }
 
   /** One figure of every run, NaN where there is none. */

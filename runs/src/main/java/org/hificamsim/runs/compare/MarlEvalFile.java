@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.hificamsim.core.file.OutputFolder;
-import org.hificamsim.runs.output.JsonFile;
+import org.hificamsim.runs.output.JsonOutput;
 
 /**
  * Writes {@code marl-eval.json}, the raw data that marl-eval reads (Gorsane et al., Towards a
@@ -36,7 +36,7 @@ public final class MarlEvalFile {
    * are left out where an optimum is 0, and where it is not of k_min, whose course is logged.
    */
   public static void write(OutputFolder folder, List<CaseResult> cases) throws IOException {
-    JsonFile.write(folder, NAME, json -> new MarlEvalFile(json, cases).environments(cases));
+    JsonOutput.write(folder, NAME, json -> new MarlEvalFile(json, cases).environments(cases));
   }
 
   private void environments(List<CaseResult> cases) throws IOException {

@@ -12,8 +12,8 @@ record PolicyPair(PolicyScores one, PolicyScores other) {
   /** The two in one scenario. */
   record InScenario(CaseResult one, CaseResult other) {
     /** What the first has more than the other, by seed. */
-    Sample differences() {
-      return Sample.ofDifferences(one.figures(SCORE), other.figures(SCORE));
+    SeedValues differences() {
+      return SeedValues.ofDifferences(one.figures(SCORE), other.figures(SCORE));
     }
   }
 

@@ -88,12 +88,12 @@ final class ResultFiles {
 
   private static void summary(CsvTable table, CaseResult one, Score score, CaseResult reference) {
     double[] values = one.figures(score);
-    Sample sample = new Sample(values);
+    SeedValues sample = new SeedValues(values);
     Estimate mean = sample.mean();
     boolean paired = !reference.plan().equals(one.plan());
     Estimate difference =
         paired
-            ? Sample.ofDifferences(values, reference.figures(score)).mean()
+            ? SeedValues.ofDifferences(values, reference.figures(score)).mean()
             : new Estimate(Double.NaN, Double.NaN, Double.NaN);
     row(
         table,

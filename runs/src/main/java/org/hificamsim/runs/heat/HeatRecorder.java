@@ -22,7 +22,7 @@ public final class HeatRecorder implements StepListener {
 
   private final Cells cells;
   private final Obstacles obstacles;
-  private final CameraViews views;
+  private final ViewCells views;
   private final Covering covering;
   private final Visits visits;
   private SeenCells[] seen = {};
@@ -37,7 +37,7 @@ public final class HeatRecorder implements StepListener {
   public HeatRecorder(World world, Detection detection, int most) {
     this.cells = Cells.of(world.scenario().field(), most);
     this.obstacles = new Obstacles(world.scenario().surroundings().obstacles());
-    this.views = new CameraViews(cells, detection, obstacles, Reach.usualTarget(world));
+    this.views = new ViewCells(cells, detection, obstacles, Reach.usualTarget(world));
     this.covering = new Covering(cells.count());
     this.visits = new Visits(cells);
   }

@@ -26,7 +26,7 @@ public final class ManifestFile {
       throws IOException {
     double seconds = Duration.between(started, Instant.now()).toMillis() / 1000.0;
     Optional<String> commit = asked.name();
-    JsonFile.write(
+    JsonOutput.write(
         folder,
         ResultFolder.MANIFEST,
         json -> {

@@ -17,7 +17,7 @@ public final class SettingsFile {
 
   /** Adds {@code settings.json}, one object per plan, to a folder's files. */
   public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
-    JsonFile.write(
+    JsonOutput.write(
         folder,
         ResultFolder.SETTINGS,
         json -> {

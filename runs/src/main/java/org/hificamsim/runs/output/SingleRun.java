@@ -30,7 +30,7 @@ public final class SingleRun implements StepListener, Closeable {
    */
   public SingleRun(Path path, int run, Detection detection, Detail detail) throws IOException {
     this.run = run;
-    folder = new RunFolder(path, detection, detail, new CsvFormat());
+    folder = new RunFolder(path, detection, detail, new CsvTableFormat());
     rows = folder.listener(run);
   }
 

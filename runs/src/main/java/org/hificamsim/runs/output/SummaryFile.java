@@ -26,7 +26,7 @@ public final class SummaryFile {
   /** Adds the file to a folder's. */
   public static void write(OutputFolder folder, RunPlan plan, List<RunResult> results)
       throws IOException {
-    JsonFile.write(
+    JsonOutput.write(
         folder,
         ResultFolder.SUMMARY,
         json -> {

@@ -40,7 +40,7 @@ public final class TableFormats {
         .filter(name -> Files.isRegularFile(folder.resolve(table.file(name))))
         .findFirst()
         .map(name -> reader(name, folder.resolve(table.file(name))))
-        .orElseGet(CsvFormat::new);
+        .orElseGet(CsvTableFormat::new);
   }
 
   private static TableFormat reader(String name, Path file) {
@@ -59,7 +59,7 @@ public final class TableFormats {
 
   private static Optional<TableFormat> found(String name) {
     return name.equals(CSV)
-        ? Optional.of(new CsvFormat())
+        ? Optional.of(new CsvTableFormat())
         : ServiceLoader.load(TableFormat.class).stream()
             .map(ServiceLoader.Provider::get)
             .filter(format -> format.name().equals(name))

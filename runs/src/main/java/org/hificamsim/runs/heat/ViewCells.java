@@ -12,7 +12,7 @@ import org.hificamsim.core.visibility.Visibility;
  * What each camera sees of the cells in each of its views. It is found when a view is first used,
  * and kept until a camera is moved, or until there is too much of it.
  */
-final class CameraViews {
+final class ViewCells {
   /** Cells that are kept of all views together: 50 MB. */
   private static final int MAX_KEPT = 1 << 22;
 
@@ -25,7 +25,7 @@ final class CameraViews {
   private double[][] pans = {};
   private long kept;
 
-  CameraViews(Cells cells, Detection detection, Obstacles obstacles, double size) {
+  ViewCells(Cells cells, Detection detection, Obstacles obstacles, double size) {
     this.cells = cells;
     this.visibility = Visibility.of(detection);
     this.obstacles = obstacles;

@@ -9,7 +9,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
 
 /** Tables as text, which everything reads. */
-public final class CsvFormat implements TableFormat {
+public final class CsvTableFormat implements TableFormat {
   @Override
   public String name() {
     return TableFormats.CSV;

@@ -6,8 +6,8 @@ import java.io.IOException;
 import org.hificamsim.core.file.OutputFolder;
 
 /** Writes a JSON file, indented, with a line end after it. */
-public final class JsonFile {
-  private JsonFile() {}
+public final class JsonOutput {
+  private JsonOutput() {}
 
   /** What the file holds. */
   @FunctionalInterface

@@ -15,7 +15,7 @@ import org.hificamsim.core.world.Movement;
  * @param steps of an episode, 1 or more
  * @param autoReset whether a world whose episode ends begins the next one within the same call
  */
-public record Setup(
+public record WorldSettings(
     Scenario scenario,
     Registry<Movement> movements,
     Detection detection,
@@ -25,7 +25,7 @@ public record Setup(
     int steps,
     boolean autoReset) {
   /** Checks the length of an episode. */
-  public Setup {
+  public WorldSettings {
     if (steps < 1) {
       throw new InputException("episodes of " + steps + " steps, expected 1 or more");
     }

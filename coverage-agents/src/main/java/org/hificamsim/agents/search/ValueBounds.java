@@ -9,7 +9,7 @@ package org.hificamsim.agents.search;
  * majorant: greedy's bound of submodular functions (Nemhauser, Wolsey and Fisher 1978), and the
  * same for a worth that is not concave. The third is that of {@link Prices}.
  */
-final class Outlook {
+final class ValueBounds {
   private final CoverageProblem problem;
   private final Decisions decisions;
   private final Worth worth;
@@ -21,7 +21,7 @@ final class Outlook {
   private long top;
   private long bound;
 
-  Outlook(CoverageProblem problem, Decisions decisions, Worth worth) {
+  ValueBounds(CoverageProblem problem, Decisions decisions, Worth worth) {
     this.problem = problem;
     this.decisions = decisions;
     this.worth = worth;

@@ -8,16 +8,16 @@ import org.hificamsim.runs.Estimate;
  *
  * @param values by rising seed; those that are NaN are left out
  */
-public record Sample(double[] values) {
-  public Sample {
+public record SeedValues(double[] values) {
+  public SeedValues {
     values = Arrays.stream(values).filter(value -> !Double.isNaN(value)).toArray();
   }
 
   /** The differences of paired values. */
-  static Sample ofDifferences(double[] values, double[] paired) {
+  static SeedValues ofDifferences(double[] values, double[] paired) {
     double[] differences = new double[values.length];
     Arrays.setAll(differences, i -> values[i] - paired[i]);
-    return new Sample(differences);
+    return new SeedValues(differences);
   }
 
   /** How many runs have a value. */
