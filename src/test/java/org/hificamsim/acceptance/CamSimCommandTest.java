@@ -170,6 +170,7 @@ class CamSimCommandTest {
         "-b Gambler | -b is 'Gambler', expected one of EpsilonGreedy",
         "-a BanditZoom | <camera> has no bandit, expected one of EpsilonGreedy",
         "-m epics.movement.Teleport | unknown movement",
+        "-m Scripted | -m 'Scripted': object 1.0 has no waypoints, expected at least two for",
         "-p missing.properties | missing.properties: cannot be read",
         "--quirks Q99 | names 'Q99'",
         "--detection nobody | unknown detection 'nobody'",
@@ -215,6 +216,23 @@ class CamSimCommandTest {
       assertTrue(run.err().startsWith("error: " + file + ":" + expected), run.err());
     }
     assertEquals(0, camsim("-t 5 -a Active -b UCB1 -c 0", file).exit(), "options say otherwise");
+  }
+
+  @Test
+  void anEventsMoveNeedsItsWaypointsWhereItCounts() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("odd.xml"),
+            "<root><simulation min_x='0' max_x='9' min_y='0' max_y='9'></simulation><cameras>"
+                + "<camera name='A' x='1' y='1' heading='0' viewing_angle='360' range='5'/>"
+                + "</cameras><events><event timestep='2' participant='object' event='add' name='1'"
+                + " x='1' y='2' heading='0' speed='0' move='epics.movement.Waypoints'/></events>"
+                + "</root>");
+    assertEquals(0, camsim("-t 5", file).exit(), "ignored as in CamSim");
+    Cli run = camsim("-t 5 --quirks none", file);
+    assertEquals(2, run.exit(), run.err());
+    String expected = "object 1.0 has no waypoints, expected at least two for movement Waypoints";
+    assertTrue(run.err().contains("error: " + file + ": " + expected), run.err());
   }
 
   @Test

@@ -9,8 +9,6 @@ import java.util.function.Predicate;
 
 /** Reads targets, from their own element or from an event that adds one. */
 final class TargetReader {
-  private static final Set<String> ON_PATH = Set.of("Waypoints", "Scripted");
-
   private final Field field;
   private final Clearing clearing;
   private final boolean coverageDialect;
@@ -114,7 +112,7 @@ final class TargetReader {
           origin == TargetSpec.Origin.EVENT ? "fqName" : "move",
           "a movement such as Straight, Waypoints, Brownian, DirectedBrownian, or one in a jar");
     }
-    if (spec.waypoints().isEmpty() && ON_PATH.contains(spec.shortName())) {
+    if (spec.lacksWaypoints()) {
       throw element
           .place()
           .error(
