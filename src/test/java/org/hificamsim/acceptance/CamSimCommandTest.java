@@ -195,6 +195,30 @@ class CamSimCommandTest {
   @CsvSource(
       delimiter = '|',
       value = {
+        "-f DIR/o.csv | -o and -f are one file",
+        "--extra-out DIR/./o.csv | -o and --extra-out are one file",
+        "--extra-out DIR/summary.csv | the default of -f and --extra-out are one file",
+        "--coverage-out DIR/o.csv | -o and --coverage-out are one file",
+        "-f DIR/c/steps.csv --coverage-out DIR/c | -f and --coverage-out are one file",
+        "-f DIR/in.xml | the scenario and -f are one file",
+        "--for-camsim DIR/in.xml | the scenario and --for-camsim are one file",
+      })
+  void twoOutputsAndTheScenarioAreSeparateFiles(String options, String expected)
+      throws IOException {
+    Path scenario = Files.copy(SCENARIO, folder.resolve("in.xml"));
+    Cli run = camsim("-t 5 " + options.replace("DIR", folder + ""), scenario);
+    assertEquals(2, run.exit(), run.err());
+    assertTrue(run.err().contains("error: " + expected + ", '" + folder), run.err());
+    assertEquals(-1, Files.mismatch(SCENARIO, scenario));
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(List.of(scenario), files.toList());
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
         "ai_algorithm='epics.Nobody' | 1:152: <camera> ai_algorithm is 'epics.Nobody', expected",
         "ai_algorithm='BanditZoom' | 1:81: <camera> has no bandit, expected one of EpsilonGreedy",
         "bandit='Gambler' | 1:152: <camera> bandit is 'Gambler', expected one of EpsilonGreedy",
