@@ -16,7 +16,9 @@ import java.util.Set;
  */
 public record MovementSpec(
     String name, double mean, double std, List<Waypoint> waypoints, Optional<Track> track) {
-  private static final String TRACKS = "Tracks";
+  /** What no file names: a target with a track comes by {@code tracks}. */
+  static final String TRACKS = "Tracks";
+
   private static final String CAMSIM_PACKAGE = "epics.movement.";
   private static final Set<String> ON_PATH = Set.of("Waypoints", "Scripted");
 

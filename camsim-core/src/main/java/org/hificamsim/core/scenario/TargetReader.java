@@ -107,7 +107,7 @@ final class TargetReader {
     double mean = attributes.optionalNumber("mean", Range.COORDINATE).orElse(0);
     double std = attributes.optionalNumber("std", Range.LENGTH).orElse(1);
     MovementSpec spec = new MovementSpec(name, mean, std, waypoints(element));
-    if (!movements.test(spec.shortName())) {
+    if (!movements.test(spec.shortName()) || spec.shortName().equals(MovementSpec.TRACKS)) {
       throw attributes.invalid(
           origin == TargetSpec.Origin.EVENT ? "fqName" : "move",
           "a movement such as Straight, Waypoints, Brownian, DirectedBrownian, or one in a jar");
