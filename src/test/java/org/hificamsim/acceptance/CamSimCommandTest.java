@@ -145,6 +145,9 @@ class CamSimCommandTest {
     Cli zooming = camsim("-t 20 -a active -c 0 --policy zoom-in", lattice);
     assertEquals(0, zooming.exit(), zooming.err());
     assertNotEquals(plain, lines("o.csv"));
+    Cli both = camsim("-t 20 -a BanditZoom -b UCB1 -c 0 --policy zoom-in", lattice);
+    assertEquals(2, both.exit());
+    assertTrue(both.err().contains(": zoom: expected none, or no --policy, where"), both.err());
   }
 
   @Test
