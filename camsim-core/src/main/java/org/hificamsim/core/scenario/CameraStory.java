@@ -9,6 +9,8 @@ import java.util.function.Consumer;
 
 /** Where cameras stand, and which are online, as one event after the other happens. */
 final class CameraStory {
+  private static final int FOR_EVER = -1;
+
   private final CameraReader cameras;
   private final Consumer<String> warnings;
   private final Map<String, Waypoint> positions = new HashMap<>();
@@ -39,9 +41,16 @@ final class CameraStory {
           change.camera(), (name, before) -> cameras.moved(element, change, before));
     } else if (event instanceof ScenarioEvent.FailCamera fail) {
       check(element, fail.camera(), fail.step());
-      if (fail.duration() != 0) {
-        failed.add(fail.camera());
-      }
+      fail(fail.camera(), fail.duration());
+    }
+  }
+
+  /** In CamSim for ever, too, where it is for some steps (quirk Q6). */
+  private void fail(String camera, int duration) {
+    if (duration == FOR_EVER && !failed.contains(camera)) {
+      positions.remove(camera);
+    } else if (duration != 0) {
+      failed.add(camera);
     }
   }
 
@@ -49,13 +58,12 @@ final class CameraStory {
     if (!cameras.knows(camera)) {
       throw new Attributes(element).invalid("name", "the name of a camera");
     }
-    if (!positions.containsKey(camera) || failed.contains(camera)) {
+    String line = "camera '%s' is not online at step %s, nothing happens".formatted(camera, step);
+    if (!positions.containsKey(camera)) {
+      warnings.accept(element.place("name").line(line));
+    } else if (failed.contains(camera)) {
       warnings.accept(
-          element
-              .place("name")
-              .line(
-                  "camera '%s' is not online at step %s, nothing happens"
-                      .formatted(camera, step)));
+          element.place("name").line(line + " (unless camsim --quirks lets it come back)"));
     }
   }
 }

@@ -96,7 +96,9 @@ final class EventReader {
       case "add" -> {
         if (element.attributes().containsKey("move")) {
           warnings.accept(
-              element.place("move") + ": an event's move is ignored, as in CamSim; fqName counts");
+              element.place("move")
+                  + ": an event's move is ignored, as in CamSim (unless camsim --quirks says"
+                  + " otherwise); fqName counts");
         }
         yield new ScenarioEvent.AddTarget(step, targets.added(element, attributes, identity));
       }

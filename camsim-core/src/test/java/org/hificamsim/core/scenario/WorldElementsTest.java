@@ -289,6 +289,18 @@ class WorldElementsTest {
   }
 
   @Test
+  void whoFollowsAScriptIsJudgedByItsWaypointsAlone() {
+    read(
+        "<obstacles><pillar x='5' y='5' radius='1'/></obstacles><cameras>"
+            + PTZ
+            + CAMERA
+            + "</cameras><objects>"
+            + "<object features='1' x='5' y='5' heading='0' speed='1' move='Scripted'>"
+            + "<waypoint x='1' y='11'/><waypoint x='2' y='1'/></object></objects>");
+    assertEquals(List.of(), warnings);
+  }
+
+  @Test
   void aWayThroughAWallIsAWarning() {
     read(
         "<obstacles><wall x1='5' y1='-1' x2='5' y2='9'/></obstacles><cameras>"
