@@ -54,13 +54,16 @@ public final class CamSimScenario {
     return read;
   }
 
-  /** The scenario with the quirks of movement that are asked for. */
+  /**
+   * The scenario with the quirks of movement that are asked for. Where a zoom list counts,
+   * waypoints are the coverage study's, at their own speed.
+   */
   public static Scenario as(Scenario scenario, NetworkSettings settings) {
     Scenario read = scenario;
     if (!settings.has(Quirk.EVENT_MOVE_IGNORED)) {
       read = read.withTargets(CamSimScenario::withAlias);
     }
-    return settings.has(Quirk.WAYPOINT_SPEED_IS_HEADING)
+    return settings.has(Quirk.WAYPOINT_SPEED_IS_HEADING) && !scenario.inCoverageDialect()
         ? read.withTargets(target -> withSwap(target, scenario.headings()))
         : read;
   }

@@ -24,6 +24,12 @@ class QuirkTest {
     assertEquals(0.25, network.world().targets().x(0), 1e-12);
   }
 
+  @Test
+  void q3IsOfCamSimsWaypointsAndNotOfTheCoverageStudys() {
+    SmallNetwork network = withWaypoints().cameraElement("<zoom>5 10</zoom>").run(1);
+    assertEquals(0.25, network.world().targets().x(0), 1e-12);
+  }
+
   private static SmallNetwork withWaypoints() {
     return new SmallNetwork()
         .camera("A", 0, 0, 10, ACTIVE)
