@@ -234,6 +234,11 @@ final class BrokenScenarios {
             "@<waypoint",
             one),
         change(
+            "an object with Tracks",
+            FIRST,
+            "<object @move=\"Tracks\" features=\"1.0\"",
+            "<object> move is 'Tracks', expected " + MOVEMENT),
+        change(
             "Waypoints without any",
             FIRST,
             "@<object move=\"epics.movement.Waypoints\" features=\"1.0\"",
@@ -295,7 +300,12 @@ final class BrokenScenarios {
             "an event with an unknown movement",
             "speed=\"1\" size=\"1\">",
             "speed=\"1\" @fqName=\"Teleport\">",
-            "<event> fqName is 'Teleport', expected " + MOVEMENT));
+            "<event> fqName is 'Teleport', expected " + MOVEMENT),
+        change(
+            "an event with Tracks",
+            "speed=\"1\" size=\"1\">",
+            "speed=\"1\" @fqName=\"Tracks\">",
+            "<event> fqName is 'Tracks', expected " + MOVEMENT));
   }
 
   private static List<BrokenScenario> structure() {

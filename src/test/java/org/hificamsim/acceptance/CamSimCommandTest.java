@@ -145,6 +145,9 @@ class CamSimCommandTest {
     Cli zooming = camsim("-t 20 -a active -c 0 --policy zoom-in", lattice);
     assertEquals(0, zooming.exit(), zooming.err());
     assertNotEquals(plain, lines("o.csv"));
+    Cli both = camsim("-t 20 -a BanditZoom -b UCB1 -c 0 --policy zoom-in", lattice);
+    assertEquals(2, both.exit());
+    assertTrue(both.err().contains(": zoom: expected none, or no --policy, where"), both.err());
   }
 
   @Test
@@ -170,6 +173,7 @@ class CamSimCommandTest {
         "-b Gambler | -b is 'Gambler', expected one of EpsilonGreedy",
         "-a BanditZoom | <camera> has no bandit, expected one of EpsilonGreedy",
         "-m epics.movement.Teleport | unknown movement",
+        "-m Scripted | -m 'Scripted': object 1.0 has no waypoints, expected at least two for",
         "-p missing.properties | missing.properties: cannot be read",
         "--quirks Q99 | names 'Q99'",
         "--detection nobody | unknown detection 'nobody'",
@@ -187,6 +191,30 @@ class CamSimCommandTest {
     assertTrue(errors.get(0).startsWith("error: ") && errors.get(0).contains(expected), run.err());
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(0, files.count());
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "-f DIR/o.csv | -o and -f are one file",
+        "--extra-out DIR/./o.csv | -o and --extra-out are one file",
+        "--extra-out DIR/summary.csv | the default of -f and --extra-out are one file",
+        "--coverage-out DIR/o.csv | -o and --coverage-out are one file",
+        "-f DIR/c/steps.csv --coverage-out DIR/c | -f and --coverage-out are one file",
+        "-f DIR/in.xml | the scenario and -f are one file",
+        "--for-camsim DIR/in.xml | the scenario and --for-camsim are one file",
+      })
+  void twoOutputsAndTheScenarioAreSeparateFiles(String options, String expected)
+      throws IOException {
+    Path scenario = Files.copy(SCENARIO, folder.resolve("in.xml"));
+    Cli run = camsim("-t 5 " + options.replace("DIR", folder + ""), scenario);
+    assertEquals(2, run.exit(), run.err());
+    assertTrue(run.err().contains("error: " + expected + ", '" + folder), run.err());
+    assertEquals(-1, Files.mismatch(SCENARIO, scenario));
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(List.of(scenario), files.toList());
     }
   }
 
@@ -215,6 +243,23 @@ class CamSimCommandTest {
       assertTrue(run.err().startsWith("error: " + file + ":" + expected), run.err());
     }
     assertEquals(0, camsim("-t 5 -a Active -b UCB1 -c 0", file).exit(), "options say otherwise");
+  }
+
+  @Test
+  void anEventsMoveNeedsItsWaypointsWhereItCounts() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("odd.xml"),
+            "<root><simulation min_x='0' max_x='9' min_y='0' max_y='9'></simulation><cameras>"
+                + "<camera name='A' x='1' y='1' heading='0' viewing_angle='360' range='5'/>"
+                + "</cameras><events><event timestep='2' participant='object' event='add' name='1'"
+                + " x='1' y='2' heading='0' speed='0' move='epics.movement.Waypoints'/></events>"
+                + "</root>");
+    assertEquals(0, camsim("-t 5", file).exit(), "ignored as in CamSim");
+    Cli run = camsim("-t 5 --quirks none", file);
+    assertEquals(2, run.exit(), run.err());
+    String expected = "object 1.0 has no waypoints, expected at least two for movement Waypoints";
+    assertTrue(run.err().contains("error: " + file + ": " + expected), run.err());
   }
 
   @Test

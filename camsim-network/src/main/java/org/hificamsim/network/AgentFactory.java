@@ -51,7 +51,7 @@ final class AgentFactory {
   }
 
   private void readRoles() {
-    RoleReader reader = new RoleReader(settings);
+    RoleReader reader = new RoleReader(settings, world.scenario().inCoverageDialect());
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       String name = world.cameras().name(camera);
       Fault fault =

@@ -48,18 +48,22 @@ public final class CamSimScenario {
     }
     if (movement != null) {
       scenario = scenario.withMovement(movement);
-      requireWaypoints(scenario, movement);
     }
-    return as(scenario, settings);
+    Scenario read = as(scenario, settings);
+    requireWaypoints(read, movement == null ? file.toString() : "-m '" + movement + "'");
+    return read;
   }
 
-  /** The scenario with the quirks of movement that are asked for. */
+  /**
+   * The scenario with the quirks of movement that are asked for. Where a zoom list counts,
+   * waypoints are the coverage study's, at their own speed.
+   */
   public static Scenario as(Scenario scenario, NetworkSettings settings) {
     Scenario read = scenario;
     if (!settings.has(Quirk.EVENT_MOVE_IGNORED)) {
       read = read.withTargets(CamSimScenario::withAlias);
     }
-    return settings.has(Quirk.WAYPOINT_SPEED_IS_HEADING)
+    return settings.has(Quirk.WAYPOINT_SPEED_IS_HEADING) && !scenario.inCoverageDialect()
         ? read.withTargets(target -> withSwap(target, scenario.headings()))
         : read;
   }
@@ -80,20 +84,20 @@ public final class CamSimScenario {
         : target;
   }
 
-  private static void requireWaypoints(Scenario scenario, String movement) {
+  /** An error, which {@code source} is to blame for, where a path is to be followed without one. */
+  private static void requireWaypoints(Scenario scenario, String source) {
     Stream<TargetSpec> added =
         scenario.events().stream()
             .filter(ScenarioEvent.AddTarget.class::isInstance)
             .map(event -> ((ScenarioEvent.AddTarget) event).target());
     Stream.concat(scenario.targets().stream(), added)
-        .filter(target -> target.movement().shortName().equals("Waypoints"))
-        .filter(target -> target.movement().waypoints().isEmpty())
+        .filter(target -> target.movement().lacksWaypoints())
         .findFirst()
         .ifPresent(
             target -> {
               throw new InputException(
-                  "-m '%s': object %s has no waypoints, expected at least two"
-                      .formatted(movement, target.name()));
+                  "%s: object %s has no waypoints, expected at least two for movement %s"
+                      .formatted(source, target.name(), target.movement().shortName()));
             });
   }
 

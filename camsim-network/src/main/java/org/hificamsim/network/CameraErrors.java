@@ -39,12 +39,15 @@ final class CameraErrors {
     stepsLeft[camera] = duration;
   }
 
-  /** Draws who fails in this step; one number is drawn in any case. */
+  /**
+   * Draws who fails in this step. CamSim draws a number in any case; below level 0, where the draws
+   * decide about nothing, none is drawn here.
+   */
   void step(Agent[] agents, int cameras) {
     if (comeBack) {
       countDown(cameras);
     }
-    if (random.nextInt(PERCENT) > errorLevel) {
+    if (errorLevel < 0 || random.nextInt(PERCENT) > errorLevel || cameras == 0) {
       return;
     }
     int camera = random.nextInt(cameras);

@@ -42,6 +42,7 @@ public final class Network implements Cooperation, WorldObserver {
   private final IntConsumer bidding = this::bid;
   private final IntConsumer settling = this::settle;
   private final IntConsumer counting = this::count;
+  private final boolean camerasComeBack;
   private final CameraErrors errors;
   private final CameraFigures figures;
   private final StepTally tally;
@@ -66,6 +67,7 @@ public final class Network implements Cooperation, WorldObserver {
   public Network(World world, Detection detection, NetworkSettings settings, long seed) {
     cameras = world.cameras();
     sightings = new Sightings(world, visibility(detection, seed));
+    camerasComeBack = !settings.has(Quirk.FAILED_CAMERAS_STAY_OFFLINE);
     errors = new CameraErrors(world, settings, new Random(seed));
     figures = new CameraFigures(world);
     tally = new StepTally(world, figures, sightings, queue);
@@ -227,10 +229,14 @@ public final class Network implements Cooperation, WorldObserver {
     }
   }
 
+  /**
+   * Cameras lose sight of it; not those that are offline for ever, whose sets stay as they are
+   * (behaviour 3.5 and 6.2, quirk Q6).
+   */
   @Override
   public void targetVanished(int target) {
     for (int camera = 0; camera < added; camera++) {
-      if (cameras.online(camera)) {
+      if (camerasComeBack || cameras.online(camera)) {
         sightings.forget(camera, target);
       }
     }

@@ -17,10 +17,19 @@ import org.hificamsim.network.bandit.BanditAlgorithm;
  */
 final class RoleReader {
   private final NetworkSettings settings;
+  private final boolean zooming;
   private ScheduleKind schedule = ScheduleKind.ACTIVE;
 
   RoleReader(NetworkSettings settings) {
+    this(settings, false);
+  }
+
+  /**
+   * @param zooming whether cameras choose from a zoom list, and no bandit could set their ranges
+   */
+  RoleReader(NetworkSettings settings, boolean zooming) {
     this.settings = settings;
+    this.zooming = zooming;
   }
 
   /**
@@ -41,8 +50,12 @@ final class RoleReader {
     return new Role(schedule, comm(agent, added, fault), agent.limit(), bandit(agent, fault));
   }
 
-  /** A lens has the reach of its law, whatever range a bandit sets. */
-  private static void requireRange(Optional<OpticsSpec> optics, Fault fault) {
+  /** A zoom list and a lens have reaches of their own, whatever range a bandit sets. */
+  private void requireRange(Optional<OpticsSpec> optics, Fault fault) {
+    if (zooming) {
+      throw fault.in(
+          "zoom", "none, or no --policy, where the schedule is BanditZoom, which sets ranges");
+    }
     if (optics.filter(used -> used.law() != OpticsLaw.ROUND).isPresent()) {
       throw fault.in(
           "optics", "none, or law=\"round\", where the schedule is BanditZoom, which sets ranges");

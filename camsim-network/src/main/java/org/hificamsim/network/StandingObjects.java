@@ -1,9 +1,9 @@
 package org.hificamsim.network;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Stream;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
@@ -13,8 +13,8 @@ import org.hificamsim.core.scenario.TargetSpec;
 /**
  * A scenario as CamSim itself reads it: who follows a track is an object that comes and goes by
  * events and stands where its track begins. In CamSim the bridge has it follow the track. A camera
- * with optics has its widest angle, and a range of 20 m and more is set by an event of step 0,
- * since CamSim makes 16 m of it otherwise (behaviour 6.3).
+ * with optics has its widest angle, and a range of 20 m and more is set by an event right after it
+ * has come, since CamSim makes 16 m of it otherwise, as we do without optics (behaviour 6.3).
  */
 public final class StandingObjects {
   private static final double CLAMPED = 20; // m
@@ -25,13 +25,13 @@ public final class StandingObjects {
 
   /** The scenario for CamSim. */
   public static Scenario of(Scenario scenario) {
-    Scenario seen = scenario.withCameras(one -> withoutOptics(one, scenario));
-    List<ScenarioEvent> events = new ArrayList<>();
-    seen.cameras().stream()
-        .filter(camera -> camera.range() >= CLAMPED)
-        .forEach(camera -> events.add(widened(camera)));
-    seen.events().forEach(event -> events.add(standing(event)));
-    return seen.with(scenario.name(), scenario.targets(), events);
+    Stream<ScenarioEvent> ofTheStart =
+        scenario.cameras().stream().flatMap(camera -> widened(0, camera, scenario));
+    Stream<ScenarioEvent> later =
+        scenario.events().stream().flatMap(event -> seen(event, scenario));
+    return scenario
+        .with(scenario.name(), scenario.targets(), Stream.concat(ofTheStart, later).toList())
+        .withCameras(camera -> withoutOptics(camera, scenario));
   }
 
   private static CameraSpec withoutOptics(CameraSpec camera, Scenario scenario) {
@@ -41,9 +41,10 @@ public final class StandingObjects {
         camera.y(),
         camera.heading(),
         camera.optics().map(one -> widest(one.anglesOfView())).orElse(camera.viewingAngle()),
-        camera.range() > 0 || camera.optics().isEmpty() ? camera.range() : diagonal(scenario),
+        range(camera, scenario),
         camera.agent(),
         Optional.empty(),
+        camera.conditions(),
         camera.extras());
   }
 
@@ -51,13 +52,28 @@ public final class StandingObjects {
     return angles.stream().mapToDouble(angle -> angle).max().orElse(2 * Math.toDegrees(Math.PI));
   }
 
+  private static double range(CameraSpec camera, Scenario scenario) {
+    return camera.range() > 0 || camera.optics().isEmpty() ? camera.range() : diagonal(scenario);
+  }
+
   private static double diagonal(Scenario scenario) {
     return Math.ceil(Math.hypot(scenario.field().width(), scenario.field().height()));
   }
 
-  private static ScenarioEvent widened(CameraSpec camera) {
-    return new ScenarioEvent.ChangeCamera(
-        0, camera.name(), AS_IT_IS, AS_IT_IS, AS_IT_IS, AS_IT_IS, camera.range());
+  private static Stream<ScenarioEvent> seen(ScenarioEvent event, Scenario scenario) {
+    return event instanceof ScenarioEvent.AddCamera add
+        ? Stream.concat(Stream.of(event), widened(add.step(), add.camera(), scenario))
+        : Stream.of(standing(event));
+  }
+
+  /** The event that gives a camera with optics a range that CamSim would not leave it. */
+  private static Stream<ScenarioEvent> widened(int step, CameraSpec camera, Scenario scenario) {
+    double range = range(camera, scenario);
+    return camera.optics().isPresent() && range >= CLAMPED
+        ? Stream.of(
+            new ScenarioEvent.ChangeCamera(
+                step, camera.name(), AS_IT_IS, AS_IT_IS, AS_IT_IS, AS_IT_IS, range))
+        : Stream.empty();
   }
 
   private static ScenarioEvent standing(ScenarioEvent event) {

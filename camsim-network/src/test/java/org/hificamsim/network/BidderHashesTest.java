@@ -1,6 +1,7 @@
 package org.hificamsim.network;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
 import java.util.Random;
@@ -23,9 +24,32 @@ import org.junit.jupiter.api.Test;
 
 /** The hash codes that order bids. */
 class BidderHashesTest {
+  private static final int FIRST = -417382511;
+
   @Test
   void theHashCodesOfPublishedCamerasAreTheKnownOnes() {
-    World world = grid().world();
+    BidderHashes hashes = hashes(grid().world());
+    assertEquals(FIRST, hashes.of(0));
+    assertEquals(-307410659, hashes.of(1));
+  }
+
+  @Test
+  void aCameraThatIsZoomedOrAimedHasTheHashCodeOfWhatItLooksLikeThen() {
+    World world = grid().zooms(4, 16).world();
+    BidderHashes kept = hashes(world);
+    assertEquals(FIRST, kept.of(0));
+    world.cameras().turnTo(0, 0);
+    assertNotEquals(FIRST, kept.of(0));
+    assertEquals(hashes(world).of(0), kept.of(0));
+    world.cameras().aim(0, 1, 0.5);
+    assertNotEquals(FIRST, kept.of(0));
+    assertEquals(hashes(world).of(0), kept.of(0));
+    world.cameras().turnTo(0, 1);
+    assertEquals(FIRST, kept.of(0));
+  }
+
+  /** Hash codes where all are passive and know each other. */
+  private static BidderHashes hashes(World world) {
     int count = world.cameras().count();
     Detection detection = Detection.of(new CamSimVisibilityDetection());
     Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
@@ -49,8 +73,7 @@ class BidderHashesTest {
         }
       }
     }
-    assertEquals(-417382511, hashes.of(0));
-    assertEquals(-307410659, hashes.of(1));
+    return hashes;
   }
 
   /** Nine cameras of which two are those of the known hash codes (behaviour 4.5). */

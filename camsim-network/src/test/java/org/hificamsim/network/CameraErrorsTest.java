@@ -157,6 +157,19 @@ class CameraErrorsTest {
   }
 
   @Test
+  void beforeTheFirstCameraIsAddedNobodyFails() {
+    Script script = new Script(0);
+    errors(script).step(agents, 0);
+    assertEquals(1, script.next);
+  }
+
+  @Test
+  void belowLevelZeroNothingIsDrawn() {
+    new CameraErrors(world, NetworkSettings.CAMSIM, new Script()).step(agents, agents.length);
+    assertTrue(world.cameras().online(0) && world.cameras().online(1));
+  }
+
+  @Test
   void aCameraThatIsYetToBeAddedIsNotDrawn() {
     CameraErrors errors = errors(new Script(0, 0, 1, 0));
     errors.step(agents, 1);

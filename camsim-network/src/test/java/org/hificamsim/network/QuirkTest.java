@@ -24,6 +24,12 @@ class QuirkTest {
     assertEquals(0.25, network.world().targets().x(0), 1e-12);
   }
 
+  @Test
+  void q3IsOfCamSimsWaypointsAndNotOfTheCoverageStudys() {
+    SmallNetwork network = withWaypoints().cameraElement("<zoom>5 10</zoom>").run(1);
+    assertEquals(0.25, network.world().targets().x(0), 1e-12);
+  }
+
   private static SmallNetwork withWaypoints() {
     return new SmallNetwork()
         .camera("A", 0, 0, 10, ACTIVE)
@@ -80,6 +86,36 @@ class QuirkTest {
     SmallNetwork network = failing().without(Quirk.FAILED_CAMERAS_STAY_OFFLINE).run(8);
     assertFalse(network.world().cameras().online(0));
     assertTrue(network.run(1).world().cameras().online(0));
+  }
+
+  @Test
+  void q6ACameraThatChanceBringsBackSeesWhoIsGoneAndTracksNoneOfThosePresent() {
+    SmallNetwork network =
+        besideOneTarget("33").errorLevel(100).run(40); // offline from step 31 to 38
+    assertTrue(network.world().cameras().online(0));
+    assertTrue(network.sees(0, 0));
+    assertEquals(0, network.last().proportion());
+  }
+
+  @Test
+  void q6LeftOutItForgetsWhoWentWhileItWasOffline() {
+    SmallNetwork network =
+        besideOneTarget("3")
+            .event("timestep='2' participant='camera' event='error' name='A' duration='3'")
+            .without(Quirk.FAILED_CAMERAS_STAY_OFFLINE)
+            .run(20);
+    assertTrue(network.world().cameras().online(0));
+    assertFalse(network.sees(0, 0));
+    assertEquals(0, network.last().utility());
+    assertEquals(0, network.last().proportion());
+  }
+
+  /** A camera and a target that goes at a step. */
+  private static SmallNetwork besideOneTarget(String until) {
+    return new SmallNetwork()
+        .camera("A", 0, 0, 10, ACTIVE)
+        .still("1", 0.5, 0)
+        .event("timestep='%s' participant='object' event='error' name='1'".formatted(until));
   }
 
   private static SmallNetwork failing() {

@@ -90,4 +90,14 @@ class RoleReaderTest {
     assertTrue(fault(spec("Active", 0, null, "Nobody")).startsWith("bandit: one of EpsilonG"));
     assertTrue(fault(spec("BanditZoom", 0, null, null)).endsWith("schedule is BanditZoom"));
   }
+
+  @Test
+  void aBanditThatSetsRangesRefusesAZoomList() {
+    AgentSpec zooming = spec("BanditZoom", 0, null, "UCB1");
+    Role role = read(new RoleReader(NetworkSettings.CAMSIM), zooming, false);
+    assertEquals(ScheduleKind.BANDIT_ZOOM, role.schedule());
+    RoleReader reader = new RoleReader(NetworkSettings.CAMSIM, true);
+    InputException error = assertThrows(InputException.class, () -> read(reader, zooming, false));
+    assertTrue(error.getMessage().startsWith("zoom: none, or no --policy, "), error::getMessage);
+  }
 }

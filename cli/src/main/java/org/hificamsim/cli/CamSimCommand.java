@@ -23,6 +23,7 @@ import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.StandingObjects;
 import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.files.RunSums;
+import org.hificamsim.network.files.SeparateFiles;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
@@ -111,6 +112,7 @@ final class CamSimCommand implements Callable<Integer> {
   }
 
   private int write(Path to) throws IOException {
+    new SeparateFiles().with("the scenario", file).with("--for-camsim", to);
     Catalogue catalogue = Catalogue.load();
     Scenario scenario =
         StandingObjects.of(plan(catalogue, options.settings(screen.err())).scenario());
@@ -127,7 +129,7 @@ final class CamSimCommand implements Callable<Integer> {
     World world = new World(plan.scenario(), catalogue.movements(), seed);
     Network network = new Network(world, plan.detection(), settings, seed);
     ZoomPolicy zooms = catalogue.policies().create(plan.policy());
-    CamSimFiles.Places places = new CamSimFiles.Places(output, summary, extra, coverage);
+    CamSimFiles.Places places = new CamSimFiles.Places(file, output, summary, extra, coverage);
     try (CamSimFiles files = new CamSimFiles(places, plan, world, network);
         Progress progress = screen.progress(plan.scenario().name(), " steps", steps)) {
       List<StepListener> listeners = new ArrayList<>(files.listeners());

@@ -130,7 +130,9 @@ public final class Main {
       return failure(io.getCause(), command);
     }
     if (fault instanceof OutOfMemoryError) {
-      print(command, "out of memory, expected fewer steps or HIFICAMSIM_OPTS=-Xmx8g or more");
+      print(
+          command,
+          "out of memory, expected fewer steps or cameras, or HIFICAMSIM_OPTS=-Xmx8g or more");
       return FAILURE;
     }
     print(command, oneLine(message(fault)));

@@ -87,9 +87,6 @@ final class CameraReader {
     String name = attributes.text("name", "the name of a camera");
     double x = attributes.number("x", across.orUnchanged());
     double y = attributes.number("y", along.orUnchanged());
-    if (x != -1 && y != -1) {
-      clearing.requireFree(attributes, x, y);
-    }
     return new ScenarioEvent.ChangeCamera(
         step,
         name,
@@ -100,9 +97,12 @@ final class CameraReader {
         attributes.number("range", Range.LENGTH.orUnchanged()));
   }
 
-  /** The names read so far. */
-  Set<String> names() {
-    return new HashSet<>(names);
+  /** Where a change puts a camera, off all obstacles. */
+  Waypoint moved(XmlElement element, ScenarioEvent.ChangeCamera change, Waypoint before) {
+    double x = change.x() == -1 ? before.x() : change.x();
+    double y = change.y() == -1 ? before.y() : change.y();
+    clearing.requireFree(new Attributes(element), x, y);
+    return new Waypoint(x, y);
   }
 
   /** Whether a camera of this name has been read. */

@@ -25,11 +25,14 @@ final class EventReader {
   /**
    * Reads them all: those of the elements, then those that come and go with the tracks.
    *
+   * @param start the cameras of the start
    * @param tracks one element at most
    */
   List<ScenarioEvent> events(
-      List<XmlElement> elements, List<XmlElement> tracks, TracksReader reader) {
-    Set<String> start = cameras.names();
+      List<CameraSpec> start,
+      List<XmlElement> elements,
+      List<XmlElement> tracks,
+      TracksReader reader) {
     List<Placed> placed = new ArrayList<>(faults.each(elements, this::event));
     faults.each(tracks, reader::events).stream()
         .flatMap(List::stream)
@@ -93,7 +96,9 @@ final class EventReader {
       case "add" -> {
         if (element.attributes().containsKey("move")) {
           warnings.accept(
-              element.place("move") + ": an event's move is ignored, as in CamSim; fqName counts");
+              element.place("move")
+                  + ": an event's move is ignored, as in CamSim (unless camsim --quirks says"
+                  + " otherwise); fqName counts");
         }
         yield new ScenarioEvent.AddTarget(step, targets.added(element, attributes, identity));
       }
@@ -143,35 +148,9 @@ final class EventReader {
         : one.invalidName("features that no object present has");
   }
 
-  private void checkCameras(List<Placed> placed, Set<String> online) {
-    inTime(placed).forEach(one -> faults.check(() -> checkCamera(one, online)));
-  }
-
-  private void checkCamera(Placed one, Set<String> online) {
-    if (one.event() instanceof ScenarioEvent.AddCamera add) {
-      online.add(add.camera().name());
-    } else if (one.event() instanceof ScenarioEvent.ChangeCamera change) {
-      checkCamera(one, change.camera(), online);
-    } else if (one.event() instanceof ScenarioEvent.FailCamera fail) {
-      checkCamera(one, fail.camera(), online);
-      if (fail.duration() != 0) {
-        online.remove(fail.camera());
-      }
-    }
-  }
-
-  private void checkCamera(Placed one, String camera, Set<String> online) {
-    if (!cameras.knows(camera)) {
-      throw one.invalidName("the name of a camera");
-    }
-    if (!online.contains(camera)) {
-      warnings.accept(
-          one.element()
-              .place("name")
-              .line(
-                  "camera '%s' is not online at step %s, nothing happens"
-                      .formatted(camera, one.event().step())));
-    }
+  private void checkCameras(List<Placed> placed, List<CameraSpec> start) {
+    CameraStory story = new CameraStory(start, cameras, warnings);
+    inTime(placed).forEach(one -> faults.check(() -> story.goOn(one.event(), one.element())));
   }
 
   private static List<Placed> inTime(List<Placed> placed) {

@@ -2,6 +2,7 @@ package org.hificamsim.core.scenario;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * How a target moves.
@@ -15,8 +16,11 @@ import java.util.Optional;
  */
 public record MovementSpec(
     String name, double mean, double std, List<Waypoint> waypoints, Optional<Track> track) {
-  private static final String TRACKS = "Tracks";
+  /** What no file names: a target with a track comes by {@code tracks}. */
+  static final String TRACKS = "Tracks";
+
   private static final String CAMSIM_PACKAGE = "epics.movement.";
+  private static final Set<String> ON_PATH = Set.of("Waypoints", "Scripted");
 
   /** Copies what could change. */
   public MovementSpec {
@@ -41,6 +45,11 @@ public record MovementSpec(
       return waypoints.isEmpty() ? "Straight" : "Waypoints";
     }
     return name.startsWith(CAMSIM_PACKAGE) ? name.substring(CAMSIM_PACKAGE.length()) : name;
+  }
+
+  /** Whether it follows waypoints, and has none. */
+  public boolean lacksWaypoints() {
+    return waypoints.isEmpty() && ON_PATH.contains(shortName());
   }
 
   /** The same parameters under another movement; none but Tracks keeps a track. */

@@ -151,6 +151,7 @@ public final class ScenarioReader {
     List<ScenarioEvent> events =
         new EventReader(cameraReader, targetReader, warnings, faults)
             .events(
+                cameras,
                 root.all("event"),
                 root.all("tracks"),
                 new TracksReader(path, field, stepTime, warnings));

@@ -9,8 +9,6 @@ import java.util.function.Predicate;
 
 /** Reads targets, from their own element or from an event that adds one. */
 final class TargetReader {
-  private static final Set<String> ON_PATH = Set.of("Waypoints", "Scripted");
-
   private final Field field;
   private final Clearing clearing;
   private final boolean coverageDialect;
@@ -47,7 +45,7 @@ final class TargetReader {
     double speed = attributes.number("speed", Range.SPEED);
     Optional<Extent> extent = extent(attributes);
     double size = size(attributes, extent);
-    List<Waypoint> waypoints = waypoints(element);
+    List<Waypoint> waypoints = waypoints(element, coverageDialect);
     if (waypoints.isEmpty()) {
       throw element.place().error("no <waypoint>, expected at least two");
     }
@@ -82,10 +80,12 @@ final class TargetReader {
     Optional<Extent> extent = extent(attributes);
     double size = size(attributes, extent);
     MovementSpec spec = movement(element, attributes, origin, movement);
+    boolean scripted = isScripted(movement);
     boolean onPath = spec.shortName().equals("Waypoints");
-    Waypoint start = onPath && movement.isEmpty() ? spec.waypoints().get(0) : position;
+    boolean fromFirst = scripted || (onPath && movement.isEmpty());
+    Waypoint start = fromFirst ? spec.waypoints().get(0) : position;
     clearing.requireFree(new Attributes(element), start.x(), start.y());
-    if (!field.contains(start.x(), start.y()) && !(onPath && coverageDialect)) {
+    if (!field.contains(start.x(), start.y()) && !scripted && !(onPath && coverageDialect)) {
       warnings.accept(
           "%s: <%s> starts outside the field at (%s, %s); it stays there, turning, unless one step"
                   .formatted(element.place("x"), element.name(), start.x(), start.y())
@@ -108,13 +108,14 @@ final class TargetReader {
       XmlElement element, Attributes attributes, TargetSpec.Origin origin, String name) {
     double mean = attributes.optionalNumber("mean", Range.COORDINATE).orElse(0);
     double std = attributes.optionalNumber("std", Range.LENGTH).orElse(1);
-    MovementSpec spec = new MovementSpec(name, mean, std, waypoints(element));
-    if (!movements.test(spec.shortName())) {
+    List<Waypoint> path = waypoints(element, coverageDialect || isScripted(name));
+    MovementSpec spec = new MovementSpec(name, mean, std, path);
+    if (!movements.test(spec.shortName()) || spec.shortName().equals(MovementSpec.TRACKS)) {
       throw attributes.invalid(
           origin == TargetSpec.Origin.EVENT ? "fqName" : "move",
           "a movement such as Straight, Waypoints, Brownian, DirectedBrownian, or one in a jar");
     }
-    if (spec.waypoints().isEmpty() && ON_PATH.contains(spec.shortName())) {
+    if (spec.lacksWaypoints()) {
       throw element
           .place()
           .error(
@@ -156,22 +157,30 @@ final class TargetReader {
             attributes.number("height", Range.POSITIVE_LENGTH)));
   }
 
-  private List<Waypoint> waypoints(XmlElement element) {
+  /** Whether a movement of this name starts on its first waypoint, and may leave the field. */
+  private static boolean isScripted(String name) {
+    return new MovementSpec(name, 0, 1, List.of()).shortName().equals("Scripted");
+  }
+
+  /**
+   * @param anywhere whether they may lie outside the field
+   */
+  private List<Waypoint> waypoints(XmlElement element, boolean anywhere) {
     List<XmlElement> children = element.all("waypoint");
     if (children.size() == 1) {
       throw children.get(0).place().error("one <waypoint>, expected none or at least two");
     }
-    List<Waypoint> path = children.stream().map(this::waypoint).toList();
+    List<Waypoint> path = children.stream().map(child -> waypoint(child, anywhere)).toList();
     clearing.warnOfPath(element, path);
     return path;
   }
 
-  private Waypoint waypoint(XmlElement element) {
+  private Waypoint waypoint(XmlElement element, boolean anywhere) {
     Attributes attributes = new Attributes(element);
     Waypoint waypoint = point(attributes);
     attributes.leftOver(warnings);
     clearing.requireFree(new Attributes(element), waypoint.x(), waypoint.y());
-    if (!field.contains(waypoint.x(), waypoint.y()) && !coverageDialect) {
+    if (!field.contains(waypoint.x(), waypoint.y()) && !anywhere) {
       warnings.accept(element.place() + ": <waypoint> lies outside the field, out of reach");
     }
     return waypoint;

@@ -29,6 +29,7 @@ class ScenarioReaderTest {
   private static final String CAMERA =
       "<camera name='a' x='1' y='2' heading='3' viewing_angle='90' range='5'/>";
   private static final String OBJECT = "<object features='1' x='1' y='2' heading='30' speed='4'/>";
+  private static final String CHANGED = "x='1' y='1' heading='0' viewing_angle='90' range='5'";
 
   @TempDir Path folder;
   private final List<String> warnings = new ArrayList<>();
@@ -314,7 +315,8 @@ class ScenarioReaderTest {
                 + " unless one step leads inside",
             "9:7: <waypoint> lies outside the field, out of reach",
             "9:53: unknown attribute z=\"0\" of <waypoint>, ignored",
-            "12:19: an event's move is ignored, as in CamSim; fqName counts",
+            "12:19: an event's move is ignored, as in CamSim (unless camsim --quirks says"
+                + " otherwise); fqName counts",
             "13:60: no object 7.0 is there at step 1, nothing is removed",
             "17:18: a second <graphnode> for 'a', the last one counts",
             "17:47: unknown attribute far=\"yes\" of <neighbour>, ignored",
@@ -324,19 +326,39 @@ class ScenarioReaderTest {
   }
 
   @Test
+  void whatHappensToACameraThatFailedForSomeStepsHangsOnTheQuirk() {
+    String event = "\n<event timestep='%d' participant='camera' event='%s' name='a' %s/>";
+    read(
+        scenario(
+            "",
+            CAMERA,
+            OBJECT
+                + event.formatted(1, "error", "duration='3'")
+                + event.formatted(5, "change", CHANGED)
+                + event.formatted(6, "error", "duration='-1'")
+                + event.formatted(7, "change", CHANGED)));
+    String unless = ", nothing happens (unless camsim --quirks lets it come back)";
+    assertEquals(
+        List.of(
+            "3:57: camera 'a' is not online at step 5" + unless,
+            "4:56: camera 'a' is not online at step 6" + unless,
+            "5:57: camera 'a' is not online at step 7" + unless),
+        withoutFile(warnings));
+  }
+
+  @Test
   void eventsForCamerasThatAreNotOnlineThenAreWarnings() {
     String event = "\n<event timestep='%d' participant='camera' event='%s' name='a' %s/>";
-    String values = "x='1' y='1' heading='0' viewing_angle='90' range='5'";
     read(
         scenario(
             "",
             "",
             OBJECT
-                + event.formatted(5, "add", values)
-                + event.formatted(4, "change", values)
+                + event.formatted(5, "add", CHANGED)
+                + event.formatted(4, "change", CHANGED)
                 + event.formatted(5, "error", "duration='0'")
                 + event.formatted(6, "error", "duration='-1'")
-                + event.formatted(7, "change", values)));
+                + event.formatted(7, "change", CHANGED)));
     assertEquals(
         List.of(
             "3:57: camera 'a' is not online at step 4, nothing happens",

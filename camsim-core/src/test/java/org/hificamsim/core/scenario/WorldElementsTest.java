@@ -228,14 +228,34 @@ class WorldElementsTest {
   @Test
   void aCameraThatAnEventPutsIntoAPillarIsRefused() {
     assertRefused(
-        "<obstacles><pillar x='5' y='5' radius='1'/></obstacles><cameras>"
-            + PTZ
-            + CAMERA
-            + "</cameras>"
-            + OBJECT
-            + "<events><event timestep='3' participant='camera' event='change' name='a' x='5' y='5'"
-            + " heading='-1' viewing_angle='-1' range='-1'/></events>",
-        "<event> x is '5', expected a place off all obstacles");
+        besideAPillar(change(3, "5", "5")), "<event> x is '5', expected a place off all obstacles");
+  }
+
+  @Test
+  void aCameraThatEventsMoveOneWayAfterTheOtherIsFollowedInTime() {
+    assertEquals(
+        2, read(besideAPillar(change(4, "1", "5") + change(3, "5", "-1"))).events().size());
+    assertRefused(
+        besideAPillar(change(4, "-1", "5") + change(3, "5", "-1")),
+        "<event> x is '-1', expected a place off all obstacles; (5.0, 5.0) is in or on a solid");
+  }
+
+  /** A pillar at (5, 5), a camera at (1, 2), and events. */
+  private static String besideAPillar(String events) {
+    return "<obstacles><pillar x='5' y='5' radius='1'/></obstacles><cameras>"
+        + PTZ
+        + CAMERA
+        + "</cameras>"
+        + OBJECT
+        + "<events>"
+        + events
+        + "</events>";
+  }
+
+  private static String change(int step, String x, String y) {
+    return ("<event timestep='%s' participant='camera' event='change' name='a' x='%s' y='%s'"
+            + " heading='-1' viewing_angle='-1' range='-1'/>")
+        .formatted(step, x, y);
   }
 
   @Test
@@ -266,6 +286,18 @@ class WorldElementsTest {
     assertRefused(
         "<cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT.replace("speed", "width='1' speed"),
         "<object> has no height, expected");
+  }
+
+  @Test
+  void whoFollowsAScriptIsJudgedByItsWaypointsAlone() {
+    read(
+        "<obstacles><pillar x='5' y='5' radius='1'/></obstacles><cameras>"
+            + PTZ
+            + CAMERA
+            + "</cameras><objects>"
+            + "<object features='1' x='5' y='5' heading='0' speed='1' move='Scripted'>"
+            + "<waypoint x='1' y='11'/><waypoint x='2' y='1'/></object></objects>");
+    assertEquals(List.of(), warnings);
   }
 
   @Test

@@ -2,18 +2,26 @@ package org.hificamsim.network.agent;
 
 import java.util.EnumMap;
 import java.util.Map;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.world.Cameras;
 
 /**
  * The hash codes that order the bids of CamSim's cameras (behaviour 4.5, quirk Q19): each that of a
- * text that describes the camera. The constant part of each text is hashed once.
+ * text that describes the camera in its view. The constant part of each text is hashed once.
  */
 public final class BidderHashes {
   private final Cameras cameras;
   private final Sightings sightings;
   private final Agent[] agents;
-  private final Map<ScheduleKind, int[]> hashes = new EnumMap<>(ScheduleKind.class);
-  private final Map<ScheduleKind, int[]> revisions = new EnumMap<>(ScheduleKind.class);
+  private final Map<ScheduleKind, Known[]> known = new EnumMap<>(ScheduleKind.class);
+
+  /** How a camera looked, and the hash code of the constant part of its text then. */
+  private record Known(Pose pose, ZoomLevel zoom, int hash) {
+    boolean isOf(Pose now, ZoomLevel through) {
+      return pose.equals(now) && zoom.equals(through);
+    }
+  }
 
   /**
    * Hash codes of agents as they will be when asked for.
@@ -25,8 +33,7 @@ public final class BidderHashes {
     this.sightings = sightings;
     this.agents = agents;
     for (ScheduleKind kind : ScheduleKind.values()) {
-      hashes.put(kind, new int[agents.length]);
-      revisions.put(kind, new int[agents.length]);
+      known.put(kind, new Known[agents.length]);
     }
   }
 
@@ -36,31 +43,25 @@ public final class BidderHashes {
     return appendNumber(append(hash, " neighbours="), agents[camera].neighbours.size());
   }
 
-  /** Its hash code, computed again where a camera has changed since. */
+  /** Its hash code, computed again where the camera looks otherwise now. */
   private int constantPart(int camera) {
     ScheduleKind schedule = agents[camera].schedule();
-    int[] known = hashes.get(schedule);
-    int[] revision = revisions.get(schedule);
-    if (revision[camera] != cameras.revision() + 1) {
-      revision[camera] = cameras.revision() + 1;
-      known[camera] = text(camera, schedule).hashCode();
+    Known[] all = known.get(schedule);
+    Pose pose = cameras.pose(camera, cameras.view(camera));
+    ZoomLevel zoom = cameras.zoom(camera, cameras.view(camera));
+    if (all[camera] == null || !all[camera].isOf(pose, zoom)) {
+      String text = text(cameras.name(camera), schedule, pose, zoom);
+      all[camera] = new Known(pose, zoom, text.hashCode());
     }
-    return known[camera];
+    return all[camera].hash();
   }
 
-  private String text(int camera, ScheduleKind schedule) {
-    int view = cameras.view(camera);
+  private static String text(String name, ScheduleKind schedule, Pose pose, ZoomLevel zoom) {
     return "<camera ai_algorithm=\"%s\" heading=\"%s\" name=\"%s\" range=\"%s\" "
             .formatted(
-                schedule.canonicalName(),
-                Math.toDegrees(cameras.pose(camera, view).heading()),
-                cameras.name(camera),
-                cameras.zoom(camera, view).radius())
+                schedule.canonicalName(), Math.toDegrees(pose.heading()), name, zoom.radius())
         + "viewing_angle=\"%s\" x=\"%s\" y=\"%s\" comm=\"0\"/> visibleObjects="
-            .formatted(
-                Math.toDegrees(cameras.zoom(camera, view).viewingAngle()),
-                cameras.x(camera),
-                cameras.y(camera));
+            .formatted(Math.toDegrees(zoom.viewingAngle()), pose.x(), pose.y());
   }
 
   private static int append(int hash, String text) {

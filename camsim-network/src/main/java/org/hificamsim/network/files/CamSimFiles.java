@@ -14,20 +14,30 @@ import org.hificamsim.network.Network;
 import org.hificamsim.network.statistics.OverlapTable;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.Detail;
+import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.SingleRun;
+import org.hificamsim.runs.output.Table;
 
 /** All files of one run: CamSim's two, and those of ours that are asked for. */
 public final class CamSimFiles implements Closeable {
   /**
    * Where the files go.
    *
+   * @param scenario the file that is read
    * @param output CamSim's table of steps
    * @param summary CamSim's summary; beside the output unless given
    * @param extra the table of what CamSim's columns are taken for
    * @param coverage the folder of the run's k-coverage
    */
   public record Places(
-      Path output, Optional<Path> summary, Optional<Path> extra, Optional<Path> coverage) {}
+      Path scenario,
+      Path output,
+      Optional<Path> summary,
+      Optional<Path> extra,
+      Optional<Path> coverage) {}
+
+  private static final List<String> COVERAGE =
+      List.of(Table.RUN_STEPS.file(), ResultFolder.SUMMARY, ResultFolder.MANIFEST);
 
   private final List<Closeable> opened = new ArrayList<>();
   private final List<StepListener> listeners = new ArrayList<>();
@@ -41,11 +51,13 @@ public final class CamSimFiles implements Closeable {
   /**
    * Opens the files.
    *
-   * @throws org.hificamsim.core.InputException when one of them cannot be made
+   * @throws org.hificamsim.core.InputException when one of them cannot be made, or two are one
    */
   public CamSimFiles(Places places, RunPlan plan, World world, Network network) throws IOException {
     this.plan = plan;
-    summary = new SummaryRows(places.summary().orElse(SummaryRows.beside(places.output())));
+    Path appended = places.summary().orElse(SummaryRows.beside(places.output()));
+    requireSeparate(places, appended);
+    summary = new SummaryRows(appended);
     listeners.add((view, measured) -> sums.add(network.figures()));
     try {
       StepTable steps = opened(StepTable.camSim(file("-o", places.output()).open()));
@@ -65,6 +77,20 @@ public final class CamSimFiles implements Closeable {
     } catch (IOException | RuntimeException e) {
       close();
       throw e;
+    }
+  }
+
+  private static void requireSeparate(Places places, Path summary) {
+    SeparateFiles files =
+        new SeparateFiles()
+            .with("the scenario", places.scenario())
+            .with("-o", places.output())
+            .with(places.summary().isPresent() ? "-f" : "the default of -f", summary);
+    places.extra().ifPresent(extra -> files.with("--extra-out", extra));
+    if (places.coverage().isPresent()) {
+      Path folder = places.coverage().get();
+      files.with("--coverage-out", folder);
+      COVERAGE.forEach(name -> files.with("--coverage-out", folder.resolve(name)));
     }
   }
 

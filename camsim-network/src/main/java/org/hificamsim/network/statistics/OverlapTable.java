@@ -15,7 +15,7 @@ public final class OverlapTable {
 
   private final Cameras cameras;
   private final Pair pair;
-  private final double[][] overlaps;
+  private final double[][] overlaps; // by camera, with each later one
   private final Sector[] sectors;
   private final double[] before;
   private final double[] after;
@@ -26,7 +26,8 @@ public final class OverlapTable {
     this.cameras = cameras;
     this.pair = pair;
     int count = cameras.count();
-    overlaps = new double[count][count];
+    overlaps = new double[count][];
+    Arrays.setAll(overlaps, camera -> new double[count - 1 - camera]);
     sectors = new Sector[count];
     before = new double[count];
     after = new double[count];
@@ -65,9 +66,9 @@ public final class OverlapTable {
   private double added(int camera, double sum) {
     double total = sum;
     double[] row = overlaps[camera];
-    for (int later = camera + 1; later < row.length; later++) {
-      if (cameras.online(later)) {
-        total += row[later];
+    for (int i = 0; i < row.length; i++) {
+      if (cameras.online(camera + 1 + i)) {
+        total += row[i];
       }
     }
     return total;
@@ -88,7 +89,7 @@ public final class OverlapTable {
     for (int first = 0; first < sectors.length; first++) {
       for (int second = first + 1; second < sectors.length; second++) {
         if (changed[first] || changed[second]) {
-          overlaps[first][second] = pair.overlap(first, second);
+          overlaps[first][second - first - 1] = pair.overlap(first, second);
         }
       }
     }

@@ -82,9 +82,15 @@ public final class StepTally {
         attempts,
         overlap,
         confidence,
-        tracked == 0 ? 0 : (double) tracked / present(),
+        proportion(),
         queue.startTrackings(),
         seeing);
+  }
+
+  /** Of the targets present; 0 without any, also where one that is gone counts as tracked (Q6). */
+  private double proportion() {
+    int present = present();
+    return present == 0 ? 0 : (double) tracked / present;
   }
 
   private int present() {

@@ -9,7 +9,8 @@ import org.hificamsim.core.world.Targets;
 
 /**
  * The coverage study's waypoints: the target starts on the first one and walks towards the next;
- * when that is within one step it lands on it exactly and turns to the one after, cyclically.
+ * when that is within one step it lands on it exactly and turns to the one after, cyclically. Of a
+ * speed below 0, with which it would never arrive, the size counts.
  */
 final class ScriptedMovement implements Movement {
   private List<Waypoint> path;
@@ -32,7 +33,7 @@ final class ScriptedMovement implements Movement {
     double dx = waypoint.x() - targets.x(target);
     double dy = waypoint.y() - targets.y(target);
     double distance = Math.sqrt(dx * dx + dy * dy);
-    double speed = targets.speed(target);
+    double speed = Math.abs(targets.speed(target));
     if (distance <= speed) {
       targets.put(target, waypoint.x(), waypoint.y());
       next = (next + 1) % path.size();

@@ -65,6 +65,14 @@ class ScriptedMovementTest {
   }
 
   @Test
+  void ofASpeedBelowZeroTheSizeCounts() {
+    World world = walk(-2, 1, 0, 0, 3, 0);
+    assertEquals(2, world.targets().x(0));
+    world.moveTargets();
+    assertEquals(3, world.targets().x(0));
+  }
+
+  @Test
   void inTheCoverageDialectWaypointsMeansScripted() {
     World world =
         new TestScenario()

@@ -1,0 +1,26 @@
+package org.hificamsim.network.files;
+
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.Map;
+import org.hificamsim.core.InputException;
+
+/** The files of one command, no two of which may be in one place. */
+public final class SeparateFiles {
+  private final Map<Path, String> options = new HashMap<>();
+
+  /**
+   * One file more.
+   *
+   * @param option that names it
+   * @throws InputException when another option names it, too
+   */
+  public SeparateFiles with(String option, Path file) {
+    String other = options.putIfAbsent(file.toAbsolutePath().normalize(), option);
+    if (other != null) {
+      throw new InputException(
+          "%s and %s are one file, '%s', expected two".formatted(other, option, file));
+    }
+    return this;
+  }
+}

@@ -1,0 +1,81 @@
+package org.hificamsim.network;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalInt;
+import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.detection.Conditions;
+import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Moving;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.junit.jupiter.api.Test;
+
+/** Scenarios that are written for CamSim: the ranges of their cameras. */
+class StandingObjectsTest {
+  private static final OpticsSpec DOME =
+      new OpticsSpec(
+          "dome",
+          OpticsLaw.PINHOLE,
+          OptionalInt.empty(),
+          List.of(20.0, 60.0),
+          OptionalDouble.of(25),
+          List.of(0.0),
+          OptionalDouble.empty(),
+          0,
+          Moving.BLIND);
+
+  private static CameraSpec plain(String name) {
+    return camera(name, Optional.empty());
+  }
+
+  private static CameraSpec domed(String name) {
+    return camera(name, Optional.of(DOME));
+  }
+
+  private static CameraSpec camera(String name, Optional<OpticsSpec> optics) {
+    Conditions dusk = new Conditions(2.8, Double.NaN, 0.5);
+    return new CameraSpec(name, 1, 2, 30, 60, 25, AgentSpec.NONE, optics, dusk, Map.of());
+  }
+
+  private static ScenarioEvent widened(int step, String name) {
+    return new ScenarioEvent.ChangeCamera(step, name, -1, -1, -1, -1, 25);
+  }
+
+  @Test
+  void onlyACameraWithOpticsGetsTheRangeThatCamSimWouldNotLeaveIt() {
+    Scenario written =
+        StandingObjects.of(
+            new TestScenario().camera(plain("plain")).camera(domed("domed")).scenario());
+    assertEquals(List.of(plain("plain"), plain("domed")), written.cameras());
+    assertEquals(List.of(widened(0, "domed")), written.events());
+  }
+
+  @Test
+  void aCameraThatAnEventAddsGetsItsRangeRightAfter() {
+    ScenarioEvent failed = new ScenarioEvent.FailCamera(3, "start", 1);
+    Scenario written =
+        StandingObjects.of(
+            new TestScenario()
+                .camera(plain("start"))
+                .events(
+                    new ScenarioEvent.AddCamera(3, domed("late")),
+                    failed,
+                    new ScenarioEvent.AddCamera(4, plain("later")))
+                .scenario());
+    assertEquals(
+        List.of(
+            new ScenarioEvent.AddCamera(3, plain("late")),
+            widened(3, "late"),
+            failed,
+            new ScenarioEvent.AddCamera(4, plain("later"))),
+        written.events());
+  }
+}
