@@ -101,8 +101,7 @@ final class BatchRun {
         Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
       Comparison comparison = new Comparison(engine, progress);
       return writing.execute(
-          new ComparisonRun(
-              comparison, yardsticks, options.resume(), () -> describe(folder, all)),
+          new ComparisonRun(comparison, yardsticks, options.resume(), () -> describe(folder, all)),
           plans,
           folder,
           (files, results) -> {

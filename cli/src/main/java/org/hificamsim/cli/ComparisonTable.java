@@ -9,8 +9,8 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.PolicyScores;
-import org.hificamsim.runs.compare.SeedValues;
 import org.hificamsim.runs.compare.Score;
+import org.hificamsim.runs.compare.SeedValues;
 import org.hificamsim.runs.statistics.Aggregate;
 
 /** The tables that a comparison prints when it is done. */

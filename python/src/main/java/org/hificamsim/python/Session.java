@@ -43,9 +43,7 @@ public final class Session implements AutoCloseable {
 
   private Painted painted(Catalogue catalogue, long seed) {
     World world = new World(setup.scenario(), catalogue.movements(), seed);
-    return new Painted(
-        Setup.of(world, setup.detection(), "played", seed),
-        setup.detection());
+    return new Painted(Setup.of(world, setup.detection(), "played", seed), setup.detection());
   }
 
   /** What there is to know of the worlds, as JSON, see {@link Description}. */

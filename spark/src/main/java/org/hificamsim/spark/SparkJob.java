@@ -20,7 +20,10 @@ import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.RunTask;
 import scala.reflect.ClassTag$;
 
-/** A comparison as one Spark job. Every run is a task of its own, until there are too many for Spark. */
+/**
+ * A comparison as one Spark job. Every run is a task of its own, until there are too many for
+ * Spark.
+ */
 final class SparkJob {
   private static final int MAX_PARTITIONS = 10_000;
   private static final int PATIENCE_SECONDS = 30;

@@ -112,8 +112,7 @@ class MixedModelsTest {
   private static ComparisonRun comparison(Catalogue catalogue) {
     SparkEngine engine = new SparkEngine();
     engine.configure(new EngineSettings(catalogue, 1, Optional.of("local[2]")));
-    return new ComparisonRun(
-        new Comparison(engine, () -> {}), Yardsticks.OPTIMUM, true, () -> {});
+    return new ComparisonRun(new Comparison(engine, () -> {}), Yardsticks.OPTIMUM, true, () -> {});
   }
 
   private DetectionModel model(String intercept) throws IOException {

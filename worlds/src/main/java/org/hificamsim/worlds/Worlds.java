@@ -51,7 +51,8 @@ public final class Worlds implements AutoCloseable {
    * @param count 1 or more
    * @param threads that share the worlds, 1 or more
    */
-  public static Worlds of(WorldSettings settings, int count, int threads, long seed, Memory memory) {
+  public static Worlds of(
+      WorldSettings settings, int count, int threads, long seed, Memory memory) {
     check("worlds", count);
     check("threads", threads);
     return new Worlds(settings, count, Math.min(threads, count), seed, memory);

@@ -24,7 +24,8 @@ final class Played implements AutoCloseable {
     worlds = Worlds.of(settings, count, threads, seed, ByteBuffer::allocateDirect);
   }
 
-  static WorldSettings settings(String scenario, String reward, ActionKind actions, int steps, boolean auto) {
+  static WorldSettings settings(
+      String scenario, String reward, ActionKind actions, int steps, boolean auto) {
     return new WorldSettings(
         scenario(scenario),
         CATALOGUE.movements(),

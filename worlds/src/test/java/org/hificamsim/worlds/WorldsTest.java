@@ -140,7 +140,8 @@ class WorldsTest {
 
   @Test
   void withoutAutoResetAnEpisodeEnds() {
-    WorldSettings settings = Played.settings("cluster-random", "coverage", ActionKind.VIEW, 2, false);
+    WorldSettings settings =
+        Played.settings("cluster-random", "coverage", ActionKind.VIEW, 2, false);
     try (Played played = new Played(settings, 1, 1, 1)) {
       played.stepAll(0);
       played.stepAll(0);

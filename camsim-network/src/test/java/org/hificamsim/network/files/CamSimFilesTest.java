@@ -44,6 +44,7 @@ class CamSimFilesTest {
     Path extra = Files.createDirectory(folder.resolve("extra"));
     CamSimFiles.Places places =
         new CamSimFiles.Places(
+            folder.resolve("scenario.xml"),
             steps.resolve("o.csv"),
             Optional.empty(),
             Optional.of(extra.resolve("x.csv")),

@@ -2,8 +2,8 @@ package org.hificamsim.agents.search;
 
 /**
  * Branch and bound over the cameras for a choice of greater value, while the values of earlier
- * {@link ValueBounds}s stay at their goals: the open camera with the fewest sets that may lead to the
- * goal comes first, and its sets by what they gain.
+ * {@link ValueBounds}s stay at their goals: the open camera with the fewest sets that may lead to
+ * the goal comes first, and its sets by what they gain.
  */
 final class ValueSearch {
   private static final int NONE = -1;

@@ -6,11 +6,12 @@ import org.hificamsim.core.metrics.Objective;
  * Solves {@link CoverageProblem}s exactly where a choice is worth the sum over its targets of a
  * {@link Worth}: the objectives {@code covered}, {@code sum} and {@code lexicographic}.
  *
- * <p>{@link ValueClimb} makes a good choice, {@link ValueBounds} bounds what any other is worth, and
- * {@link ValueSearch} closes the gap between them. The order of {@code lexicographic} needs as many
- * worths as its weights do not fit into one number: {@link Stages}. Of equally good choices the
- * result is the one that gives camera 0 its most preferred set, then camera 1, and so on; a search
- * that has not decided after {@value #MAX_NODES} nodes whether a set can be taken counts as a no.
+ * <p>{@link ValueClimb} makes a good choice, {@link ValueBounds} bounds what any other is worth,
+ * and {@link ValueSearch} closes the gap between them. The order of {@code lexicographic} needs as
+ * many worths as its weights do not fit into one number: {@link Stages}. Of equally good choices
+ * the result is the one that gives camera 0 its most preferred set, then camera 1, and so on; a
+ * search that has not decided after {@value #MAX_NODES} nodes whether a set can be taken counts as
+ * a no.
  */
 public final class ValueSolver implements Solver {
   static final int MAX_NODES = 1_000;

@@ -122,7 +122,9 @@ public final class XyPanel {
     return line(curve, color, DASHED);
   }
 
-  /** Adds a vertical line from {@code low} to {@code high}: an interval; none where they are NaN. */
+  /**
+   * Adds a vertical line from {@code low} to {@code high}: an interval; none where they are NaN.
+   */
   public XyPanel interval(double x, double low, double high, Color color) {
     return Double.isNaN(low)
         ? this

@@ -11,7 +11,9 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.runs.RunPlan;
 
-/** The runs of a comparison from the folders of all its shards, as an engine that computes nothing. */
+/**
+ * The runs of a comparison from the folders of all its shards, as an engine that computes nothing.
+ */
 public final class MergedShards implements RunEngine {
   private static final int MAX_NAMED = 10;
 

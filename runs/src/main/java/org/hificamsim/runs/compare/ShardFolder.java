@@ -23,7 +23,9 @@ record ShardFolder(Path path, Content content) {
   private static final String NAME = "shard.json";
   private static final int MAX_BYTES = 1 << 16;
 
-  /** Which part of which comparison, the comparison as a digest of all that its results depend on. */
+  /**
+   * Which part of which comparison, the comparison as a digest of all that its results depend on.
+   */
   record Content(String comparison, int shard, int of) {}
 
   private static final ObjectMapper MAPPER =
@@ -42,7 +44,9 @@ record ShardFolder(Path path, Content content) {
     if (Files.size(file) <= MAX_BYTES) {
       try {
         Content content = MAPPER.readValue(Files.readAllBytes(file), Content.class);
-        if (content != null && content.comparison != null && Shard.isOne(content.shard, content.of)) {
+        if (content != null
+            && content.comparison != null
+            && Shard.isOne(content.shard, content.of)) {
           return Optional.of(new ShardFolder(path, content));
         }
       } catch (com.fasterxml.jackson.core.JsonProcessingException e) {

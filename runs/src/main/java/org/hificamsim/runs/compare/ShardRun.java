@@ -10,8 +10,8 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * Computes one part of a comparison into a folder of its own, for {@link MergedShards}; safe to kill at
- * any moment.
+ * Computes one part of a comparison into a folder of its own, for {@link MergedShards}; safe to
+ * kill at any moment.
  */
 public final class ShardRun {
   private final Shard shard;

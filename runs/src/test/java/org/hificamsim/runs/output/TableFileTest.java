@@ -32,8 +32,7 @@ class TableFileTest {
     assertEquals(List.of(2, 2, 1), blocks.stream().map(block -> block.rows().size()).toList());
     assertEquals(7, blocks.get(1).number(1, "a"));
     assertEquals(5, TableFile.read(file, COLUMNS).rows().size());
-    InputException refused =
-        assertThrows(InputException.class, () -> blocks.get(2).number(0, "b"));
+    InputException refused = assertThrows(InputException.class, () -> blocks.get(2).number(0, "b"));
     assertTrue(refused.getMessage().startsWith(file + ":6:2: b is 'x'"), refused.getMessage());
   }
 
