@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -12,12 +13,22 @@ import org.junit.jupiter.api.Test;
 
 /** {@code CITATION.cff} beside the build and the changelog. */
 class CitationTest {
+  private static final Path CHANGELOG = Cli.ROOT.resolve("CHANGELOG.md");
+
   @Test
-  void namesTheVersionThatIsBuiltAndItsDate() throws IOException {
-    String version = found("build.gradle", "version = '([^']+)'");
-    assertEquals(version, found("CITATION.cff", "(?m)^version: (\\S+)$"));
-    String date = found("CHANGELOG.md", "(?m)^## " + Pattern.quote(version) + ", (\\S+)$");
+  void namesTheLastReleaseAndItsDate() throws IOException {
+    String released = found("CHANGELOG.md", "(?m)^## ([0-9.]+), ");
+    assertEquals(released, found("CITATION.cff", "(?m)^version: (\\S+)$"));
+    String date = found("CHANGELOG.md", "(?m)^## " + Pattern.quote(released) + ", (\\S+)$");
     assertEquals(date, found("CITATION.cff", "(?m)^date-released: '(\\S+)'$"));
+  }
+
+  @Test
+  void theBuildIsTheLastReleaseOrOnTheWayToTheNext() throws IOException {
+    String built = found("build.gradle", "version = '([^']+)'");
+    String released = found("CHANGELOG.md", "(?m)^## ([0-9.]+), ");
+    assertEquals(Files.readString(CHANGELOG).contains("## Unreleased"), !built.equals(released));
+    assertTrue(built.equals(released) || built.endsWith("-dev"), built);
   }
 
   @Test
