@@ -16,6 +16,7 @@ final class Rehearsal {
 
   /** Exits with the code of the first command that fails. */
   public static void main(String[] args) {
+    HeadStart.load();
     List<String> words = new ArrayList<>();
     for (String word : args) {
       if (word.equals(THEN)) {
