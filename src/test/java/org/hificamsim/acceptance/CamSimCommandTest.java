@@ -218,6 +218,16 @@ class CamSimCommandTest {
     }
   }
 
+  @Test
+  void aLinkDoesNotMakeTwoFilesOfOne() throws IOException {
+    Path scenario = Files.copy(SCENARIO, folder.resolve("in.xml"));
+    Path link = Files.createSymbolicLink(folder.resolve("link.csv"), scenario);
+    Cli run = camsim("-t 5 -f " + link, scenario);
+    assertEquals(2, run.exit(), run.err());
+    assertTrue(run.err().contains("error: the scenario and -f are one file"), run.err());
+    assertEquals(-1, Files.mismatch(SCENARIO, scenario));
+  }
+
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',

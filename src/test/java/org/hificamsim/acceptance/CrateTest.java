@@ -1,5 +1,6 @@
 package org.hificamsim.acceptance;
 
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -138,9 +139,21 @@ class CrateTest {
     command(words.toArray());
     Set<String> files = files(out);
     assertTrue(files.remove("notes.txt"));
+    assertTrue(files.remove("scenario-ring-random.xml"));
     assertTrue(files.remove(CRATE));
     assertEquals(files, references(entities(out).get("./").get("hasPart")));
     assertFalse(Files.readString(out.resolve("report.html")).contains("ring-random"));
+  }
+
+  /** The copies of inputs are there to be run again, perhaps into the same folder. */
+  @Test
+  void anInputThatIsReadFromTheFolderStays() throws Exception {
+    Path out = folder.resolve("run");
+    command("run", Cli.scenario("ring-random"), "--steps", 5, "--out", out);
+    Path input = out.resolve("scenario-ring-random.xml");
+    byte[] content = Files.readAllBytes(input);
+    command("run", input, "--steps", 5, "--out", out);
+    assertArrayEquals(content, Files.readAllBytes(input));
   }
 
   @Test

@@ -90,6 +90,8 @@ class ReportCommandTest {
             + " site,",
         "results.csv | (?m)^ring-random,.*,0,.*\\n | '' | of 1",
         "settings.json | \\[ | < | settings.json:1:1: not JSON",
+        "settings.json | \"steps\" *: *[0-9]+ | \"steps\":-1 | settings.json: steps is -1, expected"
+            + " 1",
       })
   void tellsInOneLineWhatWasEditedInAComparison(
       String name, String from, String to, String expected) throws IOException {

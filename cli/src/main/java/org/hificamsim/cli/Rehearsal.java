@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.core.file.Unfinished;
 
 /**
  * Runs several commands in one process, with the word {@code then} between them: the archive of
@@ -16,7 +17,7 @@ final class Rehearsal {
 
   /** Exits with the code of the first command that fails. */
   public static void main(String[] args) {
-    HeadStart.load();
+    Unfinished.deleteAtExit();
     List<String> words = new ArrayList<>();
     for (String word : args) {
       if (word.equals(THEN)) {
@@ -31,6 +32,7 @@ final class Rehearsal {
   }
 
   private static void rehearse(List<String> words) {
+    HeadStart.begin(words.toArray(new String[0]));
     PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
     PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
     int exit = Main.execute(out, err, words.toArray(new String[0]));

@@ -46,7 +46,7 @@ public final class CoveragePolicies {
             GreedyZoomPolicy::from)
         .register(
             OptimalZoomPolicy.NAME,
-            "the exactly best score of each step (k_min by default), with global knowledge",
+            "the best score of each step (k_min by default), exactly, with global knowledge",
             OptimalZoomPolicy::from)
         .register(
             OptimalExpectedZoomPolicy.NAME,
@@ -54,7 +54,7 @@ public final class CoveragePolicies {
             OptimalExpectedZoomPolicy::from)
         .register(
             OneHopZoomPolicy.NAME,
-            "the exactly best score that cameras reach within the step, with global knowledge",
+            "the best score that cameras reach within the step, exactly, with global knowledge",
             OneHopZoomPolicy::from)
         .register(
             BestFixedZoomPolicy.NAME,

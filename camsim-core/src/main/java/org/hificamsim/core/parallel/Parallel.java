@@ -17,8 +17,8 @@ public final class Parallel {
   private Parallel() {}
 
   /**
-   * The results in the order of the items. The first failure is thrown at once; items that have not
-   * begun are dropped, and threads at work are interrupted.
+   * The results in the order of the items. After a failure no further item begins; the first one is
+   * thrown when those at work are done, so that nothing they use is taken from them.
    *
    * @param threads 1 or more
    */
@@ -30,9 +30,7 @@ public final class Parallel {
       for (T item : items) {
         futures.add(service.submit(() -> work.apply(item)));
       }
-      for (int i = 0; i < items.size(); i++) {
-        service.take().get(); // in the order in which they end
-      }
+      await(service, futures);
       List<R> results = new ArrayList<>();
       for (Future<R> future : futures) {
         results.add(future.get());
@@ -45,6 +43,26 @@ public final class Parallel {
       throw new UncheckedIOException(new InterruptedIOException("interrupted"));
     } finally {
       pool.shutdownNow();
+    }
+  }
+
+  /** Waits for all, in the order in which they end; the first failure drops what has not begun. */
+  private static <R> void await(CompletionService<R> service, List<Future<R>> futures)
+      throws InterruptedException, ExecutionException {
+    ExecutionException first = null;
+    for (int i = 0; i < futures.size(); i++) {
+      Future<R> ended = service.take();
+      try {
+        if (!ended.isCancelled()) {
+          ended.get();
+        }
+      } catch (ExecutionException e) {
+        first = first == null ? e : first;
+        futures.forEach(future -> future.cancel(false));
+      }
+    }
+    if (first != null) {
+      throw first;
     }
   }
 

@@ -98,7 +98,7 @@ public final class ScenarioReader {
   }
 
   /**
-   * Reads one file and tells all faults that do not follow from others: reading goes on after a
+   * Reads one file and reports all faults that do not follow from others: reading goes on after a
    * camera, object, event or attribute of the simulation that is wrong, though not after broken XML
    * or without a field.
    *

@@ -1,11 +1,12 @@
 package org.hificamsim.network.files;
 
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import org.hificamsim.core.InputException;
 
-/** The files of one command, no two of which may be in one place. */
+/** The files of one command, no two of which may be one, by a link neither. */
 public final class SeparateFiles {
   private final Map<Path, String> options = new HashMap<>();
 
@@ -16,11 +17,21 @@ public final class SeparateFiles {
    * @throws InputException when another option names it, too
    */
   public SeparateFiles with(String option, Path file) {
-    String other = options.putIfAbsent(file.toAbsolutePath().normalize(), option);
+    String other = options.putIfAbsent(real(file.toAbsolutePath().normalize()), option);
     if (other != null) {
       throw new InputException(
           "%s and %s are one file, '%s', expected two".formatted(other, option, file));
     }
     return this;
+  }
+
+  /** Where links lead, as far as there is anything yet. */
+  private static Path real(Path file) {
+    try {
+      return file.toRealPath();
+    } catch (IOException e) {
+      Path folder = file.getParent();
+      return folder == null ? file : real(folder).resolve(file.getFileName());
+    }
   }
 }

@@ -20,6 +20,7 @@ import org.hificamsim.runs.output.TableFile;
 final class Curves {
   private static final int MAX_POINTS_OF_A_CASE = 1_000;
   private static final int MAX_POINTS = 150_000;
+  private static final int MAX_STEPS = 1_000_000_000;
   private static final double ROUNDING = 1e4;
 
   private Curves() {}
@@ -33,11 +34,11 @@ final class Curves {
    * @throws InputException when the table is broken, or has a case that the settings lack
    */
   static ObjectNode of(Path folder, JsonNode settings) throws IOException {
-    Map<List<String>, Integer> lengths = lengths(settings);
+    Map<List<String>, Integer> lengths = lengths(folder, settings);
     int longest = lengths.values().stream().mapToInt(length -> length).max().orElse(1);
     int most =
         Math.max(2, Math.min(MAX_POINTS_OF_A_CASE, MAX_POINTS / Math.max(1, lengths.size())));
-    int group = Math.max(1, (longest + most - 1) / most);
+    int group = (longest + most - 1) / most;
     Map<List<String>, double[]> cases = new LinkedHashMap<>();
     Table.STEPS.read(
         folder,
@@ -56,15 +57,21 @@ final class Curves {
     return node(cases, group);
   }
 
-  private static Map<List<String>, Integer> lengths(JsonNode settings) {
+  private static Map<List<String>, Integer> lengths(Path folder, JsonNode settings) {
     Map<List<String>, Integer> lengths = new HashMap<>();
     for (JsonNode plan : settings) {
+      int steps = plan.path("steps").asInt();
+      if (steps < 1 || steps > MAX_STEPS) {
+        throw new InputException(
+            "%s: steps is %s, expected 1 to %s"
+                .formatted(folder.resolve(ResultFolder.SETTINGS), steps, MAX_STEPS));
+      }
       lengths.put(
           List.of(
               plan.path("scenario").asText(),
               plan.path("detection").asText(),
               plan.path("policy").asText()),
-          plan.path("steps").asInt());
+          steps);
     }
     return lengths;
   }

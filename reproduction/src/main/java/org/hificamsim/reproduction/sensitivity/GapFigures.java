@@ -126,7 +126,8 @@ final class GapFigures {
   private static DoubleStream bounds(List<Gap> gaps) {
     return gaps.stream()
         .map(Gap::difference)
-        .flatMapToDouble(difference -> DoubleStream.of(difference.low(), difference.high()))
+        .flatMapToDouble(
+            difference -> DoubleStream.of(difference.low(), difference.mean(), difference.high()))
         .filter(bound -> !Double.isNaN(bound));
   }
 }

@@ -70,11 +70,11 @@ public record ResultFolder(Path path) {
   }
 
   /**
-   * The files that the last command wrote here, as its RO-Crate names them: what is left of them
-   * once another command has written its own would pass for its results. None where there is no
-   * crate, or none that can be read.
+   * The results that the last command wrote here, as its RO-Crate names them: beside those of
+   * another command they would look like its results. Its inputs are not among them, since the next
+   * command may be reading one. None where there is no crate that can be read.
    */
-  public List<String> written() throws IOException {
+  public List<String> written() {
     if (!Files.isRegularFile(path.resolve(CRATE))) {
       return List.of();
     }
@@ -85,10 +85,10 @@ public record ResultFolder(Path path) {
           names.add(entity.path("name").asText());
         }
       }
-    } catch (InputException e) {
+    } catch (InputException | IOException e) {
       return List.of(); // what cannot be read names nothing
     }
-    names.removeIf(name -> !isHere(name));
+    names.removeIf(name -> InputFiles.isInput(name) || !isHere(name));
     return names;
   }
 
