@@ -4,12 +4,12 @@ import java.io.InterruptedIOException;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CompletionService;
+import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
-import java.util.concurrent.ExecutorCompletionService;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 
 /** Runs the same work on every item of a list, on a bounded number of threads. */
@@ -17,22 +17,21 @@ public final class Parallel {
   private Parallel() {}
 
   /**
-   * The results in the order of the items. After a failure no further item begins; the first one is
-   * thrown when those at work are done, so that nothing they use is taken from them.
+   * The results in the order of the items. After a failure no further item begins; the first one,
+   * by item, is thrown when those at work are done, so that nothing they use is taken from them.
    *
    * @param threads 1 or more
    */
   public static <T, R> List<R> map(List<T> items, int threads, Function<T, R> work) {
     ExecutorService pool = Executors.newFixedThreadPool(threads, Parallel::daemon);
+    AtomicBoolean failed = new AtomicBoolean();
+    List<Callable<R>> tasks = new ArrayList<>();
+    for (T item : items) {
+      tasks.add(() -> failed.get() ? null : result(work, item, failed));
+    }
     try {
-      CompletionService<R> service = new ExecutorCompletionService<>(pool);
-      List<Future<R>> futures = new ArrayList<>();
-      for (T item : items) {
-        futures.add(service.submit(() -> work.apply(item)));
-      }
-      await(service, futures);
       List<R> results = new ArrayList<>();
-      for (Future<R> future : futures) {
+      for (Future<R> future : pool.invokeAll(tasks)) { // when all are done
         results.add(future.get());
       }
       return results;
@@ -46,23 +45,12 @@ public final class Parallel {
     }
   }
 
-  /** Waits for all, in the order in which they end; the first failure drops what has not begun. */
-  private static <R> void await(CompletionService<R> service, List<Future<R>> futures)
-      throws InterruptedException, ExecutionException {
-    ExecutionException first = null;
-    for (int i = 0; i < futures.size(); i++) {
-      Future<R> ended = service.take();
-      try {
-        if (!ended.isCancelled()) {
-          ended.get();
-        }
-      } catch (ExecutionException e) {
-        first = first == null ? e : first;
-        futures.forEach(future -> future.cancel(false));
-      }
-    }
-    if (first != null) {
-      throw first;
+  private static <T, R> R result(Function<T, R> work, T item, AtomicBoolean failed) {
+    try {
+      return work.apply(item);
+    } catch (RuntimeException | Error e) {
+      failed.set(true);
+      throw e;
     }
   }
 
