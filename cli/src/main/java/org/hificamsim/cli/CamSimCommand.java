@@ -144,7 +144,7 @@ final class CamSimCommand implements Callable<Integer> {
 
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue, NetworkSettings settings) {
-    Numbers.inRange("-t", steps, 0, RepeatOptions.MAX_STEPS);
+    Numbers.inRange("-t", steps, 0, RunPlan.MAX_STEPS);
     Overrides asked = Overrides.ofDetection(detect.threshold(), detect.rule());
     DetectionSpec spec = models.detection(catalogue);
     Scenario scenario =

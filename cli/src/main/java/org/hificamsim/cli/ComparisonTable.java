@@ -28,7 +28,7 @@ final class ComparisonTable {
 
   static void print(PrintWriter out, List<CaseResult> cases) {
     cases(out, cases);
-    if (cases.stream().allMatch(one -> one.sample(Score.SCORE).mean().mean() == 0)) {
+    if (cases.stream().allMatch(one -> one.values(Score.SCORE).mean().mean() == 0)) {
       nothing(out, cases);
     }
     List<PolicyScores> policies =
@@ -108,10 +108,10 @@ final class ComparisonTable {
 
   /** A figure's mean; with the number of runs that have it, if not all do. */
   private static String text(String format, CaseResult one, Score score) {
-    SeedValues sample = one.sample(score);
+    SeedValues values = one.values(score);
     int runs = one.runs().size();
     String of =
-        sample.size() == 0 || sample.size() == runs ? "" : sample.size() + "/" + runs + ": ";
-    return of + sample.mean().text(format);
+        values.size() == 0 || values.size() == runs ? "" : values.size() + "/" + runs + ": ";
+    return of + values.mean().text(format);
   }
 }

@@ -12,7 +12,6 @@ import picocli.CommandLine.Option;
  * many cases keeps 4 bytes for each step of a run under way, and 8 for each step of a case.
  */
 final class RepeatOptions {
-  static final int MAX_STEPS = 1_000_000_000;
   private static final int MAX_REPEATS = 1_000_000;
 
   @Option(names = "--steps", paramLabel = "N", description = "Steps, 1 to 1,000,000,000.")
@@ -33,7 +32,7 @@ final class RepeatOptions {
   }
 
   int steps() {
-    return Numbers.inRange("--steps", steps, 1, MAX_STEPS);
+    return Numbers.inRange("--steps", steps, 1, RunPlan.MAX_STEPS);
   }
 
   int repeats() {

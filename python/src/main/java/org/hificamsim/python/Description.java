@@ -31,18 +31,18 @@ record Description(
     List<Feature> features,
     List<Section> sections,
     int bytes) {
-  static Description of(Worlds worlds, WorldSettings setup) {
+  static Description of(Worlds worlds, WorldSettings settings) {
     NetworkView network = worlds.network(0);
     IntStream cameras = IntStream.range(0, network.cameras());
     return new Description(
-        setup.scenario().name(),
-        setup.detection().name(),
-        setup.scenario().objective().text(),
+        settings.scenario().name(),
+        settings.detection().name(),
+        settings.scenario().objective().text(),
         cameras.mapToObj(network::cameraName).toList(),
         IntStream.range(0, network.cameras()).mapToObj(network::views).toList(),
         network.targets(),
         worlds.choices(),
-        setup.layout().features(),
+        settings.layout().features(),
         worlds.block().sections(),
         worlds.block().bytes());
   }

@@ -62,7 +62,7 @@ record Request(
   }
 
   /** Reads the scenario, and finds everything by its name. */
-  WorldSettings setup(Catalogue catalogue) {
+  WorldSettings worldSettings(Catalogue catalogue) {
     Overrides overrides = overrides();
     DetectionSpec spec = DetectionSpec.parse(detection, catalogue::detection);
     Scenario read =

@@ -12,28 +12,28 @@ import org.hificamsim.worlds.Worlds;
 public final class Session implements AutoCloseable {
   private static final int MAX_WIDTH = 10_000;
 
-  private final WorldSettings setup;
+  private final WorldSettings settings;
   private final Worlds worlds;
   private final Painted painted;
 
   /**
    * Opens worlds in memory of the JVM's.
    *
-   * @param settings JSON, see {@link Request}
-   * @throws InputException when something is wrong with them
+   * @param request JSON, see {@link Request}
+   * @throws InputException when something is wrong with it
    */
-  public static Session open(String settings) {
-    return open(settings, ByteBuffer::allocateDirect);
+  public static Session open(String request) {
+    return open(request, ByteBuffer::allocateDirect);
   }
 
-  static Session open(String settings, Worlds.Memory memory) {
-    return new Session(Request.parse(settings), memory);
+  static Session open(String request, Worlds.Memory memory) {
+    return new Session(Request.parse(request), memory);
   }
 
   private Session(Request request, Worlds.Memory memory) {
     Catalogue catalogue = Catalogue.load();
-    setup = request.setup(catalogue);
-    worlds = Worlds.of(setup, request.worlds(), request.threads(), request.seed(), memory);
+    settings = request.worldSettings(catalogue);
+    worlds = Worlds.of(settings, request.worlds(), request.threads(), request.seed(), memory);
     painted = request.paints() ? painted(catalogue, request.seed()) : null;
     if (painted != null) {
       worlds.watch(0, painted);
@@ -42,13 +42,13 @@ public final class Session implements AutoCloseable {
   }
 
   private Painted painted(Catalogue catalogue, long seed) {
-    World world = new World(setup.scenario(), catalogue.movements(), seed);
-    return new Painted(Setup.of(world, setup.detection(), "played", seed), setup.detection());
+    World world = new World(settings.scenario(), catalogue.movements(), seed);
+    return new Painted(Setup.of(world, settings.detection(), "played", seed), settings.detection());
   }
 
   /** What there is to know of the worlds, as JSON, see {@link Description}. */
   public String description() {
-    return Description.of(worlds, setup).json();
+    return Description.of(worlds, settings).json();
   }
 
   /** The memory that is shared. */

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.Locale;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
+import org.apache.commons.math3.stat.descriptive.rank.Percentile;
 
 /**
  * A value with its 95% interval, whose ends are NaN where there is none.
@@ -44,6 +45,19 @@ public record Estimate(double mean, double low, double high) {
   public String text(String format) {
     String pattern = Double.isNaN(low) ? format : format + " [" + format + ", " + format + "]";
     return Double.isNaN(mean) ? "-" : String.format(Locale.ROOT, pattern, mean, low, high);
+  }
+
+  /**
+   * A value with the middle 95% of what a bootstrap has drawn for it (quantiles of type 7); without
+   * an interval where there is no value, or nothing was drawn.
+   */
+  public static Estimate drawn(double value, double[] drawn) {
+    if (Double.isNaN(value) || drawn.length == 0) {
+      return single(value);
+    }
+    Percentile percentile = new Percentile().withEstimationType(Percentile.EstimationType.R_7);
+    percentile.setData(drawn);
+    return new Estimate(value, percentile.evaluate(2.5), percentile.evaluate(97.5));
   }
 
   /** In another unit, of which one of this is {@code factor}. */

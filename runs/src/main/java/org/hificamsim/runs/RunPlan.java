@@ -8,12 +8,15 @@ import org.hificamsim.core.scenario.Scenario;
  * What is to be run: the model's parameters, apart from where results go.
  *
  * @param policy name and options; each repeat makes its own instance
- * @param steps 1 or more
+ * @param steps 1 to {@link #MAX_STEPS}
  * @param seed of the first repeat; repeat i uses seed + i
  * @param repeats 1 or more
  */
 public record RunPlan(
     Scenario scenario, Detection detection, String policy, int steps, long seed, int repeats) {
+  /** The longest run. */
+  public static final int MAX_STEPS = 1_000_000_000;
+
   /** The seed of one repeat. */
   public long seed(int run) {
     return seed + run;

@@ -54,10 +54,6 @@ final class EventReader {
     boolean isOfTracks() {
       return element.name().equals("tracks");
     }
-
-    InputException invalidName(String expected) {
-      return new Attributes(element).invalid("name", expected);
-    }
   }
 
   private Placed event(XmlElement element) {
@@ -145,7 +141,7 @@ final class EventReader {
             .error(
                 "target %s of the tracks comes at step %s while another one is there, expected features that no object present has"
                     .formatted(add.target().name(), add.step()))
-        : one.invalidName("features that no object present has");
+        : new Attributes(one.element()).invalid("name", "features that no object present has");
   }
 
   private void checkCameras(List<Placed> placed, List<CameraSpec> start) {

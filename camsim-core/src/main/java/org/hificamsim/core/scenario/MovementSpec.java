@@ -44,6 +44,11 @@ public record MovementSpec(
     if (name.isEmpty()) {
       return waypoints.isEmpty() ? "Straight" : "Waypoints";
     }
+    return shortName(name);
+  }
+
+  /** A movement's name without CamSim's package. */
+  static String shortName(String name) {
     return name.startsWith(CAMSIM_PACKAGE) ? name.substring(CAMSIM_PACKAGE.length()) : name;
   }
 

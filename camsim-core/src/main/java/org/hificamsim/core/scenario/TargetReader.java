@@ -9,6 +9,9 @@ import java.util.function.Predicate;
 
 /** Reads targets, from their own element or from an event that adds one. */
 final class TargetReader {
+  /** A movement that starts on its first waypoint, and may leave the field. */
+  private static final String SCRIPTED = "Scripted";
+
   private final Field field;
   private final Clearing clearing;
   private final boolean coverageDialect;
@@ -80,7 +83,7 @@ final class TargetReader {
     Optional<Extent> extent = extent(attributes);
     double size = size(attributes, extent);
     MovementSpec spec = movement(element, attributes, origin, movement);
-    boolean scripted = isScripted(movement);
+    boolean scripted = spec.shortName().equals(SCRIPTED);
     boolean onPath = spec.shortName().equals("Waypoints");
     boolean fromFirst = scripted || (onPath && movement.isEmpty());
     Waypoint start = fromFirst ? spec.waypoints().get(0) : position;
@@ -108,7 +111,8 @@ final class TargetReader {
       XmlElement element, Attributes attributes, TargetSpec.Origin origin, String name) {
     double mean = attributes.optionalNumber("mean", Range.COORDINATE).orElse(0);
     double std = attributes.optionalNumber("std", Range.LENGTH).orElse(1);
-    List<Waypoint> path = waypoints(element, coverageDialect || isScripted(name));
+    boolean anywhere = coverageDialect || MovementSpec.shortName(name).equals(SCRIPTED);
+    List<Waypoint> path = waypoints(element, anywhere);
     MovementSpec spec = new MovementSpec(name, mean, std, path);
     if (!movements.test(spec.shortName()) || spec.shortName().equals(MovementSpec.TRACKS)) {
       throw attributes.invalid(
@@ -155,11 +159,6 @@ final class TargetReader {
         new Extent(
             attributes.number("width", Range.POSITIVE_LENGTH),
             attributes.number("height", Range.POSITIVE_LENGTH)));
-  }
-
-  /** Whether a movement of this name starts on its first waypoint, and may leave the field. */
-  private static boolean isScripted(String name) {
-    return new MovementSpec(name, 0, 1, List.of()).shortName().equals("Scripted");
   }
 
   /**

@@ -18,7 +18,7 @@ final class Stages {
   private final Objective objective;
   private final CoverageProblem problem;
   private final Decisions decisions;
-  private final ValueBounds[] outlooks;
+  private final ValueBounds[] bounds;
   private final int[] k;
   private final int[] supply;
   private int levels;
@@ -28,24 +28,24 @@ final class Stages {
     this.objective = objective;
     this.problem = problem;
     this.decisions = decisions;
-    outlooks = new ValueBounds[objective instanceof Objective.Lexicographic ? MAX_STAGES : 1];
+    bounds = new ValueBounds[objective instanceof Objective.Lexicographic ? MAX_STAGES : 1];
     Arrays.setAll(
-        outlooks, stage -> new ValueBounds(problem, decisions, new Worth(problem.maxCameras())));
+        bounds, stage -> new ValueBounds(problem, decisions, new Worth(problem.maxCameras())));
     k = new int[problem.maxTargets()];
     supply = new int[problem.maxTargets()];
     fill(objective);
   }
 
-  ValueBounds[] outlooks() {
-    return outlooks;
+  ValueBounds[] bounds() {
+    return bounds;
   }
 
   /** The worths that are the same for all problems. */
   private void fill(Objective objective) {
     if (objective instanceof Objective.Covered covered) {
-      outlooks[0].worth().whereCovered(covered.k());
+      bounds[0].worth().whereCovered(covered.k());
     } else if (objective instanceof Objective.Sum sum) {
-      outlooks[0].worth().ofEachUpTo(sum.cap());
+      bounds[0].worth().ofEachUpTo(sum.cap());
     }
   }
 
@@ -65,9 +65,7 @@ final class Stages {
     int count = Math.min(MAX_STAGES, (highest + levels - 1) / levels);
     for (int stage = 0; stage < count; stage++) {
       int from = stage * levels;
-      outlooks[stage]
-          .worth()
-          .falling(from, Math.min(levels, highest - from), problem.targets() + 1L);
+      bounds[stage].worth().falling(from, Math.min(levels, highest - from), problem.targets() + 1L);
     }
     return count;
   }
@@ -113,7 +111,7 @@ final class Stages {
    * @param most of what this stage's worth can come to
    */
   double bound(int stage, long most, Choice choice) {
-    long bound = most / outlooks[stage].worth().step();
+    long bound = most / bounds[stage].worth().step();
     if (objective instanceof Objective.Covered) {
       return (double) bound / problem.targets();
     } else if (objective instanceof Objective.Sum) {

@@ -6,11 +6,11 @@ package org.hificamsim.agents.search;
  */
 final class ValueClimb {
   private final CoverageProblem problem;
-  private final ValueBounds[] outlooks;
+  private final ValueBounds[] bounds;
 
-  ValueClimb(CoverageProblem problem, ValueBounds[] outlooks) {
+  ValueClimb(CoverageProblem problem, ValueBounds[] bounds) {
     this.problem = problem;
-    this.outlooks = outlooks;
+    this.bounds = bounds;
   }
 
   /** Improves the choice by a stage's worth; what it has of those before does not fall. */
@@ -38,11 +38,11 @@ final class ValueClimb {
 
   private boolean better(int set, int than, int stage, Choice choice) {
     for (int i = 0; i < stage; i++) {
-      if (gain(set, outlooks[i].worth(), choice) < gain(than, outlooks[i].worth(), choice)) {
+      if (gain(set, bounds[i].worth(), choice) < gain(than, bounds[i].worth(), choice)) {
         return false;
       }
     }
-    Worth worth = outlooks[stage].worth();
+    Worth worth = bounds[stage].worth();
     long more = gain(set, worth, choice) - gain(than, worth, choice);
     return more > 0
         || (more == 0 && below(set, worth.top(), choice) > below(than, worth.top(), choice));

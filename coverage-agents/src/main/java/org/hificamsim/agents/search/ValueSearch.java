@@ -10,7 +10,7 @@ final class ValueSearch {
 
   private final CoverageProblem problem;
   private final Decisions decisions;
-  private final ValueBounds[] outlooks;
+  private final ValueBounds[] bounds;
   private final long[] goals;
   private final boolean[] tried;
   private Choice best;
@@ -20,12 +20,12 @@ final class ValueSearch {
   private long nodes;
 
   /**
-   * @param goals of each outlook; those before the stage under way are kept
+   * @param goals of each of the bounds; those before the stage under way are kept
    */
-  ValueSearch(CoverageProblem problem, Decisions decisions, ValueBounds[] outlooks, long[] goals) {
+  ValueSearch(CoverageProblem problem, Decisions decisions, ValueBounds[] bounds, long[] goals) {
     this.problem = problem;
     this.decisions = decisions;
-    this.outlooks = outlooks;
+    this.bounds = bounds;
     this.goals = goals;
     tried = new boolean[problem.maxSets()];
   }
@@ -41,7 +41,7 @@ final class ValueSearch {
   }
 
   /**
-   * Looks for the best choice by the stage's outlook that is better than its goal.
+   * Looks for the best choice by the stage's value that is better than its goal.
    *
    * @param choice receives each better one that is found; the goal of the stage rises with it
    * @return whether the choice is proven to be the best
@@ -49,9 +49,9 @@ final class ValueSearch {
   boolean improve(int ofStage, long maxNodes, Choice choice) {
     stage = ofStage;
     improve = true;
-    goals[stage] += outlooks[stage].worth().step();
+    goals[stage] += bounds[stage].worth().step();
     boolean complete = search(maxNodes, choice);
-    goals[stage] -= outlooks[stage].worth().step();
+    goals[stage] -= bounds[stage].worth().step();
     return complete;
   }
 
@@ -97,54 +97,54 @@ final class ValueSearch {
   private int enter() {
     boolean sure = true;
     for (int i = 0; i <= stage; i++) {
-      if (outlooks[i].look() < goals[i]) {
+      if (bounds[i].look() < goals[i]) {
         return NONE;
       }
-      sure &= outlooks[i].sure() >= goals[i];
+      sure &= bounds[i].sure() >= goals[i];
     }
     if (sure) {
       keep();
     }
-    return outlooks[stage].bound() < goals[stage] || (found && !improve) ? NONE : branch();
+    return bounds[stage].bound() < goals[stage] || (found && !improve) ? NONE : branch();
   }
 
   /** Takes the decisions, and for open cameras what gains most beside them. */
   private void keep() {
     int floor = decisions.open();
-    ValueBounds outlook = outlooks[stage];
+    ValueBounds stageBounds = bounds[stage];
     while (decisions.open() > 0) {
       int camera = decisions.openCamera(0);
       decisions.decide(camera, mostGain(camera));
-      outlook.lookAtTargets();
+      stageBounds.lookAtTargets();
     }
     for (int camera = 0; camera < problem.cameras(); camera++) {
       best.exchange(camera, decisions.chosen(camera));
     }
     found = true;
     if (improve) {
-      goals[stage] = outlook.sure() + outlook.worth().step();
+      goals[stage] = stageBounds.sure() + stageBounds.worth().step();
     }
     while (decisions.open() < floor) {
       decisions.undo();
     }
-    outlook.look();
+    stageBounds.look();
   }
 
   private int mostGain(int camera) {
     int chosen = problem.firstSet(camera);
     for (int set = chosen + 1; set < problem.endSet(camera); set++) {
-      chosen = outlooks[stage].gain(set) > outlooks[stage].gain(chosen) ? set : chosen;
+      chosen = bounds[stage].gain(set) > bounds[stage].gain(chosen) ? set : chosen;
     }
     return chosen;
   }
 
   private int branch() {
-    ValueBounds outlook = outlooks[stage];
+    ValueBounds stageBounds = bounds[stage];
     int chosen = NONE;
     int fewest = Integer.MAX_VALUE;
     for (int i = 0; i < decisions.open(); i++) {
       int camera = decisions.openCamera(i);
-      int count = outlook.mostOf(camera) == 0 && stage == 0 ? Integer.MAX_VALUE : open(camera);
+      int count = stageBounds.mostOf(camera) == 0 && stage == 0 ? Integer.MAX_VALUE : open(camera);
       if (count < fewest || (count == fewest && chosen != NONE && before(camera, chosen))) {
         fewest = count;
         chosen = camera;
@@ -154,17 +154,17 @@ final class ValueSearch {
   }
 
   private boolean before(int camera, int other) {
-    long difference = outlooks[stage].mostOf(camera) - outlooks[stage].mostOf(other);
+    long difference = bounds[stage].mostOf(camera) - bounds[stage].mostOf(other);
     return difference > 0 || (difference == 0 && camera < other);
   }
 
   /** Readies a camera's sets to be tried; returns how many may lead to the goal. */
   private int open(int camera) {
-    ValueBounds outlook = outlooks[stage];
+    ValueBounds stageBounds = bounds[stage];
     int count = 0;
     for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
       tried[set] = false;
-      count += decisions.isLesser(set) || !outlook.allows(camera, set, goals[stage]) ? 0 : 1;
+      count += decisions.isLesser(set) || !stageBounds.allows(camera, set, goals[stage]) ? 0 : 1;
     }
     return count;
   }
@@ -172,14 +172,14 @@ final class ValueSearch {
   /** The camera's set that gains most of those not tried that may lead to the goals. */
   private int next(int camera) {
     for (int i = 0; i <= stage; i++) {
-      outlooks[i].lookAtTargets();
+      bounds[i].lookAtTargets();
     }
     int next = NONE;
     long most = -1;
     for (int set = problem.firstSet(camera); set < problem.endSet(camera); set++) {
-      if (!tried[set] && !decisions.isLesser(set) && outlooks[stage].gain(set) > most) {
+      if (!tried[set] && !decisions.isLesser(set) && bounds[stage].gain(set) > most) {
         if (promises(camera, set)) {
-          most = outlooks[stage].gain(set);
+          most = bounds[stage].gain(set);
           next = set;
         }
       }
@@ -189,7 +189,7 @@ final class ValueSearch {
 
   private boolean promises(int camera, int set) {
     for (int i = 0; i <= stage; i++) {
-      if (!outlooks[i].allows(camera, set, goals[i])) {
+      if (!bounds[i].allows(camera, set, goals[i])) {
         return false;
       }
     }
@@ -208,7 +208,7 @@ final class ValueSearch {
       for (; more != 0; more &= more - 1) {
         int target = (word << 6) + Long.numberOfTrailingZeros(more);
         for (int i = 0; i <= stage; i++) {
-          if (outlooks[i].canRise(target)) {
+          if (bounds[i].canRise(target)) {
             return false;
           }
         }

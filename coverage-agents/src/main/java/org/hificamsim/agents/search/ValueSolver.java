@@ -20,7 +20,7 @@ public final class ValueSolver implements Solver {
   private final long maxNodes;
   private final Decisions decisions;
   private final Stages stages;
-  private final ValueBounds[] outlooks;
+  private final ValueBounds[] bounds;
   private final long[] goals;
   private final ValueClimb climb;
   private final ValueSearch search;
@@ -37,10 +37,10 @@ public final class ValueSolver implements Solver {
     this.maxNodes = maxNodes;
     decisions = new Decisions(problem);
     stages = new Stages(objective, problem, decisions);
-    outlooks = stages.outlooks();
-    goals = new long[outlooks.length];
-    climb = new ValueClimb(problem, outlooks);
-    search = new ValueSearch(problem, decisions, outlooks, goals);
+    bounds = stages.bounds();
+    goals = new long[bounds.length];
+    climb = new ValueClimb(problem, bounds);
+    search = new ValueSearch(problem, decisions, bounds, goals);
     choice = new Choice(problem);
     trial = new Choice(problem);
   }
@@ -64,13 +64,13 @@ public final class ValueSolver implements Solver {
   /** Finds the best choice by a stage's worth; returns whether that is proven. */
   private boolean improve(int stage) {
     climb.improve(stage, choice);
-    goals[stage] = choice.value(outlooks[stage].worth());
-    outlooks[stage].reset();
-    most = outlooks[stage].look();
-    if (most >= goals[stage] + outlooks[stage].worth().step()) {
-      most = Math.min(most, outlooks[stage].tune());
+    goals[stage] = choice.value(bounds[stage].worth());
+    bounds[stage].reset();
+    most = bounds[stage].look();
+    if (most >= goals[stage] + bounds[stage].worth().step()) {
+      most = Math.min(most, bounds[stage].tune());
     }
-    return most < goals[stage] + outlooks[stage].worth().step()
+    return most < goals[stage] + bounds[stage].worth().step()
         || search.improve(stage, maxNodes - search.nodes(), choice);
   }
 
@@ -93,7 +93,7 @@ public final class ValueSolver implements Solver {
     int before = choice.of(camera);
     choice.exchange(camera, set);
     for (int i = 0; i <= stage; i++) {
-      if (choice.value(outlooks[i].worth()) < goals[i]) {
+      if (choice.value(bounds[i].worth()) < goals[i]) {
         choice.exchange(camera, before);
         return false;
       }

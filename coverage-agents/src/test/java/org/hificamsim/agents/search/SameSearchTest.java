@@ -150,14 +150,14 @@ class SameSearchTest {
         problem -> {
           Decisions decisions = new Decisions(problem);
           decisions.reset();
-          ValueBounds outlook = new Stages(Objective.parse(text), problem, decisions).outlooks()[0];
-          outlook.reset();
-          sums[0] += outlook.look();
-          sums[1] += outlook.tune();
+          ValueBounds bounds = new Stages(Objective.parse(text), problem, decisions).bounds()[0];
+          bounds.reset();
+          sums[0] += bounds.look();
+          sums[1] += bounds.tune();
           Choice choice = new Choice(problem);
           choice.reset();
-          new ValueClimb(problem, new ValueBounds[] {outlook}).improve(0, choice);
-          sums[2] += choice.value(outlook.worth());
+          new ValueClimb(problem, new ValueBounds[] {bounds}).improve(0, choice);
+          sums[2] += choice.value(bounds.worth());
         });
     assertEquals(free + " " + priced + " " + climbed, sums[0] + " " + sums[1] + " " + sums[2]);
   }

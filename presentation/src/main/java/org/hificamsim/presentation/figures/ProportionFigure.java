@@ -66,7 +66,7 @@ final class ProportionFigure {
 
   private void dot(XyPanel panel, CaseResult one) {
     int row = policies.indexOf(one.plan().policy());
-    Estimate estimate = one.sample(Score.PROPORTION_OF_OPTIMAL).mean();
+    Estimate estimate = one.values(Score.PROPORTION_OF_OPTIMAL).mean();
     if (row >= 0 && !Double.isNaN(estimate.mean())) {
       int detection = detections.indexOf(one.plan().detection().name());
       double y = row + 1 + APART * ((detections.size() - 1) / 2.0 - detection);

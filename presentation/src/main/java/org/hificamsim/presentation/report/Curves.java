@@ -12,6 +12,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TableFile;
@@ -20,7 +21,6 @@ import org.hificamsim.runs.output.TableFile;
 final class Curves {
   private static final int MAX_POINTS_OF_A_CASE = 1_000;
   private static final int MAX_POINTS = 150_000;
-  private static final int MAX_STEPS = 1_000_000_000;
   private static final double ROUNDING = 1e4;
 
   private Curves() {}
@@ -61,10 +61,10 @@ final class Curves {
     Map<List<String>, Integer> lengths = new HashMap<>();
     for (JsonNode plan : settings) {
       int steps = plan.path("steps").asInt();
-      if (steps < 1 || steps > MAX_STEPS) {
+      if (steps < 1 || steps > RunPlan.MAX_STEPS) {
         throw new InputException(
             "%s: steps is %s, expected 1 to %s"
-                .formatted(folder.resolve(ResultFolder.SETTINGS), steps, MAX_STEPS));
+                .formatted(folder.resolve(ResultFolder.SETTINGS), steps, RunPlan.MAX_STEPS));
       }
       lengths.put(
           List.of(

@@ -3,7 +3,6 @@ package org.hificamsim.runs.compare;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.apache.commons.math3.stat.StatUtils;
-import org.apache.commons.math3.stat.descriptive.rank.Percentile;
 import org.hificamsim.runs.Estimate;
 
 /**
@@ -39,9 +38,7 @@ public final class Bootstrap {
       }
       means[i] = sum / known.length;
     }
-    Percentile percentile = new Percentile().withEstimationType(Percentile.EstimationType.R_7);
-    percentile.setData(means);
-    return new Estimate(mean, percentile.evaluate(2.5), percentile.evaluate(97.5));
+    return Estimate.drawn(mean, means);
   }
 
   /** The mean difference of paired values with its interval. */

@@ -43,7 +43,7 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
   }
 
   /** What is known of a figure. */
-  public SeedValues sample(Score score) {
+  public SeedValues values(Score score) {
     return new SeedValues(figures(score));
   }
 

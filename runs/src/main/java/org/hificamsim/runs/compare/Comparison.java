@@ -45,19 +45,18 @@ public final class Comparison {
     for (RunPlan plan : plans) {
       cases.add(new CaseUnderWay(plan, keys.get(cases.size()).text()));
     }
-    long resumed = 0;
+    List<RunTask> all = tasks(plans);
     List<RunTask> missing = new ArrayList<>();
-    for (RunTask task : tasks(plans)) {
+    for (RunTask task : all) {
       CaseUnderWay one = cases.get(task.plan());
       Optional<Outcome> found = journal.find(one.key, one.plan.seed(task.repeat()));
       if (found.isPresent()) {
         one.take(task.repeat(), found.get());
-        resumed++;
       } else {
         missing.add(task);
       }
     }
-    progress.resume(resumed);
+    progress.resume(all.size() - missing.size());
     engine.run(
         plans,
         missing,

@@ -1,7 +1,6 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
@@ -68,9 +67,7 @@ public final class ComparisonRun {
       List<CaseResult> results = comparison.run(yardsticks.with(plans), journal);
       List<CaseResult> all = results.subList(0, Yardsticks.withOptimum(plans).size());
       extras.write(folder, all);
-      List<String> stale = new ArrayList<>(List.of(ResultFolder.REPORT, ResultFolder.CRATE));
-      stale.addAll(new ResultFolder(folder.path()).written());
-      folder.commit(stale);
+      ResultFolder.commit(folder, List.of(ResultFolder.REPORT, ResultFolder.CRATE));
       ending.write();
       journal.finish();
       return all;

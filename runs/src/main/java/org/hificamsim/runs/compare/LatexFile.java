@@ -54,11 +54,11 @@ public final class LatexFile {
       row.add(one.plan().scenario().name());
       row.add(one.plan().detection().name());
       row.add(one.plan().policy());
-      row.add(text("%.0f", one.sample(Score.PERFORMANCE).mean()));
-      row.add(text("%.3f", one.sample(Score.PROPORTION_OF_OPTIMAL).mean()));
+      row.add(text("%.0f", one.values(Score.PERFORMANCE).mean()));
+      row.add(text("%.3f", one.values(Score.PROPORTION_OF_OPTIMAL).mean()));
       row.addAll(
-          fixed ? List.of(text("%.3f", one.sample(Score.OVER_BEST_FIXED).mean())) : List.of());
-      row.addAll(scored ? List.of(text("%.2f", one.sample(Score.SCORE).mean())) : List.of());
+          fixed ? List.of(text("%.3f", one.values(Score.OVER_BEST_FIXED).mean())) : List.of());
+      row.addAll(scored ? List.of(text("%.2f", one.values(Score.SCORE).mean())) : List.of());
       table.row(row.toArray(new String[0]));
     }
     return table;

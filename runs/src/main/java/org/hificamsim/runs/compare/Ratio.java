@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
-import org.apache.commons.math3.stat.descriptive.rank.Percentile;
 import org.hificamsim.runs.Estimate;
 
 /**
@@ -81,8 +80,6 @@ public record Ratio(double[] performance, double[] optimum) {
     if (Double.isNaN(value) || known.length == 0) {
       return Estimate.single(Double.NaN);
     }
-    Percentile percentile = new Percentile().withEstimationType(Percentile.EstimationType.R_7);
-    percentile.setData(known);
-    return new Estimate(value, percentile.evaluate(2.5), percentile.evaluate(97.5));
+    return Estimate.drawn(value, known);
   }
 }

@@ -87,19 +87,18 @@ final class ResultFiles {
   }
 
   private static void summary(CsvTable table, CaseResult one, Score score, CaseResult reference) {
-    double[] values = one.figures(score);
-    SeedValues sample = new SeedValues(values);
-    Estimate mean = sample.mean();
+    SeedValues values = one.values(score);
+    Estimate mean = values.mean();
     boolean paired = !reference.plan().equals(one.plan());
     Estimate difference =
         paired
-            ? SeedValues.ofDifferences(values, reference.figures(score)).mean()
-            : new Estimate(Double.NaN, Double.NaN, Double.NaN);
+            ? SeedValues.ofDifferences(one.figures(score), reference.figures(score)).mean()
+            : Estimate.single(Double.NaN);
     row(
         table,
         one,
         score.label(),
-        sample.size(),
+        values.size(),
         mean.mean(),
         mean.low(),
         mean.high(),

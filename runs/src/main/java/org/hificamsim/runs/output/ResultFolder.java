@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
 
 /** A folder that a command has written: what is in it beside its {@link Table tables}. */
 public record ResultFolder(Path path) {
@@ -67,6 +68,18 @@ public record ResultFolder(Path path) {
       words.add(plain ? text : "'" + text.replace("'", "'\\''") + "'");
     }
     return String.join(" ", words);
+  }
+
+  /**
+   * Moves the files of a command into place, and removes what an earlier command wrote: {@link
+   * #written}, and others.
+   *
+   * @param others files that not every command writes, and no crate may name
+   */
+  public static void commit(OutputFolder folder, List<String> others) throws IOException {
+    List<String> earlier = new ArrayList<>(others);
+    earlier.addAll(new ResultFolder(folder.path()).written());
+    folder.commit(earlier);
   }
 
   /**

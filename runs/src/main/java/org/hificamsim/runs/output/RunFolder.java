@@ -167,8 +167,7 @@ public final class RunFolder implements Closeable {
   public void commit(RunPlan plan, List<RunResult> results) throws IOException {
     closeTables();
     SummaryFile.write(folder, plan, results);
-    List<String> earlier = new ResultFolder(folder.path()).written();
-    folder.commit(Stream.concat(BESIDE.stream(), earlier.stream()).toList());
+    ResultFolder.commit(folder, BESIDE);
   }
 
   @Override

@@ -5,7 +5,6 @@ import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.function.ToDoubleBiFunction;
 import java.util.function.ToDoubleFunction;
-import org.apache.commons.math3.stat.descriptive.rank.Percentile;
 import org.hificamsim.runs.Estimate;
 
 /**
@@ -35,7 +34,7 @@ public final class StratifiedBootstrap {
       }
     }
     Estimate[] estimates = new Estimate[values.length];
-    Arrays.setAll(estimates, figure -> estimate(values[figure], drawn[figure]));
+    Arrays.setAll(estimates, figure -> Estimate.drawn(values[figure], drawn[figure]));
     return estimates;
   }
 
@@ -45,15 +44,6 @@ public final class StratifiedBootstrap {
     SplittableRandom random = new SplittableRandom(SEED);
     double[] drawn = new double[varies ? RESAMPLES : 0];
     Arrays.setAll(drawn, i -> figure.applyAsDouble(one.drawn(random), other.drawn(random)));
-    return estimate(figure.applyAsDouble(one, other), drawn);
-  }
-
-  private static Estimate estimate(double value, double[] drawn) {
-    if (Double.isNaN(value) || drawn.length == 0) {
-      return new Estimate(value, Double.NaN, Double.NaN);
-    }
-    Percentile percentile = new Percentile().withEstimationType(Percentile.EstimationType.R_7);
-    percentile.setData(drawn);
-    return new Estimate(value, percentile.evaluate(2.5), percentile.evaluate(97.5));
+    return Estimate.drawn(figure.applyAsDouble(one, other), drawn);
   }
 }
