@@ -21,9 +21,9 @@ final class HeadStart {
 
   private HeadStart() {}
 
-  /** Begins, if the words are those of a run, in our form or in CamSim's. */
+  /** Begins, if the words are those of a run. CamSim's form needs less, and gains nothing by it. */
   static void begin(String... words) {
-    if (words.length > 1 && (words[0].equals("run") || words[0].equals("camsim"))) {
+    if (words.length > 1 && words[0].equals("run")) {
       Thread thread = new Thread(HeadStart::load, "head start");
       thread.setDaemon(true);
       thread.setUncaughtExceptionHandler((one, fault) -> {}); // reported where it is needed
