@@ -174,6 +174,7 @@ class CamSimCommandTest {
         "-a BanditZoom | <camera> has no bandit, expected one of EpsilonGreedy",
         "-m epics.movement.Teleport | unknown movement",
         "-m Scripted | -m 'Scripted': object 1.0 has no waypoints, expected at least two for",
+        "-m Tracks | -m 'Tracks': object 1.0 has no track, expected one of <tracks> for movement",
         "-p missing.properties | missing.properties: cannot be read",
         "--quirks Q99 | names 'Q99'",
         "--detection nobody | unknown detection 'nobody'",
@@ -257,18 +258,28 @@ class CamSimCommandTest {
 
   @Test
   void anEventsMoveNeedsItsWaypointsWhereItCounts() throws IOException {
+    eventsMove("Waypoints", "no waypoints, expected at least two");
+  }
+
+  @Test
+  void anEventsMoveNeedsItsTrackWhereItCounts() throws IOException {
+    eventsMove("Tracks", "no track, expected one of <tracks>");
+  }
+
+  private void eventsMove(String movement, String missing) throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("odd.xml"),
             "<root><simulation min_x='0' max_x='9' min_y='0' max_y='9'></simulation><cameras>"
                 + "<camera name='A' x='1' y='1' heading='0' viewing_angle='360' range='5'/>"
                 + "</cameras><events><event timestep='2' participant='object' event='add' name='1'"
-                + " x='1' y='2' heading='0' speed='0' move='epics.movement.Waypoints'/></events>"
-                + "</root>");
+                + " x='1' y='2' heading='0' speed='0' move='epics.movement."
+                + movement
+                + "'/></events></root>");
     assertEquals(0, camsim("-t 5", file).exit(), "ignored as in CamSim");
     Cli run = camsim("-t 5 --quirks none", file);
     assertEquals(2, run.exit(), run.err());
-    String expected = "object 1.0 has no waypoints, expected at least two for movement Waypoints";
+    String expected = "object 1.0 has " + missing + " for movement " + movement;
     assertTrue(run.err().contains("error: " + file + ": " + expected), run.err());
   }
 

@@ -249,7 +249,7 @@ class HeatMapTest {
             + " to 200",
         "run SCENARIO --out FILE --heatmap --cells 201 | --cells is 201, expected",
       })
-  void wrongWordsAreToldInOneLine(String words, String expected) {
+  void wrongWordsAreReportedInOneLine(String words, String expected) {
     Path file = folder.resolve("refused");
     Map<String, Object> paths = Map.of("RUN", run, "FILE", file, "SCENARIO", scenario);
     Cli cli =
@@ -261,7 +261,7 @@ class HeatMapTest {
   }
 
   @Test
-  void aFolderWithoutAMapIsToldInOneLine() throws IOException {
+  void aFolderWithoutAMapIsReportedInOneLine() throws IOException {
     Path other = folder.resolve("other");
     done("run", Cli.scenario("ring-random"), "--record", "--steps", 5, "--out", other);
     Cli cli = Cli.run("report", other, "--png", folder.resolve("x.png"), "--heatmap", "visits");

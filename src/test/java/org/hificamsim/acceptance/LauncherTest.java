@@ -55,7 +55,7 @@ class LauncherTest {
   }
 
   @Test
-  void aFolderWithAColonIsToldInOneLine() throws Exception {
+  void aFolderWithAColonIsReportedInOneLine() throws Exception {
     assertEquals(
         "hificamsim: this folder is /a:b, expected a path without a colon: Java's class path"
             + " cannot hold one\n",

@@ -75,7 +75,7 @@ class OddCommandTest {
   }
 
   @Test
-  void aWrongOptionIsTold() {
+  void aWrongOptionIsReported() {
     Cli odd = Cli.run("odd", Cli.scenario("ring-random"), "--policy", "walk");
     assertEquals(2, odd.exit());
     assertTrue(odd.err().contains("unknown policy 'walk'"), odd.err());

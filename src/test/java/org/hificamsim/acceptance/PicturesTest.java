@@ -94,7 +94,7 @@ class PicturesTest {
         "--png FILE --width 5 | --width is 5, expected a whole number from 200 to 8000",
         "--gif FILE --per-second 0 | --per-second is 0, expected a whole number from 1 to 50",
       })
-  void wrongNumbersAreToldInOneLine(String options, String expected) {
+  void wrongNumbersAreReportedInOneLine(String options, String expected) {
     Path file = folder.resolve("picture");
     Object[] words =
         Stream.concat(
@@ -110,7 +110,7 @@ class PicturesTest {
   }
 
   @Test
-  void aFolderWithoutARecordingIsToldInOneLine() {
+  void aFolderWithoutARecordingIsReportedInOneLine() {
     Cli report = Cli.run("report", folder, "--png", folder.resolve("a.png"));
     assertEquals(2, report.exit());
     assertTrue(report.err().contains("run --record"), report.err());

@@ -24,7 +24,7 @@ class PlotCommandTest {
   }
 
   @Test
-  void aFolderThatIsNoRunIsToldInOneLine() {
+  void aFolderThatIsNoRunIsReportedInOneLine() {
     Cli plot = Cli.run("plot", folder, "--out", folder.resolve("plot.png"));
     assertEquals(2, plot.exit());
     assertTrue(plot.err().contains("summary.json"), plot.err());

@@ -172,7 +172,7 @@ class ProfileCheckTest {
         "--calibration OTHER | there is no <Intrinsic>, expected a calibration as the PETS",
         "--calibration WRONG | wrong.xml:3:",
       })
-  void whatIsWrongIsToldInOneLine(String words, String expected) throws IOException {
+  void whatIsWrongIsReportedInOneLine(String words, String expected) throws IOException {
     Path other = folder.resolve("other.xml");
     Files.writeString(other, "<Camera><Geometry dpx='1' dpy='1'/></Camera>");
     Path wrong = folder.resolve("wrong.xml");

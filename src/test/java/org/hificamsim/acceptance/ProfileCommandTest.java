@@ -216,7 +216,7 @@ class ProfileCommandTest {
   }
 
   @Test
-  void everyProblemOfADataSetIsTold() throws IOException {
+  void everyProblemOfADataSetIsReported() throws IOException {
     Files.writeString(
         folder.resolve("camera.json"),
         "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.015, \"width\": 60, \"height\": 40}");
@@ -256,7 +256,7 @@ class ProfileCommandTest {
         "profile fit DIR --restarts 0 | --restarts is 0",
         "profile fit DIR --g spline | g 'spline' is unknown, expected one of line, logistic",
       })
-  void wrongUsageIsToldInOneLine(String command, String words) {
+  void wrongUsageIsReportedInOneLine(String command, String words) {
     Cli run = Cli.run((Object[]) command.strip().replace("DIR", folder.toString()).split(" "));
     assertEquals(2, run.exit(), run.err());
     assertEquals(1, run.err().lines().count(), run.err());

@@ -124,7 +124,7 @@ class ReproduceCommandTest {
   }
 
   @Test
-  void wrongNumbersAreToldInOneLine() {
+  void wrongNumbersAreReportedInOneLine() {
     Cli run = Cli.run("reproduce", "--steps", 0, "--out", folder.resolve("none"));
     assertEquals(2, run.exit());
     assertTrue(run.err().contains("--steps is 0"), run.err());

@@ -115,7 +115,7 @@ class ValidateAndListTest {
   }
 
   @Test
-  void ofVeryManyFaultsOneHundredAreTold() throws IOException {
+  void ofVeryManyFaultsOneHundredAreReported() throws IOException {
     String camera = "<camera name=\"\" x=\"99\"/>\n";
     Path bad =
         Files.writeString(

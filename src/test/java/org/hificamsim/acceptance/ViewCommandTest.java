@@ -90,7 +90,7 @@ class ViewCommandTest {
   }
 
   @Test
-  void aPortInUseIsToldInOneLine() {
+  void aPortInUseIsReportedInOneLine() {
     try (ViewProcess view = new ViewProcess(Cli.scenario("lattice-random"))) {
       int port = URI.create(view.address()).getPort();
       Cli second = Cli.run("view", Cli.scenario("lattice-random"), "--port", port, "--no-browser");

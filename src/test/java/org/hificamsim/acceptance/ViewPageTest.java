@@ -101,7 +101,7 @@ class ViewPageTest {
   }
 
   @Test
-  void aWrongChoiceIsToldOnThePage() {
+  void aWrongChoiceIsShownOnThePage() {
     WebElement options = browser.find("[name=options]");
     options.sendKeys("speed=9", Keys.ENTER);
     browser.until("return !hificamsim.fault.hidden");

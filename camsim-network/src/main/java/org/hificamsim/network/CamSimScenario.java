@@ -11,6 +11,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.ScenarioReader;
@@ -50,7 +51,7 @@ public final class CamSimScenario {
       scenario = scenario.withMovement(movement);
     }
     Scenario read = as(scenario, settings);
-    requireWaypoints(read, movement == null ? file.toString() : "-m '" + movement + "'");
+    requirePaths(read, movement == null ? file.toString() : "-m '" + movement + "'");
     return read;
   }
 
@@ -85,19 +86,26 @@ public final class CamSimScenario {
   }
 
   /** An error, which {@code source} is to blame for, where a path is to be followed without one. */
-  private static void requireWaypoints(Scenario scenario, String source) {
+  private static void requirePaths(Scenario scenario, String source) {
     Stream<TargetSpec> added =
         scenario.events().stream()
             .filter(ScenarioEvent.AddTarget.class::isInstance)
             .map(event -> ((ScenarioEvent.AddTarget) event).target());
     Stream.concat(scenario.targets().stream(), added)
-        .filter(target -> target.movement().lacksWaypoints())
-        .findFirst()
-        .ifPresent(
+        .forEach(
             target -> {
-              throw new InputException(
-                  "%s: object %s has no waypoints, expected at least two for movement %s"
-                      .formatted(source, target.name(), target.movement().shortName()));
+              MovementSpec movement = target.movement();
+              if (movement.lacksWaypoints() || movement.lacksTrack()) {
+                throw new InputException(
+                    "%s: object %s has no %s for movement %s"
+                        .formatted(
+                            source,
+                            target.name(),
+                            movement.lacksTrack()
+                                ? "track, expected one of <tracks>"
+                                : "waypoints, expected at least two",
+                            movement.shortName()));
+              }
             });
   }
 

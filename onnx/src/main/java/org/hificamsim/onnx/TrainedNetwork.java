@@ -82,7 +82,7 @@ final class TrainedNetwork {
     }
   }
 
-  /** Silent: what is wrong is told by who asks. */
+  /** Silent: what is wrong is reported by who asks. */
   private static OrtEnvironment environment() {
     return OrtEnvironment.getEnvironment(OrtLoggingLevel.ORT_LOGGING_LEVEL_FATAL, "hificamsim");
   }

@@ -122,7 +122,7 @@ public final class CamSim {
     return number(objectY, object);
   }
 
-  /** The object's features, several between semicolons; empty where this CamSim tells none. */
+  /** The object's features, several between semicolons; empty where this CamSim has none. */
   public String features(Object object) {
     if (features == null) {
       return "";

@@ -42,7 +42,7 @@ record ScenarioFile(String name, List<String> cameras, int allCameras, int allTa
         .findFirst();
   }
 
-  /** What follows {@code java}; not every system tells it, and none tells one that is long. */
+  /** What follows {@code java}; not every system gives it, and none gives one that is long. */
   private static String[] arguments() {
     return ProcessHandle.current()
         .info()

@@ -75,7 +75,7 @@ public final class RowsAside implements Rows {
     await(written);
   }
 
-  /** Throws an exception of its own each time: one that is thrown twice cannot be told of. */
+  /** Throws a new exception each time: none can be suppressed by itself. */
   private static void await(Future<?> work) {
     try {
       work.get();

@@ -85,7 +85,7 @@ public interface NetworkView extends CoveredTargets {
 
   /**
    * The distance beyond which the camera detects nothing in one of its views, metres, as far as it
-   * can be told: what the detection model reaches, at most the view's radius.
+   * can be known: what the detection model reaches, at most the view's radius.
    */
   default double reach(int camera, int view) {
     return zoom(camera, view).radius();
@@ -112,7 +112,7 @@ public interface NetworkView extends CoveredTargets {
    * The {@link #confidence} for a target that the camera {@link #sees}, which is not tested; to
    * about 1e-8, since it may come from a table.
    *
-   * @param distance between the two as {@link #findSeen} has told it, metres
+   * @param distance between the two as {@link #findSeen} has found it, metres
    */
   default double seenConfidence(int camera, int target, double distance) {
     return confidence(camera, target);

@@ -12,7 +12,7 @@ public interface AgentCheck {
   /** Makes the error about an attribute of the camera. */
   @FunctionalInterface
   interface Fault {
-    /** The error, which tells the attribute's place and value. */
+    /** The error, which names the attribute's place and value. */
     InputException in(String attribute, String expected);
   }
 

@@ -8,15 +8,15 @@ import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
 
 /**
- * What becomes of the faults of a scenario file: the first is thrown, or each is told and reading
- * goes on with the next element.
+ * What becomes of the faults of a scenario file: the first is thrown, or each is reported and
+ * reading goes on with the next element.
  */
 final class Faults {
-  private final Consumer<InputException> told;
+  private final Consumer<InputException> report;
   private boolean none = true;
 
-  private Faults(Consumer<InputException> told) {
-    this.told = told;
+  private Faults(Consumer<InputException> report) {
+    this.report = report;
   }
 
   static Faults thrown() {
@@ -26,8 +26,8 @@ final class Faults {
         });
   }
 
-  static Faults told(Consumer<InputException> told) {
-    return new Faults(told);
+  static Faults reported(Consumer<InputException> report) {
+    return new Faults(report);
   }
 
   /** Whether there has been no fault. */
@@ -41,7 +41,7 @@ final class Faults {
       return Optional.of(part.get());
     } catch (InputException fault) {
       none = false;
-      told.accept(fault);
+      report.accept(fault);
       return Optional.empty();
     }
   }

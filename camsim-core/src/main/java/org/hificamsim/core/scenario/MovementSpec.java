@@ -57,6 +57,11 @@ public record MovementSpec(
     return waypoints.isEmpty() && ON_PATH.contains(shortName());
   }
 
+  /** Whether it follows a track, and has none. */
+  public boolean lacksTrack() {
+    return track.isEmpty() && shortName().equals(TRACKS);
+  }
+
   /** The same parameters under another movement; none but Tracks keeps a track. */
   public MovementSpec withName(String newName) {
     boolean along = newName.equals(TRACKS);

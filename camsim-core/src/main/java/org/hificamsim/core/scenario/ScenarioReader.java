@@ -77,7 +77,7 @@ public final class ScenarioReader {
   /**
    * Reads one file.
    *
-   * @param movements tells whether a movement of this short name exists
+   * @param movements whether a movement of this short name exists
    * @param warnings takes one line for each thing that is odd, with its place
    * @throws org.hificamsim.core.InputException when the file is missing or wrong
    */
@@ -88,7 +88,7 @@ public final class ScenarioReader {
   /**
    * Reads one file, and checks what its cameras ask of the network.
    *
-   * @param movements tells whether a movement of this short name exists
+   * @param movements whether a movement of this short name exists
    * @param warnings takes one line for each thing that is odd, with its place
    * @throws org.hificamsim.core.InputException when the file is missing or wrong
    */
@@ -111,10 +111,11 @@ public final class ScenarioReader {
       AgentCheck agents,
       Consumer<String> warnings,
       Consumer<InputException> faults) {
-    Faults told = Faults.told(faults);
+    Faults reported = Faults.reported(faults);
     Optional<Scenario> scenario =
-        told.of(() -> new ScenarioReader(path, movements, agents, warnings, told).scenario());
-    return scenario.filter(one -> told.none());
+        reported.of(
+            () -> new ScenarioReader(path, movements, agents, warnings, reported).scenario());
+    return scenario.filter(one -> reported.none());
   }
 
   private Scenario scenario() {

@@ -62,7 +62,7 @@ final class SurroundingsReader {
     return obstacle;
   }
 
-  /** What is wrong with a shape as a whole is told with the element's place. */
+  /** What is wrong with a shape as a whole is reported with the element's place. */
   private static Obstacle shaped(
       XmlElement element, Function<Double, Obstacle> shape, double transmittance) {
     try {

@@ -230,7 +230,7 @@ public final class Visibility {
 
   /**
    * The distance beyond which a camera at this level detects no target of this size, as far as it
-   * can be told, metres; {@linkplain #roundedUp rounded up}.
+   * can be known, metres; {@linkplain #roundedUp rounded up}.
    */
   public double reach(ZoomLevel zoom, double size) {
     if (model.dependsOnBearing() || !certain) {

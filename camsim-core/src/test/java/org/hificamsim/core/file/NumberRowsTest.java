@@ -58,7 +58,7 @@ class NumberRowsTest {
   }
 
   @Test
-  void zeroAndMinusZeroAreTold() {
+  void zeroAndMinusZeroAreReported() {
     DoubleTexts texts = new DoubleTexts();
     assertEquals("0.0", texts.text(0.0));
     assertEquals("-0.0", texts.text(-0.0));

@@ -77,7 +77,7 @@ class RowsAsideTest {
   }
 
   @Test
-  void inATryWithResourcesTheFailureIsTold() {
+  void inATryWithResourcesTheFailureIsReported() {
     UncheckedIOException e =
         assertThrows(
             UncheckedIOException.class,

@@ -106,7 +106,7 @@ final class ExpressionParser {
         return (q, d, z) -> value;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
     throw fault("a finite number, z, q, d, '-' or '('");
   }

@@ -105,7 +105,7 @@ class BrokenModelFilesTest {
 
   @ParameterizedTest
   @MethodSource("faults")
-  void faultIsToldInOneLineWithItsPlace(String right, String wrong, String place, String words)
+  void faultIsReportedInOneLineWithItsPlace(String right, String wrong, String place, String words)
       throws IOException {
     assertTrue(MODEL.contains(right));
     String message = fault(MODEL.replace(right, wrong).getBytes(StandardCharsets.UTF_8));

@@ -166,7 +166,7 @@ class ModelFilesTest {
   }
 
   @Test
-  void placeThatCannotBeReadOrWrittenIsToldInOneLine() {
+  void placeThatCannotBeReadOrWrittenIsReportedInOneLine() {
     Path missing = folder.resolve("no/such.json");
     HiFiDetection model = named("m", new LinearAbstraction(1, 2, 3, 4));
     for (InputException e :

@@ -44,7 +44,7 @@ public final class KMinPanel {
     return raw.thinned(RAW_POINTS);
   }
 
-  /** Leaves out the axes' titles, for figures of many panels whose note tells them. */
+  /** Leaves out the axes' titles, for figures of many panels whose note names them. */
   public KMinPanel compact() {
     panel.untitled();
     return this;

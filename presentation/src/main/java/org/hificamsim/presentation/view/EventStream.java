@@ -69,15 +69,15 @@ final class EventStream implements Session.Watcher {
     news.release();
   }
 
-  /** Waits for something to be told, a second at most; null when the stream has ended. */
+  /** Waits for something to send, a second at most; null when the stream has ended. */
   String take() throws InterruptedException {
     if (news.tryAcquire(HEARTBEAT, TimeUnit.MILLISECONDS)) {
       news.drainPermits();
     }
-    return told();
+    return next();
   }
 
-  private synchronized String told() {
+  private synchronized String next() {
     if (ended) {
       return null;
     }

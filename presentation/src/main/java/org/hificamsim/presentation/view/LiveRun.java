@@ -134,7 +134,7 @@ public final class LiveRun {
 
   /**
    * Adds a camera to every simulation, as if it had been there from the start: the targets go on,
-   * learning begins again. It comes after the cameras of the start. The next step tells where every
+   * learning begins again. It comes after the cameras of the start. The next step says where every
    * camera is.
    *
    * @param like number of the camera that has its kind and heading
@@ -147,7 +147,7 @@ public final class LiveRun {
 
   /**
    * Adds a solid wall to every simulation, as if it had been there from the start: targets are
-   * where they would be then, learning begins again. The next step tells where every camera is.
+   * where they would be then, learning begins again. The next step says where every camera is.
    *
    * @throws InputException when its ends are one point or not in the field, or a camera or target
    *     would stand in it
@@ -233,7 +233,7 @@ public final class LiveRun {
 
   /**
    * Adds a second simulation of the same targets, with the first one's choice, or removes it. The
-   * next step tells where every camera is.
+   * next step says where every camera is.
    */
   public void compare(boolean on) {
     if (on && sides.size() == 1) {

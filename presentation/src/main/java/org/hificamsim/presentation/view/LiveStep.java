@@ -14,7 +14,7 @@ public record LiveStep(List<Side> sides) {
   /**
    * One simulation's part.
    *
-   * @param moves cameras that stand or see otherwise since the step that was told before
+   * @param moves cameras that stand or see otherwise since the step that was sent before
    */
   public record Side(Frame frame, List<Move> moves) {}
 

@@ -46,7 +46,7 @@ final class Reply {
     try {
       line(exchange, status, text);
     } catch (IOException e) {
-      // nobody is told
+      // nobody hears
     }
   }
 }

@@ -23,18 +23,18 @@ public final class Session implements AutoCloseable {
   private static final int MAX_PER_SECOND = 1000;
   private static final int MAX_STEPS = 1000;
 
-  /** A heat map is told so often while the simulation runs. */
+  /** A heat map is sent so often while the simulation runs. */
   private static final long BETWEEN_HEATS = TimeUnit.MILLISECONDS.toNanos(500);
 
   private static final long LATEST = TimeUnit.MILLISECONDS.toNanos(200);
 
-  /** Who is told what happens, on the session's thread: must not wait for anything. */
+  /** Who hears what happens, on the session's thread: must not wait for anything. */
   interface Watcher {
     /**
      * The simulations are others.
      *
      * @param json a {@link SetupMessage}
-     * @param fresh whether the steps told before are to be forgotten
+     * @param fresh whether the steps sent before are to be forgotten
      */
     void setup(String json, boolean fresh);
 

@@ -159,7 +159,7 @@ class FigureFileTest {
   }
 
   @Test
-  void aWidthThatIsNoneIsTold() {
+  void aWidthThatIsNoneIsReported() {
     for (String width : List.of("88", "88cm", "39mm", "401mm", "wide")) {
       InputException wrong = assertThrows(InputException.class, () -> PrintWidth.parse(width));
       assertTrue(wrong.getMessage().startsWith("--figure-width is '" + width + "', expected "));

@@ -45,7 +45,7 @@ class FloorPicturesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"none.png", "hall.xml", ".", "cut.png", "\u0000"})
-  void whatIsNoPictureIsToldInOneLine(String name) throws IOException {
+  void whatIsNoPictureIsReportedInOneLine(String name) throws IOException {
     draw(60, 40, "png", "plan.png");
     byte[] whole = Files.readAllBytes(folder.resolve("plan.png"));
     Files.write(folder.resolve("cut.png"), java.util.Arrays.copyOf(whole, 60));

@@ -199,7 +199,7 @@ class ViewServerTest {
         "{\"command\":\"choose\",\"side\":0,\"detection\":\"/etc/passwd\",\"threshold\":null,\"policy\":\"zoom-out\"}"
             + " | unknown detection '/etc/passwd'",
       })
-  void wrongCommandsAreToldInOneLine(String body, String expected) throws Exception {
+  void wrongCommandsAreReportedInOneLine(String body, String expected) throws Exception {
     HttpResponse<String> answer = send(post(body));
     assertEquals(400, answer.statusCode(), answer.body());
     assertEquals(1, answer.body().lines().count(), answer.body());
@@ -318,7 +318,7 @@ class ViewServerTest {
   }
 
   @Test
-  void aPortInUseIsTold() {
+  void aPortInUseIsReported() {
     InputException told =
         assertThrows(
             InputException.class, () -> new ViewServer(session, "", address.getPort(), GRACE));

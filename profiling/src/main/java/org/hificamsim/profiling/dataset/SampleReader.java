@@ -124,7 +124,7 @@ final class SampleReader {
         return file;
       }
     } catch (java.nio.file.InvalidPathException e) {
-      // told below
+      // reported below
     }
     throw cell.error(column, "the name of a picture in the folder");
   }

@@ -60,7 +60,7 @@ record OnnxOptions(Path file, int category, int size, double threshold) {
         return value;
       }
     } catch (NumberFormatException e) {
-      // told below
+      // reported below
     }
     throw wrong(all);
   }

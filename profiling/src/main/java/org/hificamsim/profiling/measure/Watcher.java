@@ -1,6 +1,6 @@
 package org.hificamsim.profiling.measure;
 
-/** Is told how far a measurement is, by any thread. */
+/** Hears how far a measurement is, by any thread. */
 @FunctionalInterface
 public interface Watcher {
   /** One photo more has been measured. */

@@ -191,7 +191,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void everyProblemOfEveryRowIsTold() throws IOException {
+  void everyProblemOfEveryRowIsReported() throws IOException {
     List<String> problems =
         problems(
             "images/none.jpg,ball,0,1,0.085,10,10,20,30,",
@@ -204,7 +204,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void folderWithoutItsFilesIsToldInOneLine() throws IOException {
+  void folderWithoutItsFilesIsReportedInOneLine() throws IOException {
     Files.delete(folder.resolve("camera.json"));
     List<String> problems = problems(ROW);
     assertEquals(1, problems.size());
@@ -212,7 +212,7 @@ class DatasetReaderTest {
   }
 
   @Test
-  void tableWithoutAColumnOrARowIsToldInOneLine() throws IOException {
+  void tableWithoutAColumnOrARowIsReportedInOneLine() throws IOException {
     table(HEADER.replace("size_m", "size"), ROW);
     assertTrue(DatasetReader.read(folder).problems().get(0).contains("column 'size_m' is missing"));
     table(HEADER);
