@@ -1,6 +1,7 @@
 package org.hificamsim.presentation.plot;
 
 import java.util.Arrays;
+import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * Points in the order of x.
@@ -35,8 +36,8 @@ public record Curve(double[] x, double[] y) {
     for (int group = 0; group < most; group++) {
       int from = (int) ((long) group * size() / most);
       int to = (int) ((long) (group + 1) * size() / most);
-      newX[group] = Arrays.stream(x, from, to).average().orElseThrow();
-      newY[group] = Arrays.stream(y, from, to).average().orElseThrow();
+      newX[group] = StatUtils.mean(x, from, to - from);
+      newY[group] = StatUtils.mean(y, from, to - from);
     }
     return new Curve(newX, newY);
   }

@@ -3,8 +3,8 @@ package org.hificamsim.runs.statistics;
 import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
-import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
+import org.apache.commons.math3.stat.StatUtils;
 
 /**
  * Scores by scenario: what is drawn again within each scenario, never across scenarios. Scores know
@@ -71,13 +71,24 @@ public final class Strata {
 
   /** All scores, rising. */
   double[] sorted() {
+    return sorted(places);
+  }
+
+  /** The scores of each scenario, rising. */
+  List<double[]> sortedByScenario() {
+    return Stream.of(places).map(one -> sorted(one)).toList();
+  }
+
+  private double[] sorted(int[]... of) {
     int[] counts = new int[rising.length];
-    for (int[] one : places) {
+    int all = 0;
+    for (int[] one : of) {
+      all += one.length;
       for (int place : one) {
         counts[place]++;
       }
     }
-    double[] sorted = new double[runs()];
+    double[] sorted = new double[all];
     int filled = 0;
     for (int place = 0; place < counts.length; place++) {
       for (int i = 0; i < counts[place]; i++) {
@@ -87,23 +98,9 @@ public final class Strata {
     return sorted;
   }
 
-  /** The scores of each scenario, rising. */
-  List<double[]> sortedByScenario() {
-    return Stream.of(places).map(this::sorted).toList();
-  }
-
-  private double[] sorted(int[] of) {
-    int[] order = of.clone();
-    Arrays.sort(order);
-    return at(order);
-  }
-
   /** The mean of each scenario that has a score. */
   double[] means() {
-    return scores().stream()
-        .filter(one -> one.length > 0)
-        .mapToDouble(one -> DoubleStream.of(one).average().orElseThrow())
-        .toArray();
+    return scores().stream().filter(one -> one.length > 0).mapToDouble(StatUtils::mean).toArray();
   }
 
   /** As many scores of each scenario, drawn from its own with replacement. */
