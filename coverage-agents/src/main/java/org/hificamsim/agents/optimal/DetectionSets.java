@@ -109,7 +109,11 @@ final class DetectionSets implements ConfigurationSets {
     }
     for (int i = 0; i < count; i++) {
       int from = candidates.view(camera, i) * allWords;
-      if (Arrays.equals(union, 0, allWords, seen, from, from + allWords)) {
+      long missing = 0;
+      for (int word = 0; word < allWords; word++) {
+        missing |= union[word] & ~seen[from + word];
+      }
+      if (missing == 0) {
         return i;
       }
     }

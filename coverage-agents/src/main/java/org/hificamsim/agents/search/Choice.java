@@ -66,18 +66,36 @@ final class Choice {
 
   /** Gives the camera another set. */
   void exchange(int camera, int set) {
-    take(camera);
-    give(camera, set);
+    for (int word = 0; word < problem.words(); word++) {
+      long before = problem.mask(chosen[camera], word);
+      long after = problem.mask(set, word);
+      CoverageProblem.add(coverage, word, before & ~after, -1);
+      CoverageProblem.add(coverage, word, after & ~before, 1);
+    }
+    chosen[camera] = set;
   }
 
-  /** Gives the camera another set unless the coverage of some target fell below {@code least}. */
+  /**
+   * Gives the camera another set unless the coverage of some target fell below {@code least}, where
+   * it has been for none.
+   */
   boolean replace(int camera, int set, int least) {
-    int before = chosen[camera];
-    exchange(camera, set);
-    if (least() >= least) {
-      return true;
+    if (coversTooLittle(camera, set, least)) {
+      return false;
     }
-    exchange(camera, before);
+    exchange(camera, set);
+    return true;
+  }
+
+  private boolean coversTooLittle(int camera, int set, int least) {
+    for (int word = 0; word < problem.words(); word++) {
+      long lost = problem.mask(chosen[camera], word) & ~problem.mask(set, word);
+      for (long bits = lost; bits != 0; bits &= bits - 1) {
+        if (coverage[(word << 6) + Long.numberOfTrailingZeros(bits)] <= least) {
+          return true;
+        }
+      }
+    }
     return false;
   }
 
