@@ -15,6 +15,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** {@code camsim}: CamSim's command line, its files, and what is ours on top. */
 class CamSimCommandTest {
@@ -259,6 +260,13 @@ class CamSimCommandTest {
   @Test
   void anEventsMoveNeedsItsWaypointsWhereItCounts() throws IOException {
     eventsMove("Waypoints", "no waypoints, expected at least two");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"Tracks", "epics.movement.Tracks"})
+  void theMovementOfATrackIsKnownByBothItsNames(String movement) {
+    Cli run = camsim("-t 5 -m " + movement, Cli.scenario("passage"));
+    assertEquals(0, run.exit(), run.err());
   }
 
   @Test

@@ -143,7 +143,7 @@ class ProfileCheckTest {
   }
 
   @Test
-  void whatIsNotToCountOrIsCutOffIsLeftOutAndTold() throws IOException {
+  void whatIsNotToCountOrIsCutOffIsLeftOutAndReported() throws IOException {
     Files.writeString(
         boxes,
         rows(true)

@@ -87,7 +87,7 @@ class SetUpTest {
   }
 
   @Test
-  void parquetIsFetchedWhereItIsMissingAndToldBefore() throws Exception {
+  void parquetIsFetchedWhereItIsMissingAndSaidBefore() throws Exception {
     String words =
         "build_if_stale() { echo $2; }; . " + Cli.ROOT.resolve("tools/parquet.sh").toRealPath();
     String wanted = "Parquet from Maven Central (11 MB), for --format parquet";

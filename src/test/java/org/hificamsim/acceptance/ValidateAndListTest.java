@@ -86,7 +86,7 @@ class ValidateAndListTest {
       """;
 
   @Test
-  void allFaultsOfAFileAreToldThatDoNotFollowFromOthers() throws IOException {
+  void allFaultsOfAFileAreReportedThatDoNotFollowFromOthers() throws IOException {
     Path bad = Files.writeString(folder.resolve("bad.xml"), FIVE_FAULTS);
     Cli validate = Cli.run("validate", bad);
     assertEquals(2, validate.exit());

@@ -8,7 +8,7 @@ import org.hificamsim.core.scenario.Scenario;
  * What is to be run: the model's parameters, apart from where results go.
  *
  * @param policy name and options; each repeat makes its own instance
- * @param steps 1 to {@link #MAX_STEPS}
+ * @param steps 0 ({@code camsim} alone) to {@link #MAX_STEPS}
  * @param seed of the first repeat; repeat i uses seed + i
  * @param repeats 1 or more
  */

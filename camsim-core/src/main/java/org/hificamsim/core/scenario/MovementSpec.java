@@ -64,7 +64,7 @@ public record MovementSpec(
 
   /** The same parameters under another movement; none but Tracks keeps a track. */
   public MovementSpec withName(String newName) {
-    boolean along = newName.equals(TRACKS);
+    boolean along = shortName(newName).equals(TRACKS);
     return new MovementSpec(newName, mean, std, waypoints, along ? track : Optional.empty());
   }
 }

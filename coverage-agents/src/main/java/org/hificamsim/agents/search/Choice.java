@@ -76,8 +76,8 @@ final class Choice {
   }
 
   /**
-   * Gives the camera another set unless the coverage of some target fell below {@code least}, where
-   * it has been for none.
+   * Gives the camera another set unless the coverage of some target fell below {@code least}. Every
+   * target is covered by so many before.
    */
   boolean replace(int camera, int set, int least) {
     if (coversTooLittle(camera, set, least)) {

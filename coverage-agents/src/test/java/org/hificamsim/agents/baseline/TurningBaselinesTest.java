@@ -127,7 +127,7 @@ class TurningBaselinesTest {
   }
 
   @Test
-  void trackerSearchesWithTheZoomLevelThatItIsReported() {
+  void trackerSearchesWithTheZoomLevelThatItIsGiven() {
     assertViews("tracker:search=narrowest", LENS, "4 6 8 6 4");
     assertViews("tracker:search=narrowest,dwell=2", LENS, "4 4 6 6 8");
   }

@@ -145,7 +145,7 @@ class StepPictureTest {
   }
 
   @Test
-  void coverageIsToldInTheColoursOfThePage() throws IOException {
+  void coverageHasTheColoursOfThePage() throws IOException {
     String page;
     try (var in =
         StepPicture.class.getResourceAsStream("/org/hificamsim/presentation/report/palette.js")) {
@@ -220,7 +220,7 @@ class StepPictureTest {
   }
 
   @Test
-  void stepsThatAreNotThereAreToldWithThoseThatAre() {
+  void stepsThatAreNotThereAreReportedWithThoseThatAre() {
     assertEquals(299, run.at("--step", 299));
     String told = assertThrows(InputException.class, () -> run.at("--step", 300)).getMessage();
     assertEquals("--step is 300, expected a step from 0 to 299", told);

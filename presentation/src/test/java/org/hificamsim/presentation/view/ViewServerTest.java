@@ -319,10 +319,10 @@ class ViewServerTest {
 
   @Test
   void aPortInUseIsReported() {
-    InputException told =
+    InputException fault =
         assertThrows(
             InputException.class, () -> new ViewServer(session, "", address.getPort(), GRACE));
-    assertTrue(told.getMessage().startsWith("--port is " + address.getPort()), told.getMessage());
+    assertTrue(fault.getMessage().startsWith("--port is " + address.getPort()), fault.getMessage());
     assertNotEquals(0, address.getPort());
   }
 
@@ -355,7 +355,7 @@ class ViewServerTest {
       }
     }
 
-    /** Reads until this step has been told; returns the last one told. */
+    /** Reads until this step has been sent; returns the last one sent. */
     long stepsUntil(long step) throws IOException {
       long last = -1;
       while (last < step) {

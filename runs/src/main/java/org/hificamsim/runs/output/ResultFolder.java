@@ -71,8 +71,8 @@ public record ResultFolder(Path path) {
   }
 
   /**
-   * Moves the files of a command into place, and removes what an earlier command wrote: {@link
-   * #written}, and others.
+   * Moves the files of a command into place, and removes what an earlier command wrote: what its
+   * crate names, and others.
    *
    * @param others files that not every command writes, and no crate may name
    */
@@ -87,7 +87,7 @@ public record ResultFolder(Path path) {
    * another command they would look like its results. Its inputs are not among them, since the next
    * command may be reading one. None where there is no crate that can be read.
    */
-  public List<String> written() {
+  private List<String> written() {
     if (!Files.isRegularFile(path.resolve(CRATE))) {
       return List.of();
     }

@@ -71,24 +71,13 @@ public final class Strata {
 
   /** All scores, rising. */
   double[] sorted() {
-    return sorted(places);
-  }
-
-  /** The scores of each scenario, rising. */
-  List<double[]> sortedByScenario() {
-    return Stream.of(places).map(one -> sorted(one)).toList();
-  }
-
-  private double[] sorted(int[]... of) {
     int[] counts = new int[rising.length];
-    int all = 0;
-    for (int[] one : of) {
-      all += one.length;
+    for (int[] one : places) {
       for (int place : one) {
         counts[place]++;
       }
     }
-    double[] sorted = new double[all];
+    double[] sorted = new double[runs()];
     int filled = 0;
     for (int place = 0; place < counts.length; place++) {
       for (int i = 0; i < counts[place]; i++) {
@@ -96,6 +85,17 @@ public final class Strata {
       }
     }
     return sorted;
+  }
+
+  /** The scores of each scenario, rising. */
+  List<double[]> sortedByScenario() {
+    return Stream.of(places).map(this::sorted).toList();
+  }
+
+  private double[] sorted(int[] of) {
+    int[] order = of.clone();
+    Arrays.sort(order);
+    return at(order);
   }
 
   /** The mean of each scenario that has a score. */
