@@ -1,6 +1,7 @@
 package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -14,7 +15,10 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What {@code tools/setup.sh} does about locales and paths before the command line starts. */
+/**
+ * What {@code tools/setup.sh} does about locales and paths before the command line starts, and
+ * which options {@code ./hificamsim} gives the JVM.
+ */
 class LauncherTest {
   private static final String SOURCE = ". '" + Cli.ROOT.resolve("tools/setup.sh") + "'\n";
   private static final String JAVA = System.getProperty("java.home") + "/bin/java";
@@ -60,6 +64,24 @@ class LauncherTest {
         "hificamsim: this folder is /a:b, expected a path without a colon: Java's class path"
             + " cannot hold one\n",
         shell("root=/a:b\n" + SOURCE + "echo not reached\n", Map.of()));
+  }
+
+  /** The launcher itself, with a JVM that prints its options. */
+  @Test
+  void camsimAloneHasABoundOnYoungObjectsWhichOptionsOfOnesOwnFollow() throws Exception {
+    Files.createDirectories(folder.resolve("tools"));
+    Files.createDirectories(folder.resolve("bin"));
+    Files.copy(Cli.ROOT.resolve("hificamsim"), folder.resolve("hificamsim"));
+    Files.writeString(
+        folder.resolve("tools/setup.sh"),
+        "build_if_stale() { :; }; run_home() { echo \"$root\"; }; lib=lib; archive=none\n");
+    Files.writeString(folder.resolve("bin/java"), "#!/bin/sh\necho \"$*\"\n");
+    String script = "chmod +x bin/java; sh hificamsim %s x.xml\n";
+    Map<String, String> own = Map.of("HIFICAMSIM_OPTS", "-XX:MaxNewSize=1m");
+    String camsim = shell(script.formatted("camsim"), own);
+    int bound = camsim.indexOf("-XX:MaxNewSize=96m");
+    assertTrue(bound > 0 && bound < camsim.indexOf("-XX:MaxNewSize=1m"), camsim);
+    assertFalse(shell(script.formatted("run"), own).contains("96m"));
   }
 
   private String shell(String script, Map<String, String> environment)
