@@ -213,19 +213,11 @@ The same in every run but for what is drawn at random. Every camera starts at it
 
   private String detection() {
     if (plan.detection().model() instanceof HiFiDetection fitted) {
-      return "a fitted model g(f(q, d, z)), from "
-          + fitted.provenance().source()
-          + (fitted.covariates().isEmpty() ? "." : "; it depends on " + conditions(fitted) + ".");
+      return "a fitted model g(f(q, d, z)), from " + fitted.provenance().source() + ".";
     }
     return catalogue.detections().knows(plan.detection().model().name())
         ? summary(catalogue.detections(), plan.detection().model().name()) + "."
         : "";
-  }
-
-  private static String conditions(HiFiDetection fitted) {
-    return fitted.covariates().stream()
-        .map(term -> term.condition().key())
-        .collect(Collectors.joining(" and "));
   }
 
   private String options() {
