@@ -21,7 +21,7 @@ public final class Homography implements Ground {
    * @throws org.hificamsim.core.InputException with the place, when it has others
    */
   public static Homography read(Path file) {
-    return new Homography(MatrixFile.read(file, 3, 3, "three rows of three numbers"));
+    return new Homography(MatrixFile.read(file, 3, 3, "a matrix of three rows of three numbers"));
   }
 
   @Override
