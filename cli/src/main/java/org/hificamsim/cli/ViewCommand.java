@@ -58,7 +58,8 @@ final class ViewCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     Scenario scenario = scenarioOptions.read(file, catalogue, spec.commandLine().getErr());
     LiveChoice choice =
-        new LiveChoice(models.detection(), scenarioOptions.threshold(), models.policy().orElseThrow());
+        new LiveChoice(
+            models.detection(), scenarioOptions.threshold(), models.policy().orElseThrow());
     LiveRun run =
         new LiveRun(catalogue, scenario, choice, seed.value(), FloorPictures.of(file, scenario));
     String page = LivePage.html(catalogue, scenario.name(), models.detection());

@@ -87,9 +87,7 @@ final class FieldScript {
     Object groups = call("signs", setup, colors, look.zones().orElse(-1), new ScriptCanvas(null));
     return new Legend(
         ((List<?>) groups)
-            .stream()
-                .map(group -> ((List<?>) group).stream().map(this::entry).toList())
-                .toList(),
+            .stream().map(group -> ((List<?>) group).stream().map(this::entry).toList()).toList(),
         width,
         (int) (2 * SIGN),
         LEGEND_ROW);

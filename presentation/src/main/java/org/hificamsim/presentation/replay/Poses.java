@@ -86,7 +86,8 @@ final class Poses {
     }
 
     private List<LevelOptics> lenses() {
-      List<LevelOptics> lenses = IntStream.range(0, zooms).mapToObj(zoom).map(LevelOptics::of).toList();
+      List<LevelOptics> lenses =
+          IntStream.range(0, zooms).mapToObj(zoom).map(LevelOptics::of).toList();
       boolean alike = lenses.stream().distinct().count() == 1 && lenses.get(0).density() == 0;
       return alike ? List.of() : lenses;
     }

@@ -42,7 +42,11 @@ public final class LiveRun {
    * @throws InputException when the choice is wrong or does not suit the scenario
    */
   public LiveRun(
-      Catalogue catalogue, Scenario scenario, LiveChoice choice, long seed, List<FloorPicture> floor) {
+      Catalogue catalogue,
+      Scenario scenario,
+      LiveChoice choice,
+      long seed,
+      List<FloorPicture> floor) {
     this.floor = List.copyOf(floor);
     this.catalogue = catalogue;
     this.scenario = new EditedScenario(scenario);

@@ -193,7 +193,10 @@ public final class ViewServer implements AutoCloseable {
   }
 
   private static void tell(HttpExchange exchange, Throwable fault) throws IOException {
-    int status = fault instanceof InputException ? 400 : fault instanceof LiveSession.SessionEnded ? 503 : 500;
+    int status =
+        fault instanceof InputException
+            ? 400
+            : fault instanceof LiveSession.SessionEnded ? 503 : 500;
     String text = status == 500 ? RunFault.describe(fault) : fault.getMessage();
     Reply.line(exchange, status, Place.printable(text));
   }

@@ -46,7 +46,9 @@ class BrokenViewTest {
     catalogue.policies().register("exhausting", "no memory after step 3", Exhausting::new);
     catalogue.policies().register("unready", "cannot be made", () -> missing());
     LiveChoice choice = new LiveChoice("geometric", null, "exhausting");
-    session = new LiveSession(new LiveRun(catalogue, Scenarios.read("cluster-random"), choice, 0, List.of()));
+    session =
+        new LiveSession(
+            new LiveRun(catalogue, Scenarios.read("cluster-random"), choice, 0, List.of()));
     server = new ViewServer(session, "<p>the page</p>", 0, Duration.ofSeconds(1));
     address = URI.create(server.address());
   }

@@ -288,7 +288,8 @@ class LiveRunTest {
   @Test
   void aHeldCameraStaysInItsViewWhateverItsPolicyChooses() {
     Scenario hall = Scenarios.hall();
-    LiveRun live = new LiveRun(catalogue, hall, new LiveChoice("hifi:orb-lin", null, "random"), 0, List.of());
+    LiveRun live =
+        new LiveRun(catalogue, hall, new LiveChoice("hifi:orb-lin", null, "random"), 0, List.of());
     live.compare(true);
     live.hold(1, 7);
     for (int step = 0; step < 30; step++) {
@@ -394,7 +395,8 @@ class LiveRunTest {
     LiveRun live = live("cluster-random", 0);
     InputException wrong =
         assertThrows(
-            InputException.class, () -> live.choose(0, new LiveChoice(detection, threshold, policy)));
+            InputException.class,
+            () -> live.choose(0, new LiveChoice(detection, threshold, policy)));
     assertTrue(wrong.getMessage().contains(expected), wrong.getMessage());
     assertEquals("epsilon-greedy", live.sides().get(0).setup().policy());
   }

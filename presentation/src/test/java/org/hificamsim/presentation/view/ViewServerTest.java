@@ -55,7 +55,8 @@ class ViewServerTest {
             catalogue,
             Scenarios.read("cluster-random"),
             new LiveChoice("hifi:orb-lin", null, "sarsa"),
-            0, List.of());
+            0,
+            List.of());
     session = new LiveSession(run);
     server = new ViewServer(session, "<p>the page</p>", 0, GRACE);
     address = URI.create(server.address());
