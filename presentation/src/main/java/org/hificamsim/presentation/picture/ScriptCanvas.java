@@ -38,7 +38,7 @@ public final class ScriptCanvas {
   /** Viewers of SVG files blur pixels: these are cells many pixels wide. */
   private static final int CELL_PIXELS = 1600;
 
-  /** A colour of the style sheet or what {@link #hatch} returned. */
+  /** A colour of the style sheet or what {@link #pattern} returned. */
   public Object fillStyle = "#000000";
 
   public String strokeStyle = "#000000";
