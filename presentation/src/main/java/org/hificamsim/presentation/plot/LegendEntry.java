@@ -6,6 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.Polygon;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Rectangle2D;
 
 /** One line of a figure's legend. */
 public record LegendEntry(String label, Color color, Mark mark) {
@@ -29,13 +30,15 @@ public record LegendEntry(String label, Color color, Mark mark) {
   private void paint(Graphics2D graphics, int x, int y) {
     int middle = x + WIDTH / 2;
     graphics.setColor(color);
-    graphics.setStroke(
-        mark == Mark.DASHES
-            ? new BasicStroke(2, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, DASHES, 0)
-            : new BasicStroke(2.5f));
     switch (mark) {
-      case LINE, DASHES -> graphics.draw(new Line2D.Double(x, y, x + WIDTH, y));
-      case BAR -> graphics.fillRect(x + 4, y - 6, 14, 12);
+      case LINE -> line(graphics, x, y, new BasicStroke(2.5f));
+      case DASHES ->
+          line(
+              graphics,
+              x,
+              y,
+              new BasicStroke(2, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, DASHES, 0));
+      case BAR -> graphics.fill(new Rectangle2D.Double(x + 4, y - 6, 14, 12));
       case DOT -> graphics.fill(new Ellipse2D.Double(middle - 4, y - 4, 8, 8));
       case DIAMOND ->
           graphics.fill(
@@ -44,5 +47,10 @@ public record LegendEntry(String label, Color color, Mark mark) {
                   new int[] {y - 5, y, y + 5, y},
                   4));
     }
+  }
+
+  private static void line(Graphics2D graphics, int x, int y, BasicStroke stroke) {
+    graphics.setStroke(stroke);
+    graphics.draw(new Line2D.Double(x, y, x + WIDTH, y));
   }
 }
