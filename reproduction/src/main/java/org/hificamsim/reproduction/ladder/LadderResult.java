@@ -7,7 +7,7 @@ import java.util.Map;
 import org.hificamsim.runs.compare.Cases;
 
 /**
- * Every rung beside the top one.
+ * Every rung compared with the top one.
  *
  * @param rungs by scenario, then the means over all scenarios
  * @param nanoseconds what a step costs, by rung
