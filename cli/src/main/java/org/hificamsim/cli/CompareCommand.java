@@ -18,7 +18,6 @@ import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ComparisonRun;
 import org.hificamsim.runs.compare.LatexFile;
-import org.hificamsim.runs.compare.MarlEvalFile;
 import org.hificamsim.runs.compare.Yardsticks;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -46,11 +45,6 @@ final class CompareCommand implements Callable<Integer> {
       paramLabel = "P,Q",
       description = "Zoom policies with their options, P:key=value,key=value,Q.")
   private String policies;
-
-  @Option(
-      names = "--marl-eval",
-      description = "Write marl-eval.json too: all runs, as marl-eval reads them.")
-  private boolean marlEval;
 
   @Option(names = "--latex", description = "Write summary.tex too: the tables, for booktabs.")
   private boolean latex;
@@ -87,9 +81,6 @@ final class CompareCommand implements Callable<Integer> {
   private void extras(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
       throws IOException {
     AggregateFiles.write(folder, asked, batch.threads());
-    if (marlEval) {
-      MarlEvalFile.write(folder, asked);
-    }
     if (latex) {
       LatexFile.write(folder, asked, all);
     }
