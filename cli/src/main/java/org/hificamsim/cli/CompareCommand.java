@@ -17,7 +17,7 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ComparisonRun;
-import org.hificamsim.runs.compare.LatexFile;
+import org.hificamsim.runs.compare.SummaryTables;
 import org.hificamsim.runs.compare.Yardsticks;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -82,7 +82,7 @@ final class CompareCommand implements Callable<Integer> {
       throws IOException {
     AggregateFiles.write(folder, asked, batch.threads());
     if (latex) {
-      LatexFile.write(folder, asked, all);
+      SummaryTables.writeLatex(folder, asked, all);
     }
   }
 

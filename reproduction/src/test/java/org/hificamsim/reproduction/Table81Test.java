@@ -11,11 +11,12 @@ import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.ScoredRun;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.compare.ScoredRun;
 import org.junit.jupiter.api.Test;
 
 /** The aggregation by hand: two seeds, made-up performances. */
@@ -25,9 +26,9 @@ class Table81Test {
   /** Random: 10 and 20 of 20; scripted: 30 and 60 of 120. */
   private static ScoredRun run(RunPlan plan, int seed) {
     boolean scripted = plan.scenario().name().contains("scripted");
-    long performance = (scripted ? 30L : 10L) * (seed + 1);
-    RunResult result = new RunResult(seed, seed, performance, 0, 0, 0, 0, 0, 0, 0, 0);
-    return new ScoredRun(result, scripted ? 120 : 20, 0);
+    double performance = (scripted ? 30.0 : 10.0) * (seed + 1);
+    RunResult result = RunResult.of(seed, seed, Map.of(Metric.PERFORMANCE, performance));
+    return new ScoredRun(result, scripted ? 120 : 20, Double.NaN, 0);
   }
 
   private static List<Table81.Cell> cells() {

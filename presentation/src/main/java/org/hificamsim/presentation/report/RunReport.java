@@ -120,9 +120,9 @@ final class RunReport {
             });
     figures.put("repeat", replay.repeat());
     ObjectNode metrics = figures.putObject("metrics");
-    for (Metric metric : Metric.values()) {
+    for (Metric metric : Metric.ofRuns()) {
       JsonNode mean = settings.remove(metric.label());
-      if (mean == null && metric.ofChance()) {
+      if (mean == null) {
         continue;
       }
       JsonNode interval = summary.path("interval_95").path(metric.label());

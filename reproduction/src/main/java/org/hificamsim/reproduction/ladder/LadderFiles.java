@@ -1,5 +1,8 @@
 package org.hificamsim.reproduction.ladder;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -110,23 +113,17 @@ public final class LadderFiles {
   }
 
   private void costs(List<Double> costs) throws IOException {
-    JsonOutput.write(
-        folder,
-        COST + ".json",
-        json -> {
-          json.writeStartObject();
-          json.writeStringField("policy", ladder.policies().get(0));
-          json.writeNumberField("threads", 1);
-          json.writeArrayFieldStart("steps");
-          for (int i = 0; i < costs.size(); i++) {
-            json.writeStartObject();
-            json.writeStringField("scenario", ladder.all().get(i).scenario());
-            json.writeStringField("rung", ladder.all().get(i).rung().name());
-            json.writeNumberField("nanoseconds", costs.get(i));
-            json.writeEndObject();
-          }
-          json.writeEndArray();
-          json.writeEndObject();
-        });
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("policy", ladder.policies().get(0));
+    json.put("threads", 1);
+    ArrayNode steps = json.putArray("steps");
+    for (int i = 0; i < costs.size(); i++) {
+      RungScenario place = ladder.all().get(i);
+      ObjectNode step = steps.addObject();
+      step.put("scenario", place.scenario());
+      step.put("rung", place.rung().name());
+      step.put("nanoseconds", costs.get(i));
+    }
+    JsonOutput.write(folder, COST + ".json", json);
   }
 }

@@ -3,9 +3,10 @@ package org.hificamsim.reproduction.ladder;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.ScoredRun;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.compare.ScoredRun;
 
 /**
  * What one rung says of the policies in one scenario: their mean score by the scenario's objective.
@@ -34,8 +35,8 @@ record Scores(double[][] score, double[] optimum) {
 
   private static double kMin(RunPlan plan, ScoredRun run) {
     return plan.detection().certain()
-        ? run.result().meanKMin()
-        : run.result().expected().performance() / plan.steps();
+        ? run.result().value(Metric.MEAN_K_MIN)
+        : run.result().value(Metric.EXPECTED_PERFORMANCE) / plan.steps();
   }
 
   int seeds() {

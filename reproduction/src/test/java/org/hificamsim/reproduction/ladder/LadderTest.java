@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -13,12 +14,13 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.ScoredRun;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.compare.ScoredRun;
 import org.junit.jupiter.api.Test;
 
 /** Rungs as changes of a plan. */
@@ -92,8 +94,8 @@ class LadderTest {
     boolean good = plan.policy().equals("zoom-out") != lonely;
     List<ScoredRun> runs =
         IntStream.range(0, 2)
-            .mapToObj(seed -> new RunResult(seed, seed, 0, good ? 1 : 0.4, 0, 0, 0, 0, 0, 0, 0))
-            .map(run -> new ScoredRun(run, 10, 0))
+            .mapToObj(seed -> RunResult.of(seed, seed, Map.of(Metric.MEAN_K_MIN, good ? 1 : 0.4)))
+            .map(run -> new ScoredRun(run, 10, Double.NaN, 0))
             .toList();
     return new CaseResult(plan, runs, new double[10], new double[2][10]);
   }

@@ -7,8 +7,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.ScoredRun;
 
 /**
  * Runs plans side by side, every repeat a task of its own, and scores each run against the exact
@@ -135,17 +135,11 @@ public final class Comparison {
             new ScoredRun(
                 outcomes[repeat].result(),
                 optimum.score(repeat),
-                bestFixed(fixed, repeat),
+                fixed.isPresent() ? fixed.get().score(repeat) : Double.NaN,
                 settling[repeat]));
       }
       Arrays.setAll(sums, step -> sums[step] / runs.size());
       return new CaseResult(plan, runs, sums, levels);
-    }
-
-    private static OptionalDouble bestFixed(Optional<CaseUnderWay> fixed, int repeat) {
-      return fixed.isPresent()
-          ? OptionalDouble.of(fixed.get().score(repeat))
-          : OptionalDouble.empty();
     }
 
     private double score(int repeat) {

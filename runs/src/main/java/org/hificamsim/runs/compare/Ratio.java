@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.ScoredRun;
 
 /**
  * The proportion of Table 8.1: the performance of several cases together over that of their optima,
@@ -26,7 +28,8 @@ public record Ratio(double[] performance, double[] optimum) {
   /** Cases over the optima of other cases. */
   public static Ratio over(List<CaseResult> cases, List<CaseResult> others) {
     return new Ratio(
-        sums(cases, run -> run.result().performance()), sums(others, ScoredRun::optimum));
+        sums(cases, run -> run.result().value(Metric.PERFORMANCE)),
+        sums(others, ScoredRun::optimum));
   }
 
   private static double[] sums(List<CaseResult> cases, ToDoubleFunction<ScoredRun> figure) {

@@ -6,8 +6,10 @@ import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.ScoredRun;
 import org.hificamsim.runs.output.CsvTable;
 import org.hificamsim.runs.output.SettingsFile;
 import org.hificamsim.runs.output.Table;
@@ -44,11 +46,11 @@ final class ResultFiles {
               table,
               one,
               result.seed(),
-              result.performance(),
+              number(result.value(Metric.PERFORMANCE)),
               run.proportionOfOptimal(),
-              result.covered0(),
-              result.covered1(),
-              result.coveredK(),
+              result.value(Metric.COVERED_0),
+              result.value(Metric.COVERED_1),
+              result.value(Metric.COVERED_K),
               number(run.optimum()),
               one.plan().objective().text(),
               number(result.score()));
@@ -67,8 +69,8 @@ final class ResultFiles {
     try (CsvTable table = Table.METRICS.create(folder)) {
       for (CaseResult one : cases) {
         for (ScoredRun run : one.runs()) {
-          for (Score score : one.scores()) {
-            row(table, one, run.result().seed(), score.label(), score.of(run));
+          for (Metric metric : one.metrics()) {
+            row(table, one, run.result().seed(), metric.label(), metric.of(run));
           }
         }
       }
@@ -79,25 +81,25 @@ final class ResultFiles {
   private void summary(List<CaseResult> cases) throws IOException {
     try (CsvTable table = Table.SUMMARY.create(folder)) {
       for (CaseResult one : cases) {
-        for (Score score : one.scores()) {
-          summary(table, one, score, reference(one.plan(), cases));
+        for (Metric metric : one.metrics()) {
+          summary(table, one, metric, reference(one.plan(), cases));
         }
       }
     }
   }
 
-  private static void summary(CsvTable table, CaseResult one, Score score, CaseResult reference) {
-    SeedValues values = one.values(score);
+  private static void summary(CsvTable table, CaseResult one, Metric metric, CaseResult reference) {
+    SeedValues values = one.values(metric);
     Estimate mean = values.mean();
     boolean paired = !reference.plan().equals(one.plan());
     Estimate difference =
         paired
-            ? SeedValues.ofDifferences(one.figures(score), reference.figures(score)).mean()
+            ? SeedValues.ofDifferences(one.figures(metric), reference.figures(metric)).mean()
             : Estimate.single(Double.NaN);
     row(
         table,
         one,
-        score.label(),
+        metric.label(),
         values.size(),
         mean.mean(),
         mean.low(),

@@ -13,8 +13,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunResult;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class JournalTest {
   private static final RunResult RESULT =
-      new RunResult(2, 7, 11, 1.1, 0.25, 0.5, 0.25, 1.25, 50, 6, 4);
+      RunResult.of(2, 7, Map.of(Metric.PERFORMANCE, 11.0, Metric.MEAN_K_MIN, 1.1));
 
   @TempDir Path folder;
   private OutputFolder output;
