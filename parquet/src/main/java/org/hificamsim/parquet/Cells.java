@@ -4,18 +4,18 @@ import java.util.HashMap;
 import java.util.Map;
 import org.apache.parquet.column.ColumnWriter;
 import org.apache.parquet.io.api.Binary;
-import org.hificamsim.runs.output.StepColumn;
+import org.hificamsim.runs.output.Column;
 
 /** The cells of a column that have been gathered, each kind in an array of its own. */
 abstract class Cells {
-  private final StepColumn column;
+  private final Column<?> column;
 
-  private Cells(StepColumn column) {
+  private Cells(Column<?> column) {
     this.column = column;
   }
 
   /** No cells yet. */
-  static Cells of(StepColumn column) {
+  static Cells of(Column<?> column) {
     return switch (column.kind()) {
       case INT -> new Ints(column);
       case LONG -> new Longs(column);
@@ -46,7 +46,7 @@ abstract class Cells {
   private static final class Ints extends Cells {
     private final int[] cells = new int[ParquetRows.BATCH];
 
-    Ints(StepColumn column) {
+    Ints(Column<?> column) {
       super(column);
     }
 
@@ -66,7 +66,7 @@ abstract class Cells {
   private static final class Longs extends Cells {
     private final long[] cells = new long[ParquetRows.BATCH];
 
-    Longs(StepColumn column) {
+    Longs(Column<?> column) {
       super(column);
     }
 
@@ -89,7 +89,7 @@ abstract class Cells {
 
     private final double[] cells = new double[ParquetRows.BATCH];
 
-    Doubles(StepColumn column) {
+    Doubles(Column<?> column) {
       super(column);
     }
 
@@ -115,7 +115,7 @@ abstract class Cells {
     private final Binary[] cells = new Binary[ParquetRows.BATCH];
     private final Map<String, Binary> known = new HashMap<>();
 
-    Texts(StepColumn column) {
+    Texts(Column<?> column) {
       super(column);
     }
 

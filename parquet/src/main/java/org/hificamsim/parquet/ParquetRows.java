@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
-import org.hificamsim.runs.output.StepColumn;
+import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.TableRows;
 
 /** A Parquet file under way: rows are gathered by column, and written some thousand at a time. */
@@ -18,7 +18,7 @@ final class ParquetRows implements TableRows {
   private int rows;
   private boolean closed;
 
-  ParquetRows(OutputStream out, List<StepColumn> columns) throws IOException {
+  ParquetRows(OutputStream out, List<? extends Column<?>> columns) throws IOException {
     this.columns = columns.stream().map(Cells::of).toArray(Cells[]::new);
     this.groups = new RowGroups(out, columns);
   }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import org.hificamsim.core.InputException;
-import org.hificamsim.runs.output.Table;
+import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.TableFile;
 
 /** Compares {@code summary.csv} with {@code results.csv}: a page must not mix two comparisons. */
@@ -44,7 +44,7 @@ final class ComparisonCheck {
                   summary.line(row),
                   summary.text(row, "mean"),
                   summary.text(row, "runs"),
-                  Table.RESULTS.file(),
+                  ComparisonFiles.RESULTS.file(),
                   own.getMean(),
                   own.getN()));
     }

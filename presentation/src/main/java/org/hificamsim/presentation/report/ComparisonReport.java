@@ -5,14 +5,16 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.presentation.figures.PolicyColors;
+import org.hificamsim.runs.compare.AggregateFiles;
+import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
-import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TableFile;
 
 /**
@@ -20,18 +22,20 @@ import org.hificamsim.runs.output.TableFile;
  * pictures, made from its folder alone.
  */
 final class ComparisonReport {
-  private static final List<Table> OTHERS =
+  /** The tables that stand on the page as they are, in its order. */
+  private static final List<String> OTHERS =
       List.of(
-          Table.ADAPTING,
-          Table.VERDICTS,
-          Table.TABLE_8_1,
-          Table.SENSITIVITY,
-          Table.FIT,
-          Table.RUNGS,
-          Table.LADDER,
-          Table.AGGREGATE,
-          Table.IMPROVEMENT,
-          Table.PAIRS);
+          "adapting.csv",
+          "verdicts.csv",
+          "table-8.1.csv",
+          "sensitivity.csv",
+          "fit.csv",
+          "rungs.csv",
+          "ladder.csv",
+          AggregateFiles.AGGREGATE.file(),
+          AggregateFiles.IMPROVEMENT.file(),
+          AggregateFiles.PAIRS.file());
+
   private static final int MAX_ROWS = 5_000;
   private static final int MAX_SUMMARY_ROWS = 20_000;
 
@@ -44,7 +48,8 @@ final class ComparisonReport {
 
   /** Whether a folder holds any table that this page shows. */
   static boolean suits(Path folder) {
-    return Table.SUMMARY.isIn(folder) || OTHERS.stream().anyMatch(table -> table.isIn(folder));
+    return ComparisonFiles.SUMMARY.isIn(folder)
+        || OTHERS.stream().anyMatch(name -> Files.isRegularFile(folder.resolve(name)));
   }
 
   /**
@@ -55,7 +60,7 @@ final class ComparisonReport {
   static Page of(Path folder) throws IOException {
     ComparisonReport report = new ComparisonReport(folder);
     report.addTables();
-    if (Table.SUMMARY.isIn(folder)) {
+    if (ComparisonFiles.SUMMARY.isIn(folder)) {
       report.addComparison();
     }
     report.data.set("pictures", Pictures.of(folder));
@@ -73,22 +78,22 @@ final class ComparisonReport {
 
   private void addTables() throws IOException {
     ArrayNode tables = data.putArray("tables");
-    for (Table table : OTHERS) {
-      if (table.isIn(folder)) {
-        write(tables.addObject(), table.read(folder), MAX_ROWS);
+    for (String name : OTHERS) {
+      if (Files.isRegularFile(folder.resolve(name))) {
+        write(tables.addObject(), TableFile.read(folder.resolve(name)), MAX_ROWS);
       }
     }
   }
 
   private void addComparison() throws IOException {
-    TableFile summary = Table.SUMMARY.read(folder);
-    TableFile results = Table.RESULTS.read(folder);
+    TableFile summary = ComparisonFiles.SUMMARY.read(folder);
+    TableFile results = ComparisonFiles.RESULTS.read(folder);
     ComparisonCheck.check(summary, results);
     write(data.putObject("summary"), summary, MAX_SUMMARY_ROWS);
     write(data.putObject("results"), results, MAX_ROWS);
     JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
     data.set("settings", settings);
-    if (Table.STEPS.isIn(folder)) {
+    if (ComparisonFiles.STEPS.isIn(folder)) {
       data.set("curves", Curves.of(folder, settings));
     }
     addColors(summary);

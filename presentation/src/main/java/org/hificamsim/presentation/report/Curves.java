@@ -13,8 +13,8 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
-import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TableFile;
 
 /** k_min over time of all cases, in few enough points for a page. */
@@ -40,7 +40,7 @@ final class Curves {
         Math.max(2, Math.min(MAX_POINTS_OF_A_CASE, MAX_POINTS / Math.max(1, lengths.size())));
     int group = (longest + most - 1) / most;
     Map<List<String>, double[]> cases = new LinkedHashMap<>();
-    Table.STEPS.read(
+    ComparisonFiles.STEPS.read(
         folder,
         block -> {
           for (int row = 0; row < block.rows().size(); row++) {

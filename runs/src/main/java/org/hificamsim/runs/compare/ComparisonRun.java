@@ -55,7 +55,7 @@ public final class ComparisonRun {
         plans,
         folder,
         (files, all) -> {
-          new ResultFiles(files).write(all.subList(0, plans.size()), all);
+          ComparisonFiles.write(files, all.subList(0, plans.size()), all);
           extras.write(files, all);
         });
   }

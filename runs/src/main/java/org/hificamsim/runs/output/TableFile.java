@@ -34,6 +34,15 @@ public record TableFile(Path file, List<String> columns, List<String[]> rows, lo
       CsvMapper.builder().enable(CsvParser.Feature.WRAP_AS_ARRAY).build();
 
   /**
+   * Reads a table, whatever its columns.
+   *
+   * @throws InputException when it is broken
+   */
+  public static TableFile read(Path file) throws IOException {
+    return read(file, List.of());
+  }
+
+  /**
    * Reads a table, compressed if the name ends in {@code .gz}.
    *
    * @param expected columns that it must have
