@@ -27,7 +27,7 @@ final class StepsCheck {
         at.at(recording.run(), frame.step(), frame.measure());
         RunTables.steps(frame.measure().byChance()).add(at, row);
         String which = recording.run() + "," + frame.step();
-        expected.put(which, text.substring(which.length() + 1));
+        expected.put(which, text.toString().substring(which.length() + 1));
         text.getBuffer().setLength(0);
       }
     }
