@@ -187,7 +187,7 @@ public final class ReproductionFiles {
         Double.NaN,
         statement.weakest().value(),
         statement.margins().size(),
-        statement.held(),
+        (int) statement.held(),
         statement.verdict(),
         Reason.of(statement),
         Role.of(statement));
