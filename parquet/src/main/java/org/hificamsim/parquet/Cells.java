@@ -40,7 +40,8 @@ abstract class Cells {
   abstract void write(ColumnWriter out, int rows);
 
   private IllegalStateException another(String kind) {
-    return new IllegalStateException(column.name() + " is " + column.kind() + ", but a cell is a " + kind);
+    return new IllegalStateException(
+        column.name() + " is " + column.kind() + ", but a cell is a " + kind);
   }
 
   private static final class Ints extends Cells {

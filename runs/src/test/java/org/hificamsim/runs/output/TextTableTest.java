@@ -28,7 +28,7 @@ class TextTableTest {
     StringWriter out = new StringWriter();
     table.print(new PrintWriter(out));
     assertEquals(
-        List.of("name              figure [95%]", "a               1.5 [1.0, 2.0]"),
+        List.of("name                figure [95%]", "a                 1.5 [1.0, 2.0]"),
         out.toString().lines().toList());
   }
 
