@@ -268,7 +268,7 @@ class HeatMapTest {
     cli.assertRefused("run --record --heatmap", folder.resolve("x.png"));
     Files.copy(run.resolve("heatmap.csv"), other.resolve("heatmap.csv"));
     Cli foreign = Cli.run("report", other, "--out", folder.resolve("x.html"));
-    foreign.assertRefused("heatmap.csv:2:3: x is 0.25, expected", folder.resolve("x.html"));
+    foreign.assertRefused("heatmap.csv:2:5: x is 0.25, expected", folder.resolve("x.html"));
   }
 
   private static void open() {

@@ -9,13 +9,14 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 import org.hificamsim.presentation.figures.PolicyColors;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
-import org.hificamsim.runs.output.TableFile;
+import org.hificamsim.runs.output.Table;
 
 /**
  * The page of a comparison, a reproduction, a sensitivity analysis or a ladder: its tables and
@@ -49,7 +50,7 @@ final class ComparisonReport {
   /** Whether a folder holds any table that this page shows. */
   static boolean suits(Path folder) {
     return ComparisonFiles.SUMMARY.isIn(folder)
-        || OTHERS.stream().anyMatch(name -> Files.isRegularFile(folder.resolve(name)));
+        || OTHERS.stream().anyMatch(name -> Table.of(name).isIn(folder));
   }
 
   /**
@@ -79,15 +80,16 @@ final class ComparisonReport {
   private void addTables() throws IOException {
     ArrayNode tables = data.putArray("tables");
     for (String name : OTHERS) {
-      if (Files.isRegularFile(folder.resolve(name))) {
-        write(tables.addObject(), TableFile.read(folder.resolve(name)), MAX_ROWS);
+      Table<?> table = Table.of(name);
+      if (table.isIn(folder)) {
+        write(tables.addObject(), table.read(folder), MAX_ROWS);
       }
     }
   }
 
   private void addComparison() throws IOException {
-    TableFile summary = ComparisonFiles.SUMMARY.read(folder);
-    TableFile results = ComparisonFiles.RESULTS.read(folder);
+    CsvRows summary = ComparisonFiles.SUMMARY.read(folder);
+    CsvRows results = ComparisonFiles.RESULTS.read(folder);
     ComparisonCheck.check(summary, results);
     write(data.putObject("summary"), summary, MAX_SUMMARY_ROWS);
     write(data.putObject("results"), results, MAX_ROWS);
@@ -99,12 +101,9 @@ final class ComparisonReport {
     addColors(summary);
   }
 
-  private void addColors(TableFile summary) {
+  private void addColors(CsvRows summary) {
     List<String> policies =
-        IntStream.range(0, summary.rows().size())
-            .mapToObj(row -> summary.text(row, "policy"))
-            .distinct()
-            .toList();
+        summary.rows().stream().map(row -> row.text("policy")).distinct().toList();
     PolicyColors colors = new PolicyColors(policies);
     ObjectNode node = data.putObject("colours");
     policies.forEach(
@@ -114,10 +113,10 @@ final class ComparisonReport {
                 String.format(Locale.ROOT, "#%06x", colors.of(policy).getRGB() & 0xffffff)));
   }
 
-  private static void write(ObjectNode node, TableFile table, int max) {
+  private static void write(ObjectNode node, CsvRows table, int max) {
     node.put("name", table.file().getFileName().toString());
     node.put("count", table.rows().size());
     node.putPOJO("columns", table.columns());
-    node.putPOJO("rows", table.rows().subList(0, Math.min(max, table.rows().size())));
+    node.putPOJO("rows", table.rows().stream().limit(max).map(CsvRow::texts).toList());
   }
 }

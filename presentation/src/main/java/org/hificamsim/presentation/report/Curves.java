@@ -12,10 +12,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.data.CsvRow;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
-import org.hificamsim.runs.output.TableFile;
+import org.hificamsim.runs.output.Table;
 
 /** k_min over time of all cases, in few enough points for a page. */
 final class Curves {
@@ -42,16 +43,14 @@ final class Curves {
     Map<List<String>, double[]> cases = new LinkedHashMap<>();
     ComparisonFiles.STEPS.read(
         folder,
-        block -> {
-          for (int row = 0; row < block.rows().size(); row++) {
-            List<String> key = block.caseOf(row);
-            int length = length(lengths, block, row, key);
-            double[] sums =
-                cases.computeIfAbsent(key, any -> new double[(length + group - 1) / group]);
-            int point = (int) block.number(row, "step") / group;
-            if (point >= 0 && point < sums.length) {
-              sums[point] += block.number(row, "k_min") / Math.min(group, length - point * group);
-            }
+        row -> {
+          List<String> key = Table.caseOf(row);
+          int length = length(lengths, row, key);
+          double[] sums =
+              cases.computeIfAbsent(key, any -> new double[(length + group - 1) / group]);
+          int point = (int) row.numberOrNaN("step") / group;
+          if (point >= 0 && point < sums.length) {
+            sums[point] += row.numberOrNaN("k_min") / Math.min(group, length - point * group);
           }
         });
     return node(cases, group);
@@ -76,14 +75,13 @@ final class Curves {
     return lengths;
   }
 
-  private static int length(
-      Map<List<String>, Integer> lengths, TableFile table, int row, List<String> key) {
+  private static int length(Map<List<String>, Integer> lengths, CsvRow row, List<String> key) {
     Integer length = lengths.get(key);
     if (length == null) {
-      throw new InputException(
-          "%s:%s: %s is not in %s, expected the files of one comparison"
-              .formatted(
-                  table.file(), table.line(row), String.join(", ", key), ResultFolder.SETTINGS));
+      throw row.place(0)
+          .error(
+              "%s is not in %s, expected the files of one comparison"
+                  .formatted(String.join(", ", key), ResultFolder.SETTINGS));
     }
     return length;
   }

@@ -23,14 +23,11 @@ final class MatrixFile {
     double[] matrix = new double[ROWS * COLUMNS];
     int count = 0;
     try (TextLines lines = TextLines.open(file)) {
-      Fields fields = new Fields(lines, Fields.BLANKS);
-      while (lines.next()) {
-        if (fields.split() > 0 && !fields.text(0).startsWith("#")) {
-          count = row(fields, matrix, count);
-        }
+      while (lines.nextFields()) {
+        count = row(lines, matrix, count);
       }
       if (count < matrix.length) {
-        throw lines.place(1).error("the matrix ends, expected " + EXPECTED);
+        throw lines.place().error("the matrix ends, expected " + EXPECTED);
       }
     }
     return camera(file, matrix, metres);

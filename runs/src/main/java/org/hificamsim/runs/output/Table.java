@@ -11,6 +11,9 @@ import java.util.stream.Stream;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 
 /**
  * A table of results: its file, and its columns.
@@ -97,28 +100,38 @@ public final class Table<R> {
    *
    * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
    */
-  public TableFile read(Path folder) throws IOException {
-    return TableFile.read(new ResultFolder(folder).file(file), expected());
+  public CsvRows read(Path folder) {
+    return reader(folder).all(required());
   }
 
   /**
-   * Reads the table of a folder in blocks of rows, so that any size will do.
+   * Reads the table of a folder row by row, so that any size will do.
    *
-   * @param taker takes each block in order, at least one
+   * @param taker takes each row in order
    * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
    */
-  public void read(Path folder, Consumer<TableFile> taker) throws IOException {
-    TableFile.read(new ResultFolder(folder).file(file), expected(), BLOCK_ROWS, taker);
+  public void read(Path folder, Consumer<CsvRow> taker) {
+    try (CsvReader reader = reader(folder)) {
+      reader.header(required());
+      reader.each(taker);
+    }
+  }
+
+  private CsvReader reader(Path folder) {
+    return CsvReader.betweenCommas(
+        new ResultFolder(folder).file(file), "a table that 'hificamsim' writes");
   }
 
   private List<String> names() {
     return columns.stream().map(Column::name).toList();
   }
 
-  private List<String> expected() {
-    return columns.stream()
-        .filter(column -> !column.isLater())
-        .map(Column::name)
-        .collect(Collectors.toList());
+  private List<String> required() {
+    return columns.stream().filter(column -> !column.isLater()).map(Column::name).toList();
+  }
+
+  /** The scenario, detection and policy of a row. */
+  public static List<String> caseOf(CsvRow row) {
+    return List.of(row.text("scenario"), row.text("detection"), row.text("policy"));
   }
 }

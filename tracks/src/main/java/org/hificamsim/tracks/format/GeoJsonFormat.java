@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.hificamsim.core.Place;
+import org.hificamsim.data.JsonStream;
 
 /**
  * GeoJSON features: a {@code LineString} with {@code coordTimes} or {@code times} is a target's
@@ -32,7 +33,7 @@ final class GeoJsonFormat implements TrackFormat {
     Map<String, String> columns = recording.columns();
     timeName = columns.getOrDefault("time", "time");
     idName = columns.getOrDefault("id", "id");
-    try (JsonStream stream = new JsonStream(recording.file())) {
+    try (JsonStream stream = JsonStream.open(recording.file())) {
       json = stream;
       json.next();
       requireStart(JsonToken.START_OBJECT, "a GeoJSON object");

@@ -5,7 +5,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.hificamsim.core.file.Fields;
 import org.hificamsim.core.file.TextLines;
 
 /**
@@ -27,13 +26,12 @@ final class PeTrackFormat implements TrackFormat {
     unit = recording.unit();
     Clock clock = null;
     try (TextLines lines = TextLines.open(recording.file())) {
-      Fields fields = new Fields(lines, Fields.BLANKS);
       while (lines.next()) {
-        if (fields.split() > 0 && fields.text(0).startsWith("#")) {
+        if (lines.isComment()) {
           comment(lines.text().toLowerCase(Locale.ROOT));
-        } else if (fields.count() > 0) {
+        } else if (lines.count() > 0) {
           clock = clock == null ? begin(recording, samples) : clock;
-          samples.accept(RowFormat.sample(fields, Row.PETRACK));
+          samples.accept(RowFormat.sample(lines, Row.PETRACK));
         }
       }
     }

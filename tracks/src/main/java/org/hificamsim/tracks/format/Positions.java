@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonToken;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.Place;
+import org.hificamsim.data.JsonStream;
 
 /** The {@code coordinates} of a GeoJSON geometry. */
 public final class Positions {

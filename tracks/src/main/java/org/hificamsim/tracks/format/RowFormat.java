@@ -16,11 +16,8 @@ final class RowFormat implements TrackFormat {
     Clock clock = recording.frames();
     samples.measuredIn(recording.only(Unit.M));
     try (TextLines lines = TextLines.open(recording.file())) {
-      Fields fields = new Fields(lines, Fields.BLANKS);
-      while (lines.next()) {
-        if (fields.split() > 0 && !fields.text(0).startsWith("#")) {
-          samples.accept(sample(fields, row));
-        }
+      while (lines.nextFields()) {
+        samples.accept(sample(lines, row));
       }
     }
     return clock;

@@ -2,6 +2,7 @@ package org.hificamsim.tracks.format;
 
 import com.fasterxml.jackson.core.JsonToken;
 import org.hificamsim.core.Place;
+import org.hificamsim.data.JsonStream;
 
 /**
  * TrajNet++: objects, one a line, each a {@code track} with frame f, pedestrian p, x and y in
@@ -14,7 +15,7 @@ final class TrajNetFormat implements TrackFormat {
   @Override
   public Clock read(Recording recording, SampleSink samples) {
     samples.measuredIn(recording.only(Unit.M));
-    try (JsonStream json = new JsonStream(recording.file())) {
+    try (JsonStream json = JsonStream.open(recording.file())) {
       while (json.next() != null) {
         object(json, samples);
       }

@@ -28,14 +28,11 @@ public final class Homography implements Ground {
     double[] h = new double[SIZE * SIZE];
     int count = 0;
     try (TextLines lines = TextLines.open(file)) {
-      Fields fields = new Fields(lines, Fields.BLANKS);
-      while (lines.next()) {
-        if (fields.split() > 0 && !fields.text(0).startsWith("#")) {
-          count = row(fields, h, count);
-        }
+      while (lines.nextFields()) {
+        count = row(lines, h, count);
       }
       if (count < h.length) {
-        throw lines.place(1).error("the matrix ends, expected three rows of three numbers");
+        throw lines.place().error("the matrix ends, expected three rows of three numbers");
       }
     }
     return new Homography(h);

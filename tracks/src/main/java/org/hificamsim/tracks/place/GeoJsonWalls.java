@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.tracks.format.JsonStream;
+import org.hificamsim.data.JsonStream;
 import org.hificamsim.tracks.format.Positions;
 
 /**
@@ -21,7 +21,7 @@ final class GeoJsonWalls {
   }
 
   void read(Path file) {
-    try (JsonStream stream = new JsonStream(file)) {
+    try (JsonStream stream = JsonStream.open(file)) {
       json = stream;
       if (json.next() != JsonToken.START_OBJECT) {
         throw json.error("expected a GeoJSON object");
@@ -55,9 +55,6 @@ final class GeoJsonWalls {
   private void array() {
     JsonToken token = json.next();
     while (token != JsonToken.END_ARRAY) {
-      if (token == null) {
-        throw json.error("the file ends inside an array, expected ]");
-      }
       if (token == JsonToken.START_OBJECT) {
         object();
       } else {
