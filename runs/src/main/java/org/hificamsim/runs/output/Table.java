@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
@@ -21,8 +20,6 @@ import org.hificamsim.data.CsvRows;
  * @param <R> what a row is about
  */
 public final class Table<R> {
-  private static final int BLOCK_ROWS = 10_000;
-
   private final String file;
   private final List<Column<R>> columns;
 
