@@ -17,8 +17,6 @@ import picocli.CommandLine.Option;
 
 /** The options of commands that run many plans. */
 final class BatchOptions {
-  @Mixin private RepeatOptions repeats;
-
   @Mixin private ThreadsOption threads;
 
   @Option(names = "--out", paramLabel = "DIR", description = "Where the files go.")
@@ -51,10 +49,6 @@ final class BatchOptions {
       paramLabel = "DIR",
       description = "Take all runs from these folders of --shard; all other options as there.")
   private List<Path> merge;
-
-  RepeatOptions repeats() {
-    return repeats;
-  }
 
   Path out() {
     return out;

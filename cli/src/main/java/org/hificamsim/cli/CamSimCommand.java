@@ -25,8 +25,9 @@ import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.files.RunSums;
 import org.hificamsim.network.files.SeparateFiles;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -39,7 +40,7 @@ import picocli.CommandLine.Parameters;
       "Runs a scenario as CamSim does, network and all, and writes CamSim's files.",
       "A --policy zooms over the file's zoom list, which CamSim ignores."
     })
-final class CamSimCommand implements Callable<Integer> {
+final class CamSimCommand implements Callable<Integer>, SettingOptions.User {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
@@ -79,9 +80,9 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin private CamSimOptions options;
 
-  @Mixin private ModelOptions models;
-
-  @Mixin private DetectOptions detect;
+  private final SettingOptions settings =
+      SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY)
+          .open(Setting.POLICY);
 
   @Option(
       names = "--extra-out",
@@ -107,6 +108,11 @@ final class CamSimCommand implements Callable<Integer> {
   @Mixin private Screen screen;
 
   @Override
+  public SettingOptions settingOptions() {
+    return settings;
+  }
+
+  @Override
   public Integer call() throws IOException {
     return forCamSim.isPresent() ? write(forCamSim.get()) : run();
   }
@@ -124,10 +130,10 @@ final class CamSimCommand implements Callable<Integer> {
   private int run() throws IOException {
     Instant started = Instant.now();
     Catalogue catalogue = Catalogue.load();
-    NetworkSettings settings = options.settings(screen.err());
-    RunPlan plan = plan(catalogue, settings);
+    NetworkSettings camSims = options.settings(screen.err());
+    RunPlan plan = plan(catalogue, camSims);
     World world = new World(plan.scenario(), catalogue.movements(), seed);
-    Network network = new Network(world, plan.detection(), settings, seed);
+    Network network = new Network(world, plan.detection(), camSims, seed);
     ZoomPolicy zooms = catalogue.policies().create(plan.policy());
     CamSimFiles.Places places = new CamSimFiles.Places(file, output, summary, extra, coverage);
     try (CamSimFiles files = new CamSimFiles(places, plan, world, network);
@@ -143,23 +149,24 @@ final class CamSimCommand implements Callable<Integer> {
   }
 
   /** Checks every option before anything is written. */
-  private RunPlan plan(Catalogue catalogue, NetworkSettings settings) {
+  private RunPlan plan(Catalogue catalogue, NetworkSettings camSims) {
     Numbers.inRange("-t", steps, 0, RunPlan.MAX_STEPS);
-    Overrides asked = Overrides.ofDetection(detect.threshold(), detect.rule());
-    DetectionSpec spec = models.detection(catalogue);
+    Settings asked = settings.settings();
+    DetectionSpec spec =
+        DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
     Scenario scenario =
         asked.scenario(
             CamSimScenario.read(
                 file,
                 movement.orElse(null),
-                models.policy().isPresent(),
-                settings,
+                asked.asked(Setting.POLICY).isPresent(),
+                camSims,
                 catalogue,
                 screen.err()));
     return new RunPlan(
         scenario,
-        asked.detection(spec, scenario),
-        models.policy().orElse("zoom-out"),
+        spec.detection(asked, scenario),
+        asked.asked(Setting.POLICY).orElse("zoom-out"),
         steps,
         seed,
         1);

@@ -14,6 +14,8 @@ import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ComparisonRun;
@@ -28,7 +30,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "compare",
     description = "Compares policies and detection models over scenarios and seeds.")
-final class CompareCommand implements Callable<Integer> {
+final class CompareCommand implements Callable<Integer>, SettingOptions.User {
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
@@ -55,11 +57,19 @@ final class CompareCommand implements Callable<Integer> {
       description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
   private Optional<String> figureWidth;
 
+  private final SettingOptions settings =
+      SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
+
+  @Override
+  public SettingOptions settingOptions() {
+    return settings;
+  }
 
   @Override
   public Integer call() throws IOException {
@@ -87,19 +97,21 @@ final class CompareCommand implements Callable<Integer> {
   }
 
   private List<RunPlan> plans(Catalogue catalogue) {
-    List<DetectionSpec> asked = DetectionList.split(detections, catalogue);
-    List<String> specs = PolicyList.split(policies, catalogue.policies());
-    Distinct.require("--policies", specs);
+    Settings asked = settings.settings();
+    List<DetectionSpec> specs = DetectionList.split(detections, catalogue);
+    List<String> zooms = PolicyList.split(policies, catalogue.policies());
+    Distinct.require("--policies", zooms);
     List<Scenario> scenarios =
-        files.stream().map(file -> scenarioOptions.read(file, catalogue, screen.err())).toList();
+        files.stream()
+            .map(file -> scenarioOptions.read(file, asked, catalogue, screen.err()))
+            .toList();
     Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     List<RunPlan> plans = new ArrayList<>();
     for (Scenario scenario : scenarios) {
-      List<Detection> used =
-          asked.stream().map(one -> scenarioOptions.detection(one, scenario)).toList();
+      List<Detection> used = specs.stream().map(one -> one.detection(asked, scenario)).toList();
       Distinct.require("--detections", used.stream().map(Detection::name).toList());
       for (Detection detection : used) {
-        specs.forEach(policy -> plans.add(batch.repeats().plan(scenario, detection, policy)));
+        zooms.forEach(policy -> plans.add(asked.plan(scenario, detection, policy)));
       }
     }
     return plans;

@@ -30,6 +30,7 @@ import org.hificamsim.profiling.report.FitReport;
 import org.hificamsim.profiling.trial.TrialRun;
 import org.hificamsim.profiling.trial.Trials;
 import org.hificamsim.profiling.trial.TrialsFile;
+import org.hificamsim.runs.Setting;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -41,7 +42,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "fit",
     description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
-final class FitCommand implements Callable<Integer> {
+final class FitCommand implements Callable<Integer>, SettingOptions.User {
   private static final String BEST = "best";
   private static final int WIDTH = 16; // of the models' names, at least
 
@@ -106,11 +107,16 @@ final class FitCommand implements Callable<Integer> {
   @Option(names = "--penalty", paramLabel = "C", description = "What larger errors cost them.")
   private double penalty;
 
-  @Mixin private SeedOption seed;
+  private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Mixin private ThreadsOption threads;
 
   @Spec private CommandSpec spec;
+
+  @Override
+  public SettingOptions settingOptions() {
+    return seed;
+  }
 
   @Override
   public Integer call() throws IOException {
@@ -192,8 +198,8 @@ final class FitCommand implements Callable<Integer> {
     Numbers.within("--penalty", penalty, 1e-6, 1e6);
     return new FitSettings(
         folds,
-        seed.value(),
-        new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
+        seed.settings().seed(),
+        new SymbolicSettings(population, generations, parsimony, seed.settings().seed(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
         shape(),
         ThresholdsFile.read(folder));

@@ -8,6 +8,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.generate.RandomField;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -20,7 +21,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "generate",
     description = "Writes a scenario of cameras and targets strewn over a field at random.")
-final class GenerateCommand implements Callable<Integer> {
+final class GenerateCommand implements Callable<Integer>, SettingOptions.User {
   private static final int MAX = 200_000;
   private static final double LARGE = 1e9;
 
@@ -42,9 +43,14 @@ final class GenerateCommand implements Callable<Integer> {
       description = "Square metres for each camera; default: 42.9, as in the cluster scenarios.")
   private Double area;
 
-  @Mixin private SeedOption seed;
+  private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Spec private CommandSpec spec;
+
+  @Override
+  public SettingOptions settingOptions() {
+    return seed;
+  }
 
   @Override
   public Integer call() throws IOException {
@@ -63,7 +69,7 @@ final class GenerateCommand implements Callable<Integer> {
 
   private RandomField field() {
     Numbers.inRange("--cameras", cameras, 1, MAX);
-    RandomField usual = RandomField.ofCameras(cameras, seed.value());
+    RandomField usual = RandomField.ofCameras(cameras, seed.settings().seed());
     if (targets != null) {
       Numbers.inRange("--targets", targets, 1, MAX);
     }
@@ -75,6 +81,6 @@ final class GenerateCommand implements Callable<Integer> {
         cameras,
         targets != null ? targets : usual.targets(),
         area != null ? area : usual.area(),
-        seed.value());
+        seed.settings().seed());
   }
 }

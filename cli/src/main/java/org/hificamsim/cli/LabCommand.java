@@ -9,6 +9,7 @@ import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
 import org.hificamsim.profiling.lab.Texture;
 import org.hificamsim.profiling.opencv.OpenCv;
+import org.hificamsim.runs.Setting;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -17,7 +18,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "lab",
     description = "Renders photos of textured objects: a data set for 'profile measure'.")
-final class LabCommand implements Callable<Integer> {
+final class LabCommand implements Callable<Integer>, SettingOptions.User {
   private static final int MAX_OBJECTS = 8;
   private static final int MAX_CLUTTER = 1000;
 
@@ -108,11 +109,16 @@ final class LabCommand implements Callable<Integer> {
       description = "Things in the room behind the object.")
   private int clutter;
 
-  @Mixin private SeedOption seed;
+  private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Mixin private ThreadsOption threads;
 
   @Mixin private Screen screen;
+
+  @Override
+  public SettingOptions settingOptions() {
+    return seed;
+  }
 
   @Override
   public Integer call() {
@@ -149,7 +155,7 @@ final class LabCommand implements Callable<Integer> {
     Numbers.within("--offset", offset, 0, 0.4);
     Numbers.within("--lighting", lighting, 0, 0.3);
     Numbers.inRange("--clutter", clutter, 0, MAX_CLUTTER);
-    return LabSettings.thesis(seed.value())
+    return LabSettings.thesis(seed.settings().seed())
         .withScale(scale)
         .withGrid(focalLengths, distances, objects)
         .with(texture)

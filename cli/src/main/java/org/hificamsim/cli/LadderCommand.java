@@ -15,6 +15,8 @@ import org.hificamsim.reproduction.ladder.LadderResult;
 import org.hificamsim.reproduction.ladder.Rung;
 import org.hificamsim.reproduction.ladder.Rungs;
 import org.hificamsim.reproduction.ladder.WorldRungs;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.ComparisonRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -28,7 +30,7 @@ import picocli.CommandLine.Parameters;
       "Chooses a policy by each rung of realism, and judges the choices by the top rung:",
       "predicted score, order of the policies, what the choice costs, what a step costs."
     })
-final class LadderCommand implements Callable<Integer> {
+final class LadderCommand implements Callable<Integer>, SettingOptions.User {
   /** What rises from rung to rung. */
   private enum Of {
     DETECTION,
@@ -67,6 +69,9 @@ final class LadderCommand implements Callable<Integer> {
       description = "Zoom policies to choose from, P:key=value,key=value,Q.")
   private String policies;
 
+  private final SettingOptions settings =
+      SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
@@ -76,30 +81,37 @@ final class LadderCommand implements Callable<Integer> {
   private LadderResult result;
 
   @Override
+  public SettingOptions settingOptions() {
+    return settings;
+  }
+
+  @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    Ladder ladder = ladder(catalogue);
-    RepeatOptions repeats = batch.repeats();
+    Settings asked = settings.settings();
+    Ladder ladder = ladder(asked, catalogue);
     return new BatchRun(screen, batch, catalogue)
         .execute(
-            ladder.plans(repeats.steps(), repeats.seed(), repeats.repeats()),
+            ladder.plans(asked),
             ComparisonRun::execute,
             (folder, results) -> result = LadderFiles.write(folder, ladder, results, catalogue),
             (out, results) -> LadderTable.print(out, result));
   }
 
-  private Ladder ladder(Catalogue catalogue) {
-    scenarioOptions.rule().ifPresent(rule -> refuse(rule.text()));
+  private Ladder ladder(Settings asked, Catalogue catalogue) {
+    asked.asked(Setting.DETECT).ifPresent(LadderCommand::refuse);
     List<String> specs = PolicyList.split(policies, catalogue.policies());
     Distinct.require("--policies", specs);
     List<Scenario> scenarios =
-        files.stream().map(file -> scenarioOptions.read(file, catalogue, screen.err())).toList();
+        files.stream()
+            .map(file -> scenarioOptions.read(file, asked, catalogue, screen.err()))
+            .toList();
     Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
     return new Ladder(
         scenarios,
-        asked(),
+        rungsAsked(),
         specs,
-        (rung, scenario) -> scenarioOptions.detection(rung.spec(catalogue::detection), scenario));
+        (rung, scenario) -> rung.spec(catalogue::detection).detection(asked, scenario));
   }
 
   private static void refuse(String rule) {
@@ -107,10 +119,10 @@ final class LadderCommand implements Callable<Integer> {
         "--detect is '" + rule + "', expected none: a rung names its own, --rungs NAME@" + rule);
   }
 
-  private List<Rung> asked() {
+  private List<Rung> rungsAsked() {
     Optional<List<String>> names =
         rungs.map(text -> Arrays.stream(text.split(",", -1)).map(String::strip).toList());
-    return ScenarioOptions.choice(Of.class, "--of", of) == Of.WORLD
+    return Setting.choice(Of.class, "--of", of) == Of.WORLD
         ? ofWorld(names)
         : ofDetection(names);
   }

@@ -6,6 +6,7 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.reproduction.Judgement;
 import org.hificamsim.reproduction.ReproductionFiles;
 import org.hificamsim.reproduction.ReproductionPlans;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.compare.ComparisonRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -14,7 +15,10 @@ import picocli.CommandLine.Mixin;
 @Command(
     name = "reproduce",
     description = "Computes Table 8.1 and Figures 7.3 to 8.1 again, beside what was published.")
-final class ReproduceCommand implements Callable<Integer> {
+final class ReproduceCommand implements Callable<Integer>, SettingOptions.User {
+  private final SettingOptions settings =
+      SettingOptions.of(Setting.STEPS, Setting.REPEAT, Setting.SEED);
+
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
@@ -22,15 +26,17 @@ final class ReproduceCommand implements Callable<Integer> {
   private Judgement judgement;
 
   @Override
+  public SettingOptions settingOptions() {
+    return settings;
+  }
+
+  @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    RepeatOptions repeats = batch.repeats();
     ReproductionPlans preset =
         new ReproductionPlans(
             ShippedScenarios.read(ReproductionPlans.scenarioNames(), catalogue),
-            repeats.steps(),
-            repeats.seed(),
-            repeats.repeats());
+            settings.settings());
     return new BatchRun(screen, batch, catalogue)
         .execute(
             preset.plans(catalogue::detection),

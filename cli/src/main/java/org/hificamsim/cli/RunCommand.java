@@ -28,6 +28,8 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.heat.Cells;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatRecorder;
@@ -47,17 +49,15 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "run",
     description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.")
-final class RunCommand implements Callable<Integer> {
+final class RunCommand implements Callable<Integer>, SettingOptions.User {
   private static final int MAX_MEGABYTES = 5; // of a page
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Mixin private ModelOptions models;
+  private final SettingOptions settings = SettingOptions.all();
 
   @Mixin private ScenarioOptions scenarioOptions;
-
-  @Mixin private RepeatOptions repeats;
 
   @Mixin private ThreadsOption threads;
 
@@ -106,6 +106,11 @@ final class RunCommand implements Callable<Integer> {
   private boolean json;
 
   @Mixin private Screen screen;
+
+  @Override
+  public SettingOptions settingOptions() {
+    return settings;
+  }
 
   @Override
   public Integer call() throws IOException {
@@ -219,11 +224,13 @@ final class RunCommand implements Callable<Integer> {
 
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue) {
-    DetectionSpec detection = models.detection(catalogue);
-    Scenario scenario = scenarioOptions.read(file, catalogue, screen.err());
-    Detection used = scenarioOptions.detection(detection, scenario);
+    Settings asked = settings.settings();
+    DetectionSpec detection =
+        DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
+    Scenario scenario = scenarioOptions.read(file, asked, catalogue, screen.err());
+    Detection used = detection.detection(asked, scenario);
     scenarioOptions.warnAboutLens(file, scenario, used, screen.err());
-    return repeats.plan(scenario, used, models.policy().orElseThrow());
+    return asked.plan(scenario, used);
   }
 
   private List<RunResult> execute(

@@ -5,6 +5,7 @@ import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.reproduction.sensitivity.SensitivityFiles;
 import org.hificamsim.reproduction.sensitivity.Sweeps;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.compare.ComparisonRun;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -15,7 +16,10 @@ import picocli.CommandLine.Mixin;
     description =
         "Sweeps thresholds, targets, their size, optics, f, g, CamSim's formula and the learners'"
             + " settings around defaults.")
-final class SensitivityCommand implements Callable<Integer> {
+final class SensitivityCommand implements Callable<Integer>, SettingOptions.User {
+  private final SettingOptions settings =
+      SettingOptions.of(Setting.STEPS, Setting.REPEAT, Setting.SEED);
+
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
@@ -23,14 +27,18 @@ final class SensitivityCommand implements Callable<Integer> {
   private String findings;
 
   @Override
+  public SettingOptions settingOptions() {
+    return settings;
+  }
+
+  @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    RepeatOptions repeats = batch.repeats();
     Sweeps sweeps =
         new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
     return new BatchRun(screen, batch, catalogue)
         .execute(
-            sweeps.plans(repeats.steps(), repeats.seed(), repeats.repeats()),
+            sweeps.plans(settings.settings()),
             ComparisonRun::executeWithoutTables,
             (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results),
             (out, results) -> out.print(findings));

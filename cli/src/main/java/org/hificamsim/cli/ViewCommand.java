@@ -13,6 +13,8 @@ import org.hificamsim.presentation.view.LivePage;
 import org.hificamsim.presentation.view.LiveRun;
 import org.hificamsim.presentation.view.Session;
 import org.hificamsim.presentation.view.ViewServer;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -28,18 +30,17 @@ import picocli.CommandLine.Spec;
       "Only this machine can reach the page, and only by the address that is printed.",
       "Closing the page ends the command."
     })
-final class ViewCommand implements Callable<Integer> {
+final class ViewCommand implements Callable<Integer>, SettingOptions.User {
   private static final int MAX_PORT = 65_535;
   private static final Duration GRACE = Duration.ofSeconds(5);
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Mixin private ModelOptions models;
+  private final SettingOptions settings =
+      SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
 
   @Mixin private ScenarioOptions scenarioOptions;
-
-  @Mixin private SeedOption seed;
 
   @Option(
       names = "--port",
@@ -53,15 +54,22 @@ final class ViewCommand implements Callable<Integer> {
   @Spec private CommandSpec spec;
 
   @Override
+  public SettingOptions settingOptions() {
+    return settings;
+  }
+
+  @Override
   public Integer call() throws IOException, InterruptedException {
     Numbers.inRange("--port", port, 0, MAX_PORT);
     Catalogue catalogue = Catalogue.load();
-    Scenario scenario = scenarioOptions.read(file, catalogue, spec.commandLine().getErr());
-    Choice choice =
-        new Choice(models.detection(), scenarioOptions.threshold(), models.policy().orElseThrow());
+    Settings asked = settings.settings();
+    Scenario scenario = scenarioOptions.read(file, asked, catalogue, spec.commandLine().getErr());
+    String detection = asked.value(Setting.DETECTION);
+    Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
+    Choice choice = new Choice(detection, threshold, asked.value(Setting.POLICY));
     LiveRun run =
-        new LiveRun(catalogue, scenario, choice, seed.value(), FloorPictures.of(file, scenario));
-    String page = LivePage.html(catalogue, scenario.name(), models.detection());
+        new LiveRun(catalogue, scenario, choice, asked.seed(), FloorPictures.of(file, scenario));
+    String page = LivePage.html(catalogue, scenario.name(), detection);
     try (Session session = new Session(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {
       spec.commandLine().getOut().println(server.address());

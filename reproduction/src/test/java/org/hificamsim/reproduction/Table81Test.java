@@ -15,6 +15,8 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoredRun;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.junit.jupiter.api.Test;
@@ -38,7 +40,8 @@ class Table81Test {
       scenarios.put(name, ScenarioReader.read(file, movement -> true, warning -> {}));
     }
     List<RunPlan> plans =
-        new ReproductionPlans(scenarios, 10, 0, 2).plans(Catalogue.load()::detection);
+        new ReproductionPlans(
+                scenarios, Settings.NONE.with(Setting.STEPS, "10").with(Setting.REPEAT, "2")).plans(Catalogue.load()::detection);
     return new Table81(new Cases(plans.stream().map(Table81Test::result).toList())).cells();
   }
 

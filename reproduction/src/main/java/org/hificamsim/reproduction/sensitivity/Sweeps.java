@@ -17,6 +17,7 @@ import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.ReproductionPlans;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Settings;
 
 /** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
 public final class Sweeps {
@@ -105,14 +106,14 @@ public final class Sweeps {
   }
 
   /** The plans of all sweeps, each once. */
-  public List<RunPlan> plans(int steps, long seed, int repeats) {
+  public List<RunPlan> plans(Settings asked) {
     Set<RunPlan> plans = new LinkedHashSet<>();
     for (Sweep sweep : all()) {
       for (Variant variant : sweep.variants()) {
         for (Scenario scenario : variant.scenarios().values()) {
           for (Detection detection : variant.detections()) {
             for (String policy : variant.policies().values()) {
-              plans.add(new RunPlan(scenario, detection, policy, steps, seed, repeats));
+              plans.add(asked.plan(scenario, detection, policy));
             }
           }
         }

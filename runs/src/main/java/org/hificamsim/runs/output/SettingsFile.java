@@ -14,6 +14,7 @@ import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.Lens;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
 
 /** Every setting of a plan, as result files name them. */
 public final class SettingsFile {
@@ -31,23 +32,22 @@ public final class SettingsFile {
     Scenario scenario = plan.scenario();
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("scenario", scenario.name());
-    json.put("detection", plan.detection().name());
-    json.put("threshold", plan.detection().threshold());
-    if (!plan.detection().certain()) {
-      json.put("detect", plan.detection().rule().text());
+    for (Setting setting : Setting.values()) {
+      setting.of(plan).ifPresent(value -> put(json, setting, value));
     }
-    json.put("policy", plan.policy());
-    json.put("objective", plan.objective().text());
-    json.put("steps", plan.steps());
-    json.put("seed", plan.seed());
-    json.put("repeat", plan.repeats());
-    json.put("order", Spelling.of(scenario.order()));
-    json.put("headings", Spelling.of(scenario.headings()));
     numbers(json, "zooms", scenario.zooms());
     json.put("cameras", scenario.cameras().size());
     optics(json, scenario);
     lens(json, plan);
     return json;
+  }
+
+  private static void put(ObjectNode json, Setting setting, String value) {
+    switch (setting.kind()) {
+      case TEXT -> json.put(setting.label(), value);
+      case INT, LONG -> json.put(setting.label(), Long.parseLong(value));
+      case NUMBER -> json.put(setting.label(), Double.parseDouble(value));
+    }
   }
 
   /** Each kind of optics once; nothing where no camera has any. */

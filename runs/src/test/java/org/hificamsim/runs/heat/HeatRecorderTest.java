@@ -20,7 +20,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.heat.HeatMap.Place;
@@ -224,7 +224,7 @@ class HeatRecorderTest {
   }
 
   private Detection detection(String model, Scenario scenario) {
-    return Overrides.NONE.detection(DetectionSpec.parse(model, catalogue::detection), scenario);
+    return DetectionSpec.parse(model, catalogue::detection).detection(Settings.NONE, scenario);
   }
 
   private HeatMap map(Scenario scenario, Detection detection, int repeats, StepListener beside) {
