@@ -74,7 +74,7 @@ final class BatchOptions {
   /**
    * Where the runs come from: the engine that was asked for, or the shards to merge.
    *
-   * @param plans of the whole comparison, made by {@code Yardsticks.with}
+   * @param plans of the whole comparison, made by {@code ReferencePolicies.with}
    * @throws InputException when there is no such engine, it cannot work, or shards are missing
    */
   RunEngine engine(Catalogue catalogue, List<RunPlan> plans) throws IOException {

@@ -18,9 +18,9 @@ import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.compare.ComparisonFiles;
+import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.SummaryTables;
-import org.hificamsim.runs.compare.Yardsticks;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -76,24 +76,20 @@ final class CompareCommand implements Callable<Integer>, SettingOptions.User {
     Catalogue catalogue = Catalogue.load();
     List<RunPlan> plans = plans(catalogue);
     Optional<PrintWidth> width = figureWidth.map(PrintWidth::parse);
-    return new BatchRun(screen, batch, catalogue, Yardsticks.OPTIMUM_AND_BEST_FIXED)
+    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM_AND_BEST_FIXED)
         .execute(
             plans,
-            ComparisonRun::execute,
             (folder, results) -> {
+              List<CaseResult> asked = results.subList(0, plans.size());
+              ComparisonFiles.write(folder, asked, results);
               ComparisonFigures.write(folder, results, width, batch.threads());
-              extras(folder, results.subList(0, plans.size()), results);
+              AggregateFiles.write(folder, asked, batch.threads());
+              if (latex) {
+                SummaryTables.writeLatex(folder, asked, results);
+              }
+              return results;
             },
             ComparisonTable::print);
-  }
-
-  /** Writes what stands beside the tables of runs. */
-  private void extras(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
-      throws IOException {
-    AggregateFiles.write(folder, asked, batch.threads());
-    if (latex) {
-      SummaryTables.writeLatex(folder, asked, all);
-    }
   }
 
   private List<RunPlan> plans(Catalogue catalogue) {

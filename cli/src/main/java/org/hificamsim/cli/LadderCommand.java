@@ -15,9 +15,11 @@ import org.hificamsim.reproduction.ladder.LadderResult;
 import org.hificamsim.reproduction.ladder.Rung;
 import org.hificamsim.reproduction.ladder.Rungs;
 import org.hificamsim.reproduction.ladder.WorldRungs;
+import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
-import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.compare.ComparisonFiles;
+import org.hificamsim.runs.compare.ReferencePolicies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -78,8 +80,6 @@ final class LadderCommand implements Callable<Integer>, SettingOptions.User {
 
   @Mixin private Screen screen;
 
-  private LadderResult result;
-
   @Override
   public SettingOptions settingOptions() {
     return settings;
@@ -90,12 +90,15 @@ final class LadderCommand implements Callable<Integer>, SettingOptions.User {
     Catalogue catalogue = Catalogue.load();
     Settings asked = settings.settings();
     Ladder ladder = ladder(asked, catalogue);
-    return new BatchRun(screen, batch, catalogue)
+    List<RunPlan> plans = ladder.plans(asked);
+    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM)
         .execute(
-            ladder.plans(asked),
-            ComparisonRun::execute,
-            (folder, results) -> result = LadderFiles.write(folder, ladder, results, catalogue),
-            (out, results) -> LadderTable.print(out, result));
+            plans,
+            (folder, results) -> {
+              ComparisonFiles.write(folder, results.subList(0, plans.size()), results);
+              return LadderFiles.write(folder, ladder, results, catalogue);
+            },
+            LadderTable::print);
   }
 
   private Ladder ladder(Settings asked, Catalogue catalogue) {

@@ -1,13 +1,16 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.reproduction.Judgement;
 import org.hificamsim.reproduction.ReproductionFiles;
 import org.hificamsim.reproduction.ReproductionPlans;
+import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
-import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.compare.ComparisonFiles;
+import org.hificamsim.runs.compare.ReferencePolicies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -23,8 +26,6 @@ final class ReproduceCommand implements Callable<Integer>, SettingOptions.User {
 
   @Mixin private Screen screen;
 
-  private Judgement judgement;
-
   @Override
   public SettingOptions settingOptions() {
     return settings;
@@ -37,11 +38,14 @@ final class ReproduceCommand implements Callable<Integer>, SettingOptions.User {
         new ReproductionPlans(
             ShippedScenarios.read(ReproductionPlans.scenarioNames(), catalogue),
             settings.settings());
-    return new BatchRun(screen, batch, catalogue)
+    List<RunPlan> plans = preset.plans(catalogue::detection);
+    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM)
         .execute(
-            preset.plans(catalogue::detection),
-            ComparisonRun::execute,
-            (folder, results) -> judgement = ReproductionFiles.write(folder, results),
-            (out, results) -> JudgementTable.print(out, judgement));
+            plans,
+            (folder, results) -> {
+              ComparisonFiles.write(folder, results.subList(0, plans.size()), results);
+              return ReproductionFiles.write(folder, results);
+            },
+            JudgementTable::print);
   }
 }

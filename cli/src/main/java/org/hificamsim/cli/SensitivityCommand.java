@@ -1,12 +1,13 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.reproduction.sensitivity.SensitivityFiles;
 import org.hificamsim.reproduction.sensitivity.Sweeps;
 import org.hificamsim.runs.Setting;
-import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.compare.ReferencePolicies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -24,8 +25,6 @@ final class SensitivityCommand implements Callable<Integer>, SettingOptions.User
 
   @Mixin private Screen screen;
 
-  private String findings;
-
   @Override
   public SettingOptions settingOptions() {
     return settings;
@@ -36,11 +35,10 @@ final class SensitivityCommand implements Callable<Integer>, SettingOptions.User
     Catalogue catalogue = Catalogue.load();
     Sweeps sweeps =
         new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
-    return new BatchRun(screen, batch, catalogue)
+    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM)
         .execute(
             sweeps.plans(settings.settings()),
-            ComparisonRun::executeWithoutTables,
-            (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results),
-            (out, results) -> out.print(findings));
+            (folder, results) -> SensitivityFiles.write(folder, sweeps, results),
+            PrintWriter::print);
   }
 }

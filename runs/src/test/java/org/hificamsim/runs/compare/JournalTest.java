@@ -36,7 +36,7 @@ class JournalTest {
   void leaveTheJournalOfAKilledComparison() throws IOException {
     output = new OutputFolder(folder);
     try (Journal journal = open(false)) {
-      journal.add("case", 7, new Outcome(RESULT, new int[] {3, 0, 8}));
+      journal.add("case", 7, new FinishedRun(RESULT, new int[] {3, 0, 8}));
     }
   }
 
@@ -48,7 +48,7 @@ class JournalTest {
   @Test
   void resumingFindsWhatWasFinishedBitByBit() throws IOException {
     try (Journal journal = open(true)) {
-      Outcome found = journal.find("case", 7).orElseThrow();
+      FinishedRun found = journal.find("case", 7).orElseThrow();
       assertEquals(RESULT, found.result());
       assertArrayEquals(new int[] {3, 0, 8}, found.kMin());
       assertTrue(journal.find("case", 8).isEmpty());
@@ -131,7 +131,7 @@ class JournalTest {
 
   private void addTheNext() throws IOException {
     try (Journal journal = open(true)) {
-      journal.add("next", 1, new Outcome(RESULT, new int[] {5}));
+      journal.add("next", 1, new FinishedRun(RESULT, new int[] {5}));
     }
   }
 
