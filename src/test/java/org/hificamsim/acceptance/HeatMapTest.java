@@ -203,7 +203,7 @@ class HeatMapTest {
       choose("mean-k");
       browser.until("return Boolean(hificamsim.players[0].field.heat.shown)");
       String told = browser.text(".heat-key");
-      assertTrue(told.contains(" steps from "), told);
+      assertTrue(told.matches("(?s).*\\d steps? from \\d+ on: .*"), told);
       browser.until(
           "return hificamsim.players[0].field.heat.heat.steps > arguments[0]"
               .replace("arguments[0]", "3"));

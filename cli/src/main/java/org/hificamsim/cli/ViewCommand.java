@@ -8,10 +8,10 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.view.Browsers;
-import org.hificamsim.presentation.view.Choice;
+import org.hificamsim.presentation.view.LiveChoice;
 import org.hificamsim.presentation.view.LivePage;
 import org.hificamsim.presentation.view.LiveRun;
-import org.hificamsim.presentation.view.Session;
+import org.hificamsim.presentation.view.LiveSession;
 import org.hificamsim.presentation.view.ViewServer;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -66,11 +66,11 @@ final class ViewCommand implements Callable<Integer>, SettingOptions.User {
     Scenario scenario = scenarioOptions.read(file, asked, catalogue, spec.commandLine().getErr());
     String detection = asked.value(Setting.DETECTION);
     Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
-    Choice choice = new Choice(detection, threshold, asked.value(Setting.POLICY));
+    LiveChoice choice = new LiveChoice(detection, threshold, asked.value(Setting.POLICY));
     LiveRun run =
         new LiveRun(catalogue, scenario, choice, asked.seed(), FloorPictures.of(file, scenario));
     String page = LivePage.html(catalogue, scenario.name(), detection);
-    try (Session session = new Session(run);
+    try (LiveSession session = new LiveSession(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {
       spec.commandLine().getOut().println(server.address());
       spec.commandLine().getOut().flush();

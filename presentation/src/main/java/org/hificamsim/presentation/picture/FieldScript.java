@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.hificamsim.presentation.plot.Legend;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
@@ -27,6 +28,8 @@ import org.mozilla.javascript.ScriptableObject;
  */
 final class FieldScript {
   private static final String MODULE = "picture.js";
+  private static final double SIGN = 5.5; // radius of a legend's sign, points
+  private static final int LEGEND_ROW = 24;
   private static final Pattern COLOR = Pattern.compile("--(\\w+): (#[0-9a-f]{6})");
   private static final Script SCRIPT =
       in(context -> context.compileString(Scripts.bundle(MODULE), MODULE, 1, null));
@@ -79,28 +82,25 @@ final class FieldScript {
     return (Paint) Context.jsToJava(call("never", new ScriptCanvas(null)), Paint.class);
   }
 
-  /**
-   * What a sign of the picture means.
-   *
-   * @param mark paints the sign; null where there is none
-   */
-  record Sign(String label, Function mark) {}
-
-  /** The signs of a picture, group by group. */
-  List<List<Sign>> signs(Look look) {
+  /** What the signs in a picture mean, group by group. */
+  Legend legend(Look look, int width) {
     Object groups = call("signs", setup, colors, look.zones().orElse(-1), new ScriptCanvas(null));
-    return ((List<?>) groups)
-        .stream().map(group -> ((List<?>) group).stream().map(FieldScript::sign).toList()).toList();
+    return new Legend(
+        ((List<?>) groups)
+            .stream().map(group -> ((List<?>) group).stream().map(this::entry).toList()).toList(),
+        width,
+        (int) (2 * SIGN),
+        LEGEND_ROW);
   }
 
-  private static Sign sign(Object entry) {
+  private Legend.Entry entry(Object entry) {
     Map<?, ?> properties = (Map<?, ?>) entry;
-    return new Sign(properties.get("label").toString(), (Function) properties.get("mark"));
-  }
-
-  /** Paints a sign about a place. */
-  void paint(Graphics2D graphics, Sign sign, double x, double y, double radius) {
-    call(sign.mark, new ScriptCanvas(graphics), x, y, radius);
+    String label = properties.get("label").toString();
+    Function mark = (Function) properties.get("mark");
+    return mark == null
+        ? new Legend.Entry(label, null)
+        : new Legend.Entry(
+            label, (graphics, x, y) -> call(mark, new ScriptCanvas(graphics), x + SIGN, y, SIGN));
   }
 
   /**

@@ -15,7 +15,7 @@ import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 
 /** A recorded run by frames, ready to be painted. For one thread at a time. */
@@ -23,7 +23,7 @@ public final class RunFrames {
   private static final int TRAIL = 40; // frames, as in scene.js
 
   private final Setup setup;
-  private final Recording recording;
+  private final RecordedRun recording;
   private final Look look;
   private final FieldScript script;
   private final BufferedImage[] floor;
@@ -31,11 +31,11 @@ public final class RunFrames {
   private final int[] kMin;
   private final int most;
 
-  public RunFrames(Setup setup, Recording recording) {
+  public RunFrames(Setup setup, RecordedRun recording) {
     this(setup, recording, Look.USUAL);
   }
 
-  public RunFrames(Setup setup, Recording recording, Look look) {
+  public RunFrames(Setup setup, RecordedRun recording, Look look) {
     this.setup = setup;
     this.look = look;
     this.script = new FieldScript(setup);
@@ -69,7 +69,7 @@ public final class RunFrames {
     return script;
   }
 
-  Recording recording() {
+  RecordedRun recording() {
     return recording;
   }
 

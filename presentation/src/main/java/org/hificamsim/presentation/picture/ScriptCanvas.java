@@ -33,13 +33,12 @@ import java.util.regex.Pattern;
 public final class ScriptCanvas {
   private static final Pattern FONT = Pattern.compile("(bold )?([\\d.]+)px .*");
   private static final FontRenderContext TEXT = new FontRenderContext(null, true, true);
-  private static final double HATCH = 7; // points from line to line
-  private static final int HATCH_PIXELS = 56;
+  private static final int TILE_PIXELS = 8; // a point's
 
   /** Viewers of SVG files blur pixels: these are cells many pixels wide. */
   private static final int CELL_PIXELS = 1600;
 
-  /** A colour of the style sheet or what {@link #hatch} returned. */
+  /** A colour of the style sheet or what {@link #pattern} returned. */
   public Object fillStyle = "#000000";
 
   public String strokeStyle = "#000000";
@@ -238,22 +237,16 @@ public final class ScriptCanvas {
     return Color.decode(style);
   }
 
-  /** Diagonal lines on a pale ground, to be filled with. */
-  public Object hatch(String colour, double unit) {
-    int side = HATCH_PIXELS;
-    BufferedImage tile = new BufferedImage(side, side, BufferedImage.TYPE_INT_ARGB);
-    Graphics2D pixels = tile.createGraphics();
-    pixels.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    pixels.setColor(color(colour));
-    pixels.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, 0.22f));
-    pixels.fillRect(0, 0, side, side);
-    pixels.setComposite(AlphaComposite.getInstance(AlphaComposite.SRC_OVER, 0.7f));
-    pixels.setStroke(new BasicStroke((float) (side / HATCH)));
-    for (int from = -side; from <= side; from += side) {
-      pixels.drawLine(from, side, from + side, 0);
-    }
-    pixels.dispose();
-    return new TexturePaint(tile, new Rectangle2D.Double(0, 0, HATCH * unit, HATCH * unit));
+  /** A square tile, painted once, to be filled with. */
+  public Object pattern(double side, Consumer<ScriptCanvas> paint) {
+    int pixels = (int) Math.round(TILE_PIXELS * side);
+    BufferedImage tile = new BufferedImage(pixels, pixels, BufferedImage.TYPE_INT_ARGB);
+    Graphics2D tiled = tile.createGraphics();
+    tiled.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    tiled.scale(TILE_PIXELS, TILE_PIXELS);
+    paint.accept(new ScriptCanvas(tiled));
+    tiled.dispose();
+    return new TexturePaint(tile, new Rectangle2D.Double(0, 0, side, side));
   }
 
   /**

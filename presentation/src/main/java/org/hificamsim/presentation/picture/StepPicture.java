@@ -10,6 +10,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Fonts;
+import org.hificamsim.presentation.plot.Legend;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.Picture;
 import org.hificamsim.presentation.plot.XyPanel;
@@ -27,7 +28,7 @@ public final class StepPicture implements Picture {
 
   private final RunFrames run;
   private final int index;
-  private final SignLegend legend;
+  private final Legend legend;
 
   /**
    * @param index the frame to be shown
@@ -35,7 +36,7 @@ public final class StepPicture implements Picture {
   public StepPicture(RunFrames run, int index) {
     this.run = run;
     this.index = index;
-    this.legend = new SignLegend(run.script().signs(run.look()), WIDTH - 2 * MARGIN);
+    this.legend = run.script().legend(run.look(), WIDTH - 2 * MARGIN);
   }
 
   @Override
@@ -74,7 +75,7 @@ public final class StepPicture implements Picture {
             coverage.covered1()));
     run.script().paint(graphics, area, run, index, null, null);
     int top = (int) area.getMaxY();
-    legend.paint(run.script(), graphics, MARGIN, top);
+    legend.paint(graphics, MARGIN, top);
     Graphics2D strip = (Graphics2D) graphics.create();
     strip.translate(MARGIN, top + legend.height());
     kMin().chart().paint(strip, (int) area.getWidth(), STRIP);

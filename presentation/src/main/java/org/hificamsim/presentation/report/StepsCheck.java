@@ -8,7 +8,7 @@ import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.presentation.replay.Frame;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.runs.output.RunTables;
 import org.hificamsim.runs.output.StepCursor;
 import org.hificamsim.runs.output.StepRow;
@@ -19,7 +19,7 @@ final class StepsCheck {
   private long performance;
 
   /** Adds the frames of a run. */
-  void expect(Recording recording) throws IOException {
+  void expect(RecordedRun recording) throws IOException {
     StringWriter text = new StringWriter();
     StepCursor at = new StepCursor();
     try (NumberRows row = new NumberRows(text, "", ',', "")) {

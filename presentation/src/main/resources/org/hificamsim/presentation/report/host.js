@@ -1,31 +1,14 @@
 // What scenes need that a browser's canvas does in its own way: see paintScene.
 
 const layer = document.createElement('canvas');
-const tiles = new Map();
-
-/** A tile of pale ground and a diagonal line, which shows on light and on dark floors. */
-function tile(colour, side) {
-  const canvas = document.createElement('canvas');
-  canvas.width = canvas.height = side;
-  const context = canvas.getContext('2d');
-  context.fillStyle = context.strokeStyle = colour;
-  context.globalAlpha = 0.22;
-  context.fillRect(0, 0, side, side);
-  context.globalAlpha = 0.7;
-  context.beginPath();
-  for (const from of [-side, 0, side]) {
-    context.moveTo(from, side);
-    context.lineTo(from + side, 0);
-  }
-  context.stroke();
-  return context.createPattern(canvas, 'repeat');
-}
 
 export const host = {
-  hatch(colour, unit) {
-    const key = `${colour} ${Math.round(7 * unit)}`;
-    if (!tiles.has(key)) tiles.set(key, tile(colour, Math.round(7 * unit)));
-    return tiles.get(key);
+  pattern(side, paint) {
+    const tile = document.createElement('canvas');
+    tile.width = tile.height = side;
+    const context = tile.getContext('2d');
+    paint(context);
+    return context.createPattern(tile, 'repeat');
   },
 
   cells(columns, rows, colourOf) {

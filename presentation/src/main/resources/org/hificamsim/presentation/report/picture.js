@@ -1,5 +1,5 @@
 // Scenes as Java's FieldScript asks for them: the numbers of a run come as Java's arrays, all else as JSON. Rhino runs this file: see scene.js.
-import { fit, HEAT, heightFor, LAYERS, legend, MAP_LAYERS, NEVER, paintScene, paintTracks } from './scene.js';
+import { fit, hatch, HEAT, heightFor, LAYERS, legend, MAP_LAYERS, NEVER, paintScene, paintTracks } from './scene.js';
 import { scaleColour } from './palette.js';
 
 const TRACK_POINTS = 200000;
@@ -14,7 +14,7 @@ export const signs = (setup, colours, zoned, host) => legend({run: {setup}, colo
 export const scale = count => Array.from({length: count}, (none, i) => scaleColour((i + 0.5) / count).map(part => Math.round(255 - HEAT * (255 - part))));
 
 /** How a heat map fills what no camera ever covers. */
-export const never = host => host.hatch(NEVER, 1);
+export const never = host => hatch(host, NEVER, 1);
 
 /**
  * Paints a frame, or a heat map where there is one.

@@ -32,7 +32,7 @@ export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras];
  * `map`: from `fit`; `unit`: pixels of a pixel, which grow with the text; `colours`: by their names in the style sheet;
  * `selected`: the chosen camera and `zoned`: the one whose pixel densities are shown, -1 for none;
  * `heat`: the record ShownFigure with `columns`, `rows` and `values`, or nothing; `floor`: a list of {area, image}, `opacity` of these; `tracks(context)` or nothing;
- * `host`: what each canvas does in its own way: `hatch(colour, unit)`, a style for filling, `cells(columns, rows, colourOf)`, an image,
+ * `host`: what each canvas does in its own way: `pattern(side, paint)`, a style for filling, `cells(columns, rows, colourOf)`, an image,
  * and `through(context, mask, style)`, which fills what `mask(canvas)` covers and leaves covered.
  */
 export function paintScene(context, scene, layers = LAYERS) {
@@ -106,6 +106,29 @@ function niceGap(least) {
   return power * [1, 2, 5, 10].find(factor => factor * power >= least);
 }
 
+const hatches = new Map();
+
+/** A style for filling: pale ground with diagonal lines, which show on light and on dark floors. */
+export function hatch(host, colour, unit) {
+  const key = `${colour} ${unit}`;
+  const side = Math.round(7 * unit);
+  if (!hatches.has(key)) {
+    hatches.set(key, host.pattern(side, tile => {
+      tile.fillStyle = tile.strokeStyle = colour;
+      tile.globalAlpha = 0.22;
+      tile.fillRect(0, 0, side, side);
+      tile.globalAlpha = 0.7;
+      tile.beginPath();
+      [-side, 0, side].forEach(from => {
+        tile.moveTo(from, side);
+        tile.lineTo(from + side, 0);
+      });
+      tile.stroke();
+    }));
+  }
+  return hatches.get(key);
+}
+
 /** The cells of a heat map: in colours what is above 0, hatched what is 0, nothing where there is nothing to show. */
 function heat(context, {heat, map, run, unit, host}) {
   if (!heat) return;
@@ -119,7 +142,7 @@ function heat(context, {heat, map, run, unit, host}) {
     let row = Math.floor(cell / columns);
     context.rect(left + ((cell - row * columns) * width) / columns, bottom - ((1 + row) * height) / rows, width / columns, height / rows);
   }
-  context.fillStyle = host.hatch(NEVER, unit);
+  context.fillStyle = hatch(host, NEVER, unit);
   context.fill();
   context.globalAlpha = HEAT;
   context.imageSmoothingEnabled = false;
@@ -190,7 +213,7 @@ function shadows(context, scene) {
     cut.forEach(view => fillDetected(mask, map, view));
     mask.globalCompositeOperation = 'destination-out';
     seeing.forEach(view => inSight(mask, map, view, () => fillDetected(mask, map, view)));
-  }, host.hatch(colours.shadow, unit));
+  }, hatch(host, colours.shadow, unit));
 }
 
 /** Walls, polygons and pillars; what lets light through is paler and dashed. */
@@ -387,7 +410,7 @@ export function legend({run: {setup}, colours, zoned, host, unit}) {
   const kinds = new Set((setup.obstacles ?? []).map(({transmittance}) => transmittance));
   const through = Array.from(kinds).filter(part => part > 0).sort((a, b) => a - b).slice(0, 3);
   const site = [
-    ...(kinds.has(0) ? [{label: 'obstacle', mark: obstacle(0)}, {label: 'hidden from all by obstacles', mark: filled(host.hatch(colours.shadow, unit))}] : []),
+    ...(kinds.has(0) ? [{label: 'obstacle', mark: obstacle(0)}, {label: 'hidden from all by obstacles', mark: filled(hatch(host, colours.shadow, unit))}] : []),
     ...through.map(part => ({label: `lets ${decimals(100 * part, 1)} % through`, mark: obstacle(part)})),
     ...(setup.slow ? [{label: 'moves, sees nothing', mark: ringed(colours.range, BLIND)}] : []),
   ];

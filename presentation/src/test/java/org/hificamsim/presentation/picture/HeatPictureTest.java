@@ -17,7 +17,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.replay.Frame;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.TargetSetup;
 import org.hificamsim.runs.heat.Cells;
@@ -214,7 +214,7 @@ class HeatPictureTest {
     for (int step = 0; step < 4; step++) {
       frames.add(frame(step, present[step]));
     }
-    Recording recording = new Recording(0, 0, 4, 1, "", List.of(), frames);
+    RecordedRun recording = new RecordedRun(0, 0, 4, 1, "", List.of(), frames);
     return new RunFrames(setup, recording, new Look(0.5, OptionalInt.empty(), tracks));
   }
 

@@ -21,9 +21,9 @@ import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Interval;
-import org.hificamsim.presentation.replay.Lens;
 import org.hificamsim.presentation.replay.Level;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.LevelOptics;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.junit.jupiter.api.Test;
 
@@ -147,7 +147,7 @@ class SitePictureTest {
             Math.PI / 3,
             List.of(level),
             List.of(-Math.PI / 2, 0.0),
-            List.of(new Lens(Math.PI / 3, 500)),
+            List.of(new LevelOptics(Math.PI / 3, 500)),
             visible);
     return new Setup(
         "hall",
@@ -187,7 +187,7 @@ class SitePictureTest {
             new double[0][],
             new double[0][],
             new int[] {seeing});
-    return new RunFrames(setup, new Recording(0, 0, 1, 1, "", List.of(), List.of(frame)), look);
+    return new RunFrames(setup, new RecordedRun(0, 0, 1, 1, "", List.of(), List.of(frame)), look);
   }
 
   private static BufferedImage image(Setup setup, int seeing, Look look) {

@@ -66,7 +66,7 @@ class StepPictureTest {
             0,
             1);
     World world = new World(plan.scenario(), catalogue.movements(), 0);
-    Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0);
+    Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0, List.of());
     ReplayRecorder recorder = new ReplayRecorder(setup, plan.detection(), 1);
     new RunExecutor(catalogue).execute(plan, i -> List.of(recorder.listener(i)));
     try (OutputStream out = Files.newOutputStream(folder.resolve(ResultFolder.REPLAY))) {

@@ -12,7 +12,6 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
-import org.hificamsim.core.file.RowsAside;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
@@ -57,7 +56,7 @@ public final class RunFolder implements Closeable {
     try {
       zooms = record ? format.create(cameraTable, folder) : null;
       targets = record ? format.create(targetTable, folder) : null;
-      steps = RowsAside.of(format.create(stepTable, folder));
+      steps = format.create(stepTable, folder);
     } catch (IOException | RuntimeException e) {
       folder.close(); // and its lock, for whoever tries again
       throw e;

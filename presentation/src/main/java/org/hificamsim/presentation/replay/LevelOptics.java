@@ -9,11 +9,11 @@ import org.hificamsim.core.detection.ZoomLevel;
  * @param density pixels per metre at a distance of one metre; 0 where the scenario names no pixels
  *     or no lens
  */
-public record Lens(double viewingAngle, double density) {
+public record LevelOptics(double viewingAngle, double density) {
   /** Of a zoom level: W / (2 tan(theta / 2)), W pixels across an angle of view theta. */
-  static Lens of(ZoomLevel zoom) {
+  static LevelOptics of(ZoomLevel zoom) {
     boolean known = zoom.pixels() > 0 && zoom.angleOfView() < Math.PI;
     double across = known ? 2 * StrictMath.tan(zoom.angleOfView() / 2) : 1;
-    return new Lens(zoom.viewingAngle(), known ? zoom.pixels() / across : 0);
+    return new LevelOptics(zoom.viewingAngle(), known ? zoom.pixels() / across : 0);
   }
 }

@@ -12,7 +12,7 @@ import java.util.List;
  * @param moves by step
  * @param frames by step
  */
-public record Recording(
+public record RecordedRun(
     int run,
     long seed,
     long steps,

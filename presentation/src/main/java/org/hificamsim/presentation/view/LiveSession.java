@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -19,7 +20,7 @@ import org.hificamsim.runs.RunFault;
  * A live run on a thread of its own: it steps by the clock and does what commands say between two
  * steps, in their order. Everything that touches the run goes through its queue.
  */
-public final class Session implements AutoCloseable {
+public final class LiveSession implements AutoCloseable {
   private static final int MAX_PER_SECOND = 1000;
   private static final int MAX_STEPS = 1000;
 
@@ -92,9 +93,9 @@ public final class Session implements AutoCloseable {
   private long heatDue;
 
   /** A session that is paused after the first step. */
-  public Session(LiveRun run) {
+  public LiveSession(LiveRun run) {
     this.run = run;
-    this.kept = HistoryLimit.steps(run.sides().get(0).setup());
+    this.kept = StepBuffer.most(run.sides().get(0).setup());
     this.history = new StepBuffer(kept);
     step();
     thread.setDaemon(true);
@@ -238,45 +239,19 @@ public final class Session implements AutoCloseable {
     tellState();
   }
 
-  void restart(long seed, boolean keepCameras) {
-    if (!keepCameras) {
-      run.forgetEdits();
-    }
-    run.restart(seed);
-    beginAnew();
+  /** Does something to the run that is seen from the next step on. */
+  void change(Consumer<LiveRun> change) {
+    change.accept(run);
   }
 
-  void compare(boolean on) {
-    run.compare(on);
-    beginAnew();
-  }
-
-  void drag(int camera, double x, double y) {
-    run.drag(camera, x, y);
-  }
-
-  void turn(int camera, double heading) {
-    run.turn(camera, heading);
-  }
-
-  void add(int like, double x, double y) {
-    run.add(like, x, y);
-    beginAnew();
-  }
-
-  void hold(int camera, int view) {
-    run.hold(camera, view);
-    tellState();
-  }
-
-  void wall(double x1, double y1, double x2, double y2) {
-    run.wall(x1, y1, x2, y2);
-    beginAnew();
-  }
-
-  void remove(int obstacle) {
-    run.remove(obstacle);
-    beginAnew();
+  /** Does something to the run by which it begins again; the first step follows at once. */
+  void renew(Consumer<LiveRun> change) {
+    change.accept(run);
+    history.clear();
+    fault = "";
+    tellSetup(true);
+    step();
+    tellHeat();
   }
 
   void heat(boolean on) {
@@ -285,20 +260,11 @@ public final class Session implements AutoCloseable {
     tellState();
   }
 
-  void choose(int side, Choice choice) {
+  void choose(int side, LiveChoice choice) {
     run.choose(side, choice);
     history.replaceAll(step -> step.withoutEstimates(side));
     fault = "";
     tellSetup(false);
-  }
-
-  /** The first step follows at once, so that there is something to see. */
-  private void beginAnew() {
-    history.clear();
-    fault = "";
-    tellSetup(true);
-    step();
-    tellHeat();
   }
 
   private void tellSetup(boolean fresh) {
@@ -307,7 +273,8 @@ public final class Session implements AutoCloseable {
     tellState();
   }
 
-  private void tellState() {
+  /** Tells everybody how the run goes on. */
+  void tellState() {
     String json = state();
     watchers.forEach(watcher -> watcher.state(json));
   }
@@ -344,5 +311,21 @@ public final class Session implements AutoCloseable {
   public void close() {
     end.completeExceptionally(new SessionEnded());
     thread.interrupt();
+  }
+
+  /** No command is done any more: the session was closed, or an error, the cause, has broken it. */
+  static final class SessionEnded extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    SessionEnded() {
+      super("the session has ended");
+    }
+
+    SessionEnded(Error cause) {
+      super(
+          "the session has ended: %s: %s"
+              .formatted(cause.getClass().getSimpleName(), cause.getMessage()),
+          cause);
+    }
   }
 }

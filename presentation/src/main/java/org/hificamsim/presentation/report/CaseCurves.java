@@ -19,12 +19,12 @@ import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
 /** k_min over time of all cases, in few enough points for a page. */
-final class Curves {
+final class CaseCurves {
   private static final int MAX_POINTS_OF_A_CASE = 1_000;
   private static final int MAX_POINTS = 150_000;
   private static final double ROUNDING = 1e4;
 
-  private Curves() {}
+  private CaseCurves() {}
 
   /**
    * The curves: {@code steps} that each point is a mean over, and a list {@code cases} of {@code

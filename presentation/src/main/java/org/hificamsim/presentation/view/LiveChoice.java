@@ -7,4 +7,4 @@ package org.hificamsim.presentation.view;
  * @param threshold in [0, 1]; null for the scenario's, else the model's
  * @param policy name and options
  */
-public record Choice(String detection, Double threshold, String policy) {}
+public record LiveChoice(String detection, Double threshold, String policy) {}
