@@ -167,7 +167,7 @@ public final class Agent {
       case STOP_SEARCH -> {
         searches.end(camera, target);
         if (sees(target) && !owned.contains(target)) {
-          tally.seenElsewhere();
+          tally.count(true);
         }
       }
       case FOUND -> {
@@ -252,7 +252,9 @@ public final class Agent {
     double best = value(target);
     Bids.OfTarget offers = bids.of(target);
     if (offers == null) {
-      tally.unsold(sees(target));
+      if (sees(target)) {
+        tally.count(false);
+      }
       return;
     }
     double beforeBest = best;
@@ -281,13 +283,15 @@ public final class Agent {
     received += price;
     if (winner == camera) {
       pay(price);
-      tally.kept(sees(target), count);
+      if (sees(target) && count > 1) {
+        tally.count(true);
+      }
     } else {
       contacts.send(MessageKind.START_TRACKING, winner, target, price);
       contacts.links.strengthen(winner, target);
       contacts.advertised.remove(target, winner);
       owned.remove(target);
-      tally.sold(sees(target));
+      tally.count(sees(target));
     }
     policy.stopSearch(contacts, target);
     searches.end(camera, target);

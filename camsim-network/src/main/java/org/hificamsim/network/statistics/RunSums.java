@@ -1,13 +1,12 @@
-package org.hificamsim.network.files;
+package org.hificamsim.network.statistics;
 
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.hificamsim.network.statistics.StepFigures;
 
 /** The sums of a run's figures, one row of CamSim's summary file (behaviour 10.5). */
 public final class RunSums {
   /** The columns. Those without CUMULATIVE in front are of a step that never began, hence 0. */
-  static final String HEADER =
+  public static final String HEADER =
       "SEED,TIME,GLOBAL_UTILITY,CUMULATIVE_UTILITY,COMMUNICATION,CUMULATIVE_COMM,HANDOVER,"
           + "CUMULATIVE_HANDOVER,CUMULATIVE_COMM_OH,VISIBLE,OVERLAP,CONFIDENCE,PROPORTION";
 
@@ -53,7 +52,7 @@ public final class RunSums {
   }
 
   /** The row of the summary. */
-  String row(long seed) {
+  public String row(long seed) {
     return Stream.of(
             seed,
             steps,
