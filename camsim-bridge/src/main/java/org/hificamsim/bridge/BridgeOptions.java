@@ -11,7 +11,6 @@ import org.hificamsim.bridge.run.Tracks;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
@@ -101,8 +100,7 @@ final class BridgeOptions {
     if (detect.isPresent()) {
       asked = asked.with(Setting.DETECT, detect.get().replace(';', ','));
     }
-    return DetectionSpec.parse(name, catalogue::detection)
-        .detection(asked);
+    return DetectionSpec.parse(name, catalogue::detection).detection(asked);
   }
 
   private static Tracks tracks(String scenario) {

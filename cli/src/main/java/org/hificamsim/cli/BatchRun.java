@@ -48,8 +48,7 @@ final class BatchRun {
   /**
    * @param references what is run in addition to the command's plans
    */
-  BatchRun(
-      Screen screen, BatchOptions options, Catalogue catalogue, ReferencePolicies references) {
+  BatchRun(Screen screen, BatchOptions options, Catalogue catalogue, ReferencePolicies references) {
     this.screen = screen;
     this.options = options;
     this.catalogue = catalogue;

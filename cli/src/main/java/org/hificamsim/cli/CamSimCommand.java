@@ -140,8 +140,7 @@ final class CamSimCommand implements Callable<Integer>, SettingOptions.User {
   private RunPlan plan(Catalogue catalogue, NetworkSettings camSims) {
     Numbers.inRange("-t", steps, 0, RunPlan.MAX_STEPS);
     Settings asked = settings.settings();
-    DetectionSpec spec =
-        DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
+    DetectionSpec spec = DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
     Scenario scenario =
         asked.scenario(
             CamSimScenario.read(

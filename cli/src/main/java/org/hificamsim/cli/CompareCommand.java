@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.presentation.plot.PrintWidth;
@@ -57,8 +56,7 @@ final class CompareCommand implements Callable<Integer>, SettingOptions.User {
       description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
   private Optional<String> figureWidth;
 
-  private final SettingOptions settings =
-      SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Mixin private ScenarioOptions scenarioOptions;
 

@@ -11,7 +11,6 @@ import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.generate.RandomField;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;

@@ -11,7 +11,6 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.reproduction.ladder.Ladder;
 import org.hificamsim.reproduction.ladder.LadderFiles;
-import org.hificamsim.reproduction.ladder.LadderResult;
 import org.hificamsim.reproduction.ladder.Rung;
 import org.hificamsim.reproduction.ladder.Rungs;
 import org.hificamsim.reproduction.ladder.WorldRungs;
@@ -71,8 +70,7 @@ final class LadderCommand implements Callable<Integer>, SettingOptions.User {
       description = "Zoom policies to choose from, P:key=value,key=value,Q.")
   private String policies;
 
-  private final SettingOptions settings =
-      SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Mixin private ScenarioOptions scenarioOptions;
 
@@ -125,9 +123,7 @@ final class LadderCommand implements Callable<Integer>, SettingOptions.User {
   private List<Rung> rungsAsked() {
     Optional<List<String>> names =
         rungs.map(text -> Arrays.stream(text.split(",", -1)).map(String::strip).toList());
-    return Setting.choice(Of.class, "--of", of) == Of.WORLD
-        ? ofWorld(names)
-        : ofDetection(names);
+    return Setting.choice(Of.class, "--of", of) == Of.WORLD ? ofWorld(names) : ofDetection(names);
   }
 
   private List<Rung> ofWorld(Optional<List<String>> names) {

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.reproduction.Judgement;
 import org.hificamsim.reproduction.ReproductionFiles;
 import org.hificamsim.reproduction.ReproductionPlans;
 import org.hificamsim.runs.RunPlan;

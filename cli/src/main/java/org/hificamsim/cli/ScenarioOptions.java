@@ -9,18 +9,11 @@ import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
-import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionRule;
-import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Settings;
-import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /** How scenario files are read: with their settings, and {@code --strict}. */

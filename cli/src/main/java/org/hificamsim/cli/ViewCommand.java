@@ -37,8 +37,7 @@ final class ViewCommand implements Callable<Integer>, SettingOptions.User {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  private final SettingOptions settings =
-      SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
+  private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
 
   @Mixin private ScenarioOptions scenarioOptions;
 

@@ -7,8 +7,8 @@ import com.fasterxml.jackson.databind.PropertyNamingStrategies;
 import com.fasterxml.jackson.databind.exc.UnrecognizedPropertyException;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
-import java.util.Map;
 import java.util.EnumSet;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
@@ -95,8 +95,7 @@ record Request(Settings asked, Environment own) {
 
   /** Reads the scenario, and finds everything by its name. */
   WorldSettings worldSettings(Catalogue catalogue) {
-    DetectionSpec spec =
-        DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
+    DetectionSpec spec = DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
     Scenario scenario =
         asked.scenario(
             ScenarioReader.read(

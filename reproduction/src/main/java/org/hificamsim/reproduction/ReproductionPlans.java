@@ -12,8 +12,8 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Settings;
 
 /**
  * All runs that Table 8.1, the figures and the statements need.
@@ -68,9 +68,7 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
         .map(
             one ->
                 asked.plan(
-                    scenarios.get(one.scenario()),
-                    detections.get(one.detection()),
-                    one.policy()))
+                    scenarios.get(one.scenario()), detections.get(one.detection()), one.policy()))
         .toList();
   }
 

@@ -41,7 +41,8 @@ class Table81Test {
     }
     List<RunPlan> plans =
         new ReproductionPlans(
-                scenarios, Settings.NONE.with(Setting.STEPS, "10").with(Setting.REPEAT, "2")).plans(Catalogue.load()::detection);
+                scenarios, Settings.NONE.with(Setting.STEPS, "10").with(Setting.REPEAT, "2"))
+            .plans(Catalogue.load()::detection);
     return new Table81(new Cases(plans.stream().map(Table81Test::result).toList())).cells();
   }
 

@@ -41,8 +41,7 @@ public enum Setting {
       "RULE",
       null,
       new Holder(
-          plan ->
-              plan.detection().certain() ? null : plan.detection().rule().text(),
+          plan -> plan.detection().certain() ? null : plan.detection().rule().text(),
           (name, text) -> DetectionRule.parse(text),
           (scenario, text) -> scenario.withDetect(DetectionRule.parse(text))),
       "How a confidence becomes a detection: threshold; chance, drawn from the scatter of the"
@@ -221,9 +220,7 @@ public enum Setting {
 
   /** The value in a plan; empty where it does not apply. */
   public Optional<String> of(RunPlan plan) {
-    return isOwn()
-        ? Optional.of(plan.own().get(this))
-        : Optional.ofNullable(holder.of.apply(plan));
+    return isOwn() ? Optional.of(plan.own().get(this)) : Optional.ofNullable(holder.of.apply(plan));
   }
 
   /**

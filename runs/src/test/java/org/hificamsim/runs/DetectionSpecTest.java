@@ -64,10 +64,7 @@ class DetectionSpecTest {
   @Test
   void refusesToAskForAThresholdThatIsNone() {
     for (double threshold : new double[] {-0.1, 1.1, Double.NaN}) {
-      assertThrows(
-          InputException.class,
-          () -> asked(threshold, null),
-          "no fault");
+      assertThrows(InputException.class, () -> asked(threshold, null), "no fault");
     }
   }
 

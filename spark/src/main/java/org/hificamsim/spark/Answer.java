@@ -5,8 +5,8 @@ import org.hificamsim.runs.compare.FinishedRun;
 import org.hificamsim.runs.compare.RunTask;
 
 /**
- * What came of a task: a finished run, or the fault that a run had. A fault is an answer, since Spark
- * would try a task that throws again and again.
+ * What came of a task: a finished run, or the fault that a run had. A fault is an answer, since
+ * Spark would try a task that throws again and again.
  *
  * @param run null when there is a fault
  * @param fault null when there is none

@@ -52,8 +52,7 @@ record PortablePlan(
    * @throws InputException when models, jars or the version here are others than where it was made
    */
   RunPlan plan(Catalogue catalogue) {
-    RunPlan plan =
-        new RunPlan(readScenario(catalogue), detection.detection(catalogue), own);
+    RunPlan plan = new RunPlan(readScenario(catalogue), detection.detection(catalogue), own);
     RunKey there = RunKey.of(plan);
     if (!there.text().equals(key)) {
       String input = there.changed(RunKey.read(key)).orElse("a user's jar");

@@ -71,8 +71,7 @@ class MixedModelsTest {
       Path journal = out.path().resolve(Journal.NAME);
       byte[] finished = Files.readAllBytes(journal);
       InputException fault =
-          assertThrows(
-              InputException.class, () -> compare(CATALOGUE, plan(model("0.2")), out));
+          assertThrows(InputException.class, () -> compare(CATALOGUE, plan(model("0.2")), out));
       assertTrue(
           fault.getMessage().contains("has runs of another detection 'mine'"), fault.getMessage());
       assertArrayEquals(finished, Files.readAllBytes(journal));
@@ -88,9 +87,7 @@ class MixedModelsTest {
         new Catalogue(here, CATALOGUE.policies(), CATALOGUE.movements(), CATALOGUE.listeners());
     try (OutputFolder out = new OutputFolder(folder.resolve("out"))) {
       InputException fault =
-          assertThrows(
-              InputException.class,
-              () -> compare(changed, plan(new Blind()), out));
+          assertThrows(InputException.class, () -> compare(changed, plan(new Blind()), out));
       assertTrue(
           fault.getMessage().contains("detection 'geometric' is another on an executor than here"),
           fault.getMessage());

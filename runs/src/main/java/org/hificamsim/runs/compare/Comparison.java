@@ -33,8 +33,7 @@ public final class Comparison {
       List<RunPlan> asked, ReferencePolicies references, RunEngine engine) throws IOException {
     List<RunPlan> plans = references.with(asked);
     List<CaseUnderWay> cases = plans.stream().map(CaseUnderWay::new).toList();
-    engine.run(
-        plans, tasks(plans), (task, run) -> cases.get(task.plan()).take(task.repeat(), run));
+    engine.run(plans, tasks(plans), (task, run) -> cases.get(task.plan()).take(task.repeat(), run));
     return score(cases).subList(0, ReferencePolicies.withOptimum(asked).size());
   }
 

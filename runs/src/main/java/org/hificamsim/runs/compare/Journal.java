@@ -135,9 +135,7 @@ public final class Journal implements Closeable {
   /** The result of a run that was finished before. */
   synchronized Optional<FinishedRun> find(String key, long seed) throws IOException {
     Line line = lines.get(JournalLine.key(key, seed));
-    return line == null
-        ? Optional.empty()
-        : JournalLine.parse(bytes(line)).map(JournalLine::run);
+    return line == null ? Optional.empty() : JournalLine.parse(bytes(line)).map(JournalLine::run);
   }
 
   /** Appends a finished run, in one write. */

@@ -44,7 +44,8 @@ record JournalLine(String key, FinishedRun run) {
       Entry entry = MAPPER.readValue(line, Entry.class);
       return entry == null
           ? Optional.empty()
-          : Optional.of(new JournalLine(entry.key, new FinishedRun(entry.result, unpack(entry.kMin))));
+          : Optional.of(
+              new JournalLine(entry.key, new FinishedRun(entry.result, unpack(entry.kMin))));
     } catch (IOException e) {
       return Optional.empty();
     }

@@ -7,8 +7,8 @@ import java.util.Optional;
 import org.hificamsim.runs.RunPlan;
 
 /**
- * An engine whose finished runs are kept in a journal: those that are there already are not computed
- * again.
+ * An engine whose finished runs are kept in a journal: those that are there already are not
+ * computed again.
  *
  * @param engine where the others are computed, configured
  * @param progress is notified of each run

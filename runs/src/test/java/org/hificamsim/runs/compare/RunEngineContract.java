@@ -148,13 +148,15 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
     Map<RunTask, FinishedRun> outcomes = run(plans, tasks);
     assertEquals(tasks.size(), outcomes.size());
     for (RunTask task : tasks) {
-      FinishedRun alone = FinishedRun.of(new RunExecutor(CATALOGUE), plans.get(task.plan()), task.repeat());
+      FinishedRun alone =
+          FinishedRun.of(new RunExecutor(CATALOGUE), plans.get(task.plan()), task.repeat());
       assertEquals(alone.result(), outcomes.get(task).result());
       assertArrayEquals(alone.kMin(), outcomes.get(task).kMin());
     }
   }
 
-  private Map<RunTask, FinishedRun> run(List<RunPlan> plans, List<RunTask> tasks) throws IOException {
+  private Map<RunTask, FinishedRun> run(List<RunPlan> plans, List<RunTask> tasks)
+      throws IOException {
     Map<RunTask, FinishedRun> outcomes = new ConcurrentHashMap<>();
     engines.get().run(plans, tasks, outcomes::put);
     return outcomes;
