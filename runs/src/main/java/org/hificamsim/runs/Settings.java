@@ -20,7 +20,7 @@ public final class Settings {
   /**
    * The same settings and another.
    *
-   * @throws InputException when it cannot have the value
+   * @throws org.hificamsim.core.InputException when it cannot have the value
    */
   public Settings with(Setting setting, String value) {
     return with(setting, value, setting.label());
@@ -30,7 +30,7 @@ public final class Settings {
    * The same settings and another.
    *
    * @param name that an error gives the setting
-   * @throws InputException when it cannot have the value
+   * @throws org.hificamsim.core.InputException when it cannot have the value
    */
   public Settings with(Setting setting, String value, String name) {
     setting.check(name, value);
