@@ -33,7 +33,7 @@ import picocli.CommandLine.Parameters;
       "Runs a scenario as CamSim does, network and all, and writes CamSim's files.",
       "A --policy zooms over the file's zoom list, which CamSim ignores."
     })
-final class CamSimCommand implements Callable<Integer>, SettingOptions.User {
+final class CamSimCommand implements Callable<Integer> {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
@@ -73,7 +73,7 @@ final class CamSimCommand implements Callable<Integer>, SettingOptions.User {
 
   @Mixin private CamSimOptions options;
 
-  private final SettingOptions settings =
+  @Mixin private final SettingOptions settings =
       SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY)
           .open(Setting.POLICY);
 
@@ -99,11 +99,6 @@ final class CamSimCommand implements Callable<Integer>, SettingOptions.User {
   private Optional<Path> forCamSim;
 
   @Mixin private Screen screen;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return settings;
-  }
 
   @Override
   public Integer call() throws IOException {

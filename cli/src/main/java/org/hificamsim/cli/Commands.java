@@ -58,16 +58,6 @@ final class Commands {
   private static CommandLine with(List<Class<?>> commands) {
     CommandLine line = new CommandLine(new Main());
     commands.forEach(line::addSubcommand);
-    addSettings(line);
     return line;
-  }
-
-  private static void addSettings(CommandLine line) {
-    for (CommandLine command : line.getSubcommands().values()) {
-      if (command.getCommand() instanceof SettingOptions.User user) {
-        user.settingOptions().addTo(command.getCommandSpec());
-      }
-      addSettings(command);
-    }
   }
 }

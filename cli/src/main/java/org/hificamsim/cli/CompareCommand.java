@@ -29,7 +29,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "compare",
     description = "Compares policies and detection models over scenarios and seeds.")
-final class CompareCommand implements Callable<Integer>, SettingOptions.User {
+final class CompareCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
@@ -56,18 +56,13 @@ final class CompareCommand implements Callable<Integer>, SettingOptions.User {
       description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
   private Optional<String> figureWidth;
 
-  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return settings;
-  }
 
   @Override
   public Integer call() throws IOException {
@@ -95,11 +90,7 @@ final class CompareCommand implements Callable<Integer>, SettingOptions.User {
     List<DetectionSpec> specs = DetectionList.split(detections, catalogue);
     List<String> zooms = PolicyList.split(policies, catalogue.policies());
     Distinct.require("--policies", zooms);
-    List<Scenario> scenarios =
-        files.stream()
-            .map(file -> scenarioOptions.read(file, asked, catalogue, screen.err()))
-            .toList();
-    Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
+    List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     List<RunPlan> plans = new ArrayList<>();
     for (Scenario scenario : scenarios) {
       List<Detection> used = specs.stream().map(one -> one.detection(asked, scenario)).toList();

@@ -42,7 +42,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "fit",
     description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
-final class FitCommand implements Callable<Integer>, SettingOptions.User {
+final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
   private static final int WIDTH = 16; // of the models' names, at least
 
@@ -107,16 +107,11 @@ final class FitCommand implements Callable<Integer>, SettingOptions.User {
   @Option(names = "--penalty", paramLabel = "C", description = "What larger errors cost them.")
   private double penalty;
 
-  private final SettingOptions seed = SettingOptions.of(Setting.SEED);
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Mixin private ThreadsOption threads;
 
   @Spec private CommandSpec spec;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return seed;
-  }
 
   @Override
   public Integer call() throws IOException {

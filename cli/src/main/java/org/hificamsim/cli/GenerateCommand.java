@@ -11,6 +11,7 @@ import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.generate.RandomField;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -20,7 +21,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "generate",
     description = "Writes a scenario of cameras and targets strewn over a field at random.")
-final class GenerateCommand implements Callable<Integer>, SettingOptions.User {
+final class GenerateCommand implements Callable<Integer> {
   private static final int MAX = 200_000;
   private static final double LARGE = 1e9;
 
@@ -42,14 +43,9 @@ final class GenerateCommand implements Callable<Integer>, SettingOptions.User {
       description = "Square metres for each camera; default: 42.9, as in the cluster scenarios.")
   private Double area;
 
-  private final SettingOptions seed = SettingOptions.of(Setting.SEED);
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Spec private CommandSpec spec;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return seed;
-  }
 
   @Override
   public Integer call() throws IOException {

@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 @Command(
     name = "lab",
     description = "Renders photos of textured objects: a data set for 'profile measure'.")
-final class LabCommand implements Callable<Integer>, SettingOptions.User {
+final class LabCommand implements Callable<Integer> {
   private static final int MAX_OBJECTS = 8;
   private static final int MAX_CLUTTER = 1000;
 
@@ -109,16 +109,11 @@ final class LabCommand implements Callable<Integer>, SettingOptions.User {
       description = "Things in the room behind the object.")
   private int clutter;
 
-  private final SettingOptions seed = SettingOptions.of(Setting.SEED);
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Mixin private ThreadsOption threads;
 
   @Mixin private Screen screen;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return seed;
-  }
 
   @Override
   public Integer call() {

@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.reproduction.ladder.Ladder;
 import org.hificamsim.reproduction.ladder.LadderFiles;
@@ -31,7 +32,7 @@ import picocli.CommandLine.Parameters;
       "Chooses a policy by each rung of realism, and judges the choices by the top rung:",
       "predicted score, order of the policies, what the choice costs, what a step costs."
     })
-final class LadderCommand implements Callable<Integer>, SettingOptions.User {
+final class LadderCommand implements Callable<Integer> {
   /** What rises from rung to rung. */
   private enum Of {
     DETECTION,
@@ -70,18 +71,13 @@ final class LadderCommand implements Callable<Integer>, SettingOptions.User {
       description = "Zoom policies to choose from, P:key=value,key=value,Q.")
   private String policies;
 
-  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return settings;
-  }
 
   @Override
   public Integer call() throws IOException {
@@ -103,11 +99,7 @@ final class LadderCommand implements Callable<Integer>, SettingOptions.User {
     asked.asked(Setting.DETECT).ifPresent(LadderCommand::refuse);
     List<String> specs = PolicyList.split(policies, catalogue.policies());
     Distinct.require("--policies", specs);
-    List<Scenario> scenarios =
-        files.stream()
-            .map(file -> scenarioOptions.read(file, asked, catalogue, screen.err()))
-            .toList();
-    Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
+    List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     return new Ladder(
         scenarios,
         rungsAsked(),
@@ -123,7 +115,7 @@ final class LadderCommand implements Callable<Integer>, SettingOptions.User {
   private List<Rung> rungsAsked() {
     Optional<List<String>> names =
         rungs.map(text -> Arrays.stream(text.split(",", -1)).map(String::strip).toList());
-    return Setting.choice(Of.class, "--of", of) == Of.WORLD ? ofWorld(names) : ofDetection(names);
+    return Spelling.require(Of.class, "--of", of) == Of.WORLD ? ofWorld(names) : ofDetection(names);
   }
 
   private List<Rung> ofWorld(Optional<List<String>> names) {

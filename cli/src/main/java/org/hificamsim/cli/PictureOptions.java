@@ -170,13 +170,7 @@ final class PictureOptions {
     if (heat.isEmpty()) {
       return new StepPicture(run, run.at("--step", step == null ? run.last() : step));
     }
-    HeatFigure figure =
-        Spelling.find(HeatFigure.class, heat.get())
-            .orElseThrow(
-                () ->
-                    new InputException(
-                        "--heatmap is '%s', expected one of %s"
-                            .formatted(heat.get(), Spelling.all(HeatFigure.class))));
+    HeatFigure figure = Spelling.require(HeatFigure.class, "--heatmap", heat.get());
     if (!HeatTable.TABLE.isIn(folder)) {
       throw new InputException(
           "no file '%s', expected a folder that 'hificamsim run --record --heatmap' wrote"

@@ -30,7 +30,7 @@ import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
-import org.hificamsim.runs.heat.Cells;
+import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatRecorder;
 import org.hificamsim.runs.heat.HeatTable;
@@ -49,13 +49,13 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "run",
     description = "Simulates a scenario and writes steps.csv, summary.json and manifest.json.")
-final class RunCommand implements Callable<Integer>, SettingOptions.User {
+final class RunCommand implements Callable<Integer> {
   private static final int MAX_MEGABYTES = 5; // of a page
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  private final SettingOptions settings = SettingOptions.all();
+  @Mixin private final SettingOptions settings = SettingOptions.all();
 
   @Mixin private ScenarioOptions scenarioOptions;
 
@@ -106,11 +106,6 @@ final class RunCommand implements Callable<Integer>, SettingOptions.User {
   private boolean json;
 
   @Mixin private Screen screen;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return settings;
-  }
 
   @Override
   public Integer call() throws IOException {
@@ -169,7 +164,7 @@ final class RunCommand implements Callable<Integer>, SettingOptions.User {
     if (cells.isPresent() && !heatmap) {
       throw new InputException("--cells needs --heatmap beside it");
     }
-    return Numbers.inRange("--cells", cells.orElse(Cells.USUAL), 1, Cells.MAX);
+    return Numbers.inRange("--cells", cells.orElse(FieldCells.USUAL), 1, FieldCells.MAX);
   }
 
   private void tell(HeatMap map) {

@@ -54,6 +54,13 @@ final class ScenarioOptions {
     return asked.scenario(scenario);
   }
 
+  /** Reads several scenarios, each with a name of its own. */
+  List<Scenario> read(List<Path> files, Settings asked, Catalogue catalogue, PrintWriter err) {
+    List<Scenario> all = files.stream().map(file -> read(file, asked, catalogue, err)).toList();
+    Distinct.require("the scenarios' names", all.stream().map(Scenario::name).toList());
+    return all;
+  }
+
   /**
    * Warns where the cameras' viewing angles and focal lengths contradict each other, or a model is
    * asked for what it was not fitted on.

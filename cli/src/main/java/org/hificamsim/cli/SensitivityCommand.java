@@ -17,18 +17,13 @@ import picocli.CommandLine.Mixin;
     description =
         "Sweeps thresholds, targets, their size, optics, f, g, CamSim's formula and the learners'"
             + " settings around defaults.")
-final class SensitivityCommand implements Callable<Integer>, SettingOptions.User {
-  private final SettingOptions settings =
+final class SensitivityCommand implements Callable<Integer> {
+  @Mixin private final SettingOptions settings =
       SettingOptions.of(Setting.STEPS, Setting.REPEAT, Setting.SEED);
 
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return settings;
-  }
 
   @Override
   public Integer call() throws IOException {

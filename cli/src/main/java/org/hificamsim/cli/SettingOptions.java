@@ -8,18 +8,14 @@ import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
+import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Spec;
 
-/** The options of a command that are settings of a run, made of their declarations. */
+/** The options of a command that are settings of a run, made of their declarations: a mixin. */
+@Command
 final class SettingOptions {
-  /** A command that has such options. */
-  @FunctionalInterface
-  interface User {
-    /** Its options, the same at each call. */
-    SettingOptions settingOptions();
-  }
-
   private final Set<Setting> settings;
   private final Set<Setting> open = EnumSet.noneOf(Setting.class);
   private final Map<Setting, OptionSpec> options = new EnumMap<>(Setting.class);
@@ -51,7 +47,8 @@ final class SettingOptions {
     return this;
   }
 
-  /** Adds the options to a command's. */
+  /** Adds the options to those of the command that has this mixin; picocli calls it. */
+  @Spec(Spec.Target.MIXEE)
   void addTo(CommandSpec command) {
     for (Setting setting : settings) {
       OptionSpec option =
@@ -94,6 +91,6 @@ final class SettingOptions {
   }
 
   private static String name(Setting setting) {
-    return "--" + setting.label();
+    return "--" + setting.label().replace('_', '-');
   }
 }

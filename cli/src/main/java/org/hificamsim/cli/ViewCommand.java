@@ -30,14 +30,14 @@ import picocli.CommandLine.Spec;
       "Only this machine can reach the page, and only by the address that is printed.",
       "Closing the page ends the command."
     })
-final class ViewCommand implements Callable<Integer>, SettingOptions.User {
+final class ViewCommand implements Callable<Integer> {
   private static final int MAX_PORT = 65_535;
   private static final Duration GRACE = Duration.ofSeconds(5);
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
+  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
 
   @Mixin private ScenarioOptions scenarioOptions;
 
@@ -51,11 +51,6 @@ final class ViewCommand implements Callable<Integer>, SettingOptions.User {
   private boolean noBrowser;
 
   @Spec private CommandSpec spec;
-
-  @Override
-  public SettingOptions settingOptions() {
-    return settings;
-  }
 
   @Override
   public Integer call() throws IOException, InterruptedException {

@@ -12,14 +12,14 @@ final class ParquetRows implements TableRows {
   /** Rows that are gathered: few enough for a processor's cache. */
   static final int BATCH = 4096;
 
-  private final Cells[] columns;
+  private final ColumnCells[] columns;
   private final RowGroups groups;
   private int column;
   private int rows;
   private boolean closed;
 
   ParquetRows(OutputStream out, List<? extends Column<?>> columns) throws IOException {
-    this.columns = columns.stream().map(Cells::of).toArray(Cells[]::new);
+    this.columns = columns.stream().map(ColumnCells::of).toArray(ColumnCells[]::new);
     this.groups = new RowGroups(out, columns);
   }
 

@@ -72,7 +72,7 @@ final class RowGroups implements Closeable {
   }
 
   /** Writes the first cells of every column. */
-  void write(Cells[] from, int count) throws IOException {
+  void write(ColumnCells[] from, int count) throws IOException {
     for (int i = 0; i < from.length; i++) {
       from[i].write(cells.getColumnWriter(schema.getColumns().get(i)), count);
     }

@@ -15,6 +15,7 @@ import java.util.stream.Collectors;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.DetectionSpec;
@@ -106,7 +107,7 @@ record Request(Settings asked, Environment own) {
         catalogue.movements(),
         spec.detection(asked, scenario),
         new ObservationLayout(own.targets, own.neighbours),
-        Setting.choice(ActionKind.class, "actions", own.actions),
+        Spelling.require(ActionKind.class, "actions", own.actions),
         () -> Rewards.registry().create(own.reward),
         asked.steps(),
         own.autoReset);

@@ -29,7 +29,7 @@ public final class ReproductionFiles {
       int held,
       Verdict verdict,
       String why,
-      Role role) {}
+      FitRole role) {}
 
   /** A row per scenario and model. */
   public static final Table<Adapting> ADAPTING =
@@ -106,7 +106,7 @@ public final class ReproductionFiles {
                           + " hi-fi",
                       Table81.Cell::standard)
                   .later(),
-              Column.<Table81.Cell>ofText("role", ROLE, cell -> Role.of(cell).label()).later());
+              Column.<Table81.Cell>ofText("role", ROLE, cell -> FitRole.of(cell).label()).later());
 
   /** A row per cell and per statement of the text. */
   public static final Table<Judged> VERDICTS =
@@ -175,7 +175,7 @@ public final class ReproductionFiles {
         cell.verdict() == Verdict.REPRODUCED ? 1 : 0,
         cell.verdict(),
         Reason.of(cell),
-        Role.of(cell));
+        FitRole.of(cell));
   }
 
   private static Judged judged(Statement statement) {
@@ -190,6 +190,6 @@ public final class ReproductionFiles {
         (int) statement.held(),
         statement.verdict(),
         Reason.of(statement),
-        Role.of(statement));
+        FitRole.of(statement));
   }
 }

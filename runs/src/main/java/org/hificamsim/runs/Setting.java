@@ -146,21 +146,8 @@ public enum Setting {
       Class<E> type, Function<Scenario, E> of, BiFunction<Scenario, E, Scenario> with) {
     return new Holder(
         plan -> Spelling.of(of.apply(plan.scenario())),
-        (name, text) -> choice(type, name, text),
-        (scenario, text) -> with.apply(scenario, choice(type, "", text)));
-  }
-
-  /**
-   * The constant that a text names.
-   *
-   * @throws InputException naming the setting when there is none
-   */
-  public static <E extends Enum<E>> E choice(Class<E> type, String name, String text) {
-    return Spelling.find(type, text)
-        .orElseThrow(
-            () ->
-                new InputException(
-                    name + " is '" + text + "', expected one of " + Spelling.all(type)));
+        (name, text) -> Spelling.require(type, name, text),
+        (scenario, text) -> with.apply(scenario, Spelling.require(type, "", text)));
   }
 
   private static Check range(long min, long max) {

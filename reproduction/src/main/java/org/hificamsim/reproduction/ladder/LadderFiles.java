@@ -145,7 +145,7 @@ public final class LadderFiles {
   }
 
   private Stream<PolicyRow> policies(RungScenario place) {
-    Scores scores = Scores.of(place.results(cases, ladder.policies()));
+    RungScores scores = RungScores.of(place.results(cases, ladder.policies()));
     int[] ranks = scores.ranks();
     return IntStream.range(0, ranks.length)
         .mapToObj(

@@ -16,13 +16,13 @@ import org.hificamsim.runs.compare.Cases;
 public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, String measure) {
   static LadderResult of(Ladder ladder, Cases cases, List<Double> nanoseconds) {
     List<RungResult> results = new ArrayList<>();
-    Map<Rung, List<Beside>> byRung = new LinkedHashMap<>();
+    Map<Rung, List<RungComparison>> byRung = new LinkedHashMap<>();
     for (List<RungScenario> places : ladder.scenarios().values()) {
       RungScenario last = places.get(places.size() - 1);
-      Scores top = Scores.of(last.results(cases, ladder.policies()));
+      RungScores top = RungScores.of(last.results(cases, ladder.policies()));
       for (RungScenario place : places) {
-        Scores own = Scores.of(place.results(cases, ladder.policies()));
-        Beside beside = new Beside(own, top);
+        RungScores own = RungScores.of(place.results(cases, ladder.policies()));
+        RungComparison beside = new RungComparison(own, top);
         results.add(RungResult.of(place, ladder.policies(), beside));
         byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(beside);
       }

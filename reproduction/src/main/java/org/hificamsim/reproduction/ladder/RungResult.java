@@ -28,7 +28,7 @@ public record RungResult(
   /** In place of a scenario's name. */
   public static final String ALL = "all";
 
-  static RungResult of(RungScenario place, List<String> policies, Beside beside) {
+  static RungResult of(RungScenario place, List<String> policies, RungComparison beside) {
     return of(
         place.scenario(),
         place.rung(),
@@ -36,24 +36,24 @@ public record RungResult(
         List.of(beside));
   }
 
-  static RungResult ofAll(Rung rung, List<Beside> scenarios) {
+  static RungResult ofAll(Rung rung, List<RungComparison> scenarios) {
     return of(ALL, rung, List.of(), scenarios);
   }
 
   private static RungResult of(
-      String scenario, Rung rung, List<String> chosen, List<Beside> besides) {
+      String scenario, Rung rung, List<String> chosen, List<RungComparison> besides) {
     return new RungResult(
         scenario,
         rung,
         estimate(besides, (one, seeds) -> one.own().optimum(seeds)),
-        estimate(besides, Beside::tau),
+        estimate(besides, RungComparison::tau),
         chosen,
-        estimate(besides, Beside::regret),
-        estimate(besides, Beside::share));
+        estimate(besides, RungComparison::regret),
+        estimate(besides, RungComparison::share));
   }
 
   /** The mean over the scenarios that have the figure, with its interval: the same seeds in all. */
-  private static Estimate estimate(List<Beside> besides, ToDoubleBiFunction<Beside, int[]> figure) {
+  private static Estimate estimate(List<RungComparison> besides, ToDoubleBiFunction<RungComparison, int[]> figure) {
     return Ratio.estimate(
         besides.get(0).own().seeds(),
         seeds ->

@@ -21,11 +21,11 @@ public final class WorldRungs {
   public WorldRungs(String detection) {
     all =
         List.of(
-            new Rung("round", "all-round views, a radius for each level", detection, Taken::lenses),
-            new Rung("optics", "lenses: angle against reach", detection, Taken::pan),
-            new Rung("pan", "turning, at once", detection, Taken::time),
-            new Rung("time", "the time that turning and zooming take", detection, Taken::walls),
-            new Rung("walls", "obstacles", detection, Taken::occlusion),
+            new Rung("round", "all-round views, a radius for each level", detection, ReducedScenario::lenses),
+            new Rung("optics", "lenses: angle against reach", detection, ReducedScenario::pan),
+            new Rung("pan", "turning, at once", detection, ReducedScenario::time),
+            new Rung("time", "the time that turning and zooming take", detection, ReducedScenario::walls),
+            new Rung("walls", "obstacles", detection, ReducedScenario::occlusion),
             new Rung(
                 "occlusion",
                 "targets hide targets, each of its own size",

@@ -67,7 +67,7 @@ public final class SensitivityFiles {
   /** Writes all files and returns the findings. */
   public static String write(OutputFolder folder, Sweeps sweeps, List<CaseResult> results)
       throws IOException {
-    List<Sweep> all = sweeps.all();
+    List<ParameterSweep> all = sweeps.all();
     List<Gap> gaps = new Gaps(new Cases(results)).of(all);
     List<Fit> fits = Fit.of(all, gaps);
     GAPS.write(folder, gaps.stream());

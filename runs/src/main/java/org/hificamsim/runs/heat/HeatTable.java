@@ -22,7 +22,7 @@ public final class HeatTable {
   private static final double ROUNDING = 1e-5;
 
   /** A cell, and how it was covered. */
-  record Row(Cells cells, int cell, Place place) {}
+  record Row(FieldCells cells, int cell, Place place) {}
 
   /** A row per cell of the field, over all steps of all repeats. */
   public static final Table<Row> TABLE =
@@ -99,7 +99,7 @@ public final class HeatTable {
    */
   public static HeatMap read(Path folder, Field field) throws IOException {
     CsvRows table = TABLE.read(folder);
-    Cells cells = cells(table, field);
+    FieldCells cells = cells(table, field);
     List<Place> places = new ArrayList<>();
     for (CsvRow row : table.rows()) {
       check(row, "x", cells.x(places.size()), cells.field().width());
@@ -109,17 +109,17 @@ public final class HeatTable {
     return new HeatMap(cells, places);
   }
 
-  private static Cells cells(CsvRows table, Field field) {
+  private static FieldCells cells(CsvRows table, Field field) {
     int count = table.rows().size();
     int columns = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("column");
     int rows = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("row");
-    boolean whole = columns > 0 && rows > 0 && columns <= Cells.MAX && rows <= Cells.MAX;
+    boolean whole = columns > 0 && rows > 0 && columns <= FieldCells.MAX && rows <= FieldCells.MAX;
     if (!whole || (long) columns * rows != count) {
       throw new InputException(
           "%s:%s:1: %s rows, expected one for each cell of a rectangle"
               .formatted(table.file(), count + 1, count));
     }
-    return new Cells(field, columns, rows);
+    return new FieldCells(field, columns, rows);
   }
 
   private static void check(CsvRow row, String column, double expected, double side) {

@@ -12,7 +12,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.runs.Lens;
+import org.hificamsim.runs.ModelLens;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 
@@ -82,10 +82,10 @@ public final class SettingsFile {
    * without optics.
    */
   private static void lens(ObjectNode json, RunPlan plan) {
-    Optional<Lens> lens = Lens.of(plan.detection(), plan.scenario());
-    OptionalDouble height = lens.map(Lens::mountHeight).orElse(plan.scenario().mountHeight());
+    Optional<ModelLens> lens = ModelLens.of(plan.detection(), plan.scenario());
+    OptionalDouble height = lens.map(ModelLens::mountHeight).orElse(plan.scenario().mountHeight());
     json.put("mount_height", height.isPresent() ? (Double) height.getAsDouble() : null);
-    numbers(json, "focal_lengths", lens.map(Lens::focalLengths).orElse(List.of()));
+    numbers(json, "focal_lengths", lens.map(ModelLens::focalLengths).orElse(List.of()));
   }
 
   private static void numbers(ObjectNode json, String name, List<Double> values) {

@@ -16,10 +16,10 @@ import org.hificamsim.runs.compare.CaseResult;
  * @param score by policy, then by seed
  * @param optimum the mean score of the exact optimum, by seed; by chance it knows the luck
  */
-record Scores(double[][] score, double[] optimum) {
-  static Scores of(List<CaseResult> cases) {
-    return new Scores(
-        cases.stream().map(Scores::score).toArray(double[][]::new),
+record RungScores(double[][] score, double[] optimum) {
+  static RungScores of(List<CaseResult> cases) {
+    return new RungScores(
+        cases.stream().map(RungScores::score).toArray(double[][]::new),
         cases.get(0).runs().stream()
             .mapToDouble(run -> run.optimum() / cases.get(0).plan().steps())
             .toArray());

@@ -7,15 +7,15 @@ import org.apache.parquet.io.api.Binary;
 import org.hificamsim.runs.output.Column;
 
 /** The cells of a column that have been gathered, each kind in an array of its own. */
-abstract class Cells {
+abstract class ColumnCells {
   private final Column<?> column;
 
-  private Cells(Column<?> column) {
+  private ColumnCells(Column<?> column) {
     this.column = column;
   }
 
   /** No cells yet. */
-  static Cells of(Column<?> column) {
+  static ColumnCells of(Column<?> column) {
     return switch (column.kind()) {
       case INT -> new Ints(column);
       case LONG -> new Longs(column);
@@ -44,7 +44,7 @@ abstract class Cells {
         column.name() + " is " + column.kind() + ", but a cell is a " + kind);
   }
 
-  private static final class Ints extends Cells {
+  private static final class Ints extends ColumnCells {
     private final int[] cells = new int[ParquetRows.BATCH];
 
     Ints(Column<?> column) {
@@ -64,7 +64,7 @@ abstract class Cells {
     }
   }
 
-  private static final class Longs extends Cells {
+  private static final class Longs extends ColumnCells {
     private final long[] cells = new long[ParquetRows.BATCH];
 
     Longs(Column<?> column) {
@@ -85,7 +85,7 @@ abstract class Cells {
   }
 
   /** NaN is null. */
-  private static final class Doubles extends Cells {
+  private static final class Doubles extends ColumnCells {
     private static final int PRESENT = 1; // Parquet's level of definition
 
     private final double[] cells = new double[ParquetRows.BATCH];
@@ -112,7 +112,7 @@ abstract class Cells {
   }
 
   /** Names, which come again in every step. */
-  private static final class Texts extends Cells {
+  private static final class Texts extends ColumnCells {
     private final Binary[] cells = new Binary[ParquetRows.BATCH];
     private final Map<String, Binary> known = new HashMap<>();
 

@@ -17,10 +17,10 @@ import org.hificamsim.core.scenario.TargetSpec;
  * Scenarios with something taken away. Each method takes away what the one above it does, too; the
  * scenario has the name of what it still has then.
  */
-final class Taken {
+final class ReducedScenario {
   private static final double ALL_ROUND = 360;
 
-  private Taken() {}
+  private ReducedScenario() {}
 
   /** Targets hide none, and all have one size: the mean of all. */
   static Scenario occlusion(Scenario scenario) {
