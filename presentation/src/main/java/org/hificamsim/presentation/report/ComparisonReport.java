@@ -8,7 +8,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import org.hificamsim.core.InputException;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.presentation.figures.PolicyColors;
@@ -55,7 +54,7 @@ final class ComparisonReport {
   /**
    * The page.
    *
-   * @throws InputException when a table is missing, broken, or of another comparison than the rest
+   * @throws org.hificamsim.core.InputException when a table is missing, broken, or of another comparison than the rest
    */
   static Page of(Path folder) throws IOException {
     ComparisonReport report = new ComparisonReport(folder);
