@@ -35,7 +35,10 @@ public record Judgement(
   }
 
   private List<Verdict> verdictsOfCells(FitRole role) {
-    return cells.stream().filter(cell -> FitRole.of(cell) == role).map(Table81.Cell::verdict).toList();
+    return cells.stream()
+        .filter(cell -> FitRole.of(cell) == role)
+        .map(Table81.Cell::verdict)
+        .toList();
   }
 
   private List<Verdict> verdictsOfStatements(FitRole role) {

@@ -11,7 +11,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Settings;
 
-/** Scenarios x rungs x policies: what is run, and what is set beside what. */
+/** Scenarios x rungs x policies: what is run, and what is compared with what. */
 public final class Ladder {
   private final List<Rung> rungs;
   private final List<String> policies;

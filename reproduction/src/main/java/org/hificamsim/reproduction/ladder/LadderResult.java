@@ -7,7 +7,7 @@ import java.util.Map;
 import org.hificamsim.runs.compare.Cases;
 
 /**
- * Every rung beside the top one.
+ * Every rung compared with the top one.
  *
  * @param rungs by scenario, then the means over all scenarios
  * @param nanoseconds what a step costs, by rung
@@ -22,12 +22,12 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
       RungScores top = RungScores.of(last.results(cases, ladder.policies()));
       for (RungScenario place : places) {
         RungScores own = RungScores.of(place.results(cases, ladder.policies()));
-        RungComparison beside = new RungComparison(own, top);
-        results.add(RungResult.of(place, ladder.policies(), beside));
-        byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(beside);
+        RungComparison comparison = new RungComparison(own, top);
+        results.add(RungResult.of(place, ladder.policies(), comparison));
+        byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(comparison);
       }
     }
-    byRung.forEach((rung, besides) -> results.add(RungResult.ofAll(rung, besides)));
+    byRung.forEach((rung, comparisons) -> results.add(RungResult.ofAll(rung, comparisons)));
     return new LadderResult(List.copyOf(results), nanoseconds, ladder.measure());
   }
 

@@ -28,12 +28,12 @@ public record RungResult(
   /** In place of a scenario's name. */
   public static final String ALL = "all";
 
-  static RungResult of(RungScenario place, List<String> policies, RungComparison beside) {
+  static RungResult of(RungScenario place, List<String> policies, RungComparison comparison) {
     return of(
         place.scenario(),
         place.rung(),
-        Arrays.stream(beside.own().best()).mapToObj(policies::get).toList(),
-        List.of(beside));
+        Arrays.stream(comparison.own().best()).mapToObj(policies::get).toList(),
+        List.of(comparison));
   }
 
   static RungResult ofAll(Rung rung, List<RungComparison> scenarios) {
@@ -41,23 +41,24 @@ public record RungResult(
   }
 
   private static RungResult of(
-      String scenario, Rung rung, List<String> chosen, List<RungComparison> besides) {
+      String scenario, Rung rung, List<String> chosen, List<RungComparison> comparisons) {
     return new RungResult(
         scenario,
         rung,
-        estimate(besides, (one, seeds) -> one.own().optimum(seeds)),
-        estimate(besides, RungComparison::tau),
+        estimate(comparisons, (one, seeds) -> one.own().optimum(seeds)),
+        estimate(comparisons, RungComparison::tau),
         chosen,
-        estimate(besides, RungComparison::regret),
-        estimate(besides, RungComparison::share));
+        estimate(comparisons, RungComparison::regret),
+        estimate(comparisons, RungComparison::share));
   }
 
   /** The mean over the scenarios that have the figure, with its interval: the same seeds in all. */
-  private static Estimate estimate(List<RungComparison> besides, ToDoubleBiFunction<RungComparison, int[]> figure) {
+  private static Estimate estimate(
+      List<RungComparison> comparisons, ToDoubleBiFunction<RungComparison, int[]> figure) {
     return Ratio.estimate(
-        besides.get(0).own().seeds(),
+        comparisons.get(0).own().seeds(),
         seeds ->
-            besides.stream()
+            comparisons.stream()
                 .mapToDouble(one -> figure.applyAsDouble(one, seeds))
                 .filter(value -> !Double.isNaN(value))
                 .average()
