@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from .parallel import CameraEnv, env, parallel_env
     from .registry import ids, make, register
     from .results import Results, compare, execute, read_results, run
-    from .torch_envs import benchmarl_task, torchrl_env
+    from .tasks import benchmarl_task
+    from .torch_envs import torchrl_env
     from .vector import CameraVectorEnv, NetworkEnv, single_env, vector_env
 
 __version__ = "0.2.0.dev0"
@@ -33,7 +34,7 @@ _LATER = {
     "execute": "results",
     "read_results": "results",
     "run": "results",
-    "benchmarl_task": "torch_envs",
+    "benchmarl_task": "tasks",
     "torchrl_env": "torch_envs",
     "CameraVectorEnv": "vector",
     "NetworkEnv": "vector",

@@ -135,18 +135,8 @@ def record(
     worlds: Worlds, actions: pathlib.Path, steps: int, folder: str | os.PathLike[str]
 ) -> pathlib.Path:
     """Plays actions again into a folder, and returns the page of the episode."""
-    told = worlds.settings
-    options = {
-        key: told[key] for key in ("detection", "threshold", "detect", "objective", "order", "headings")
-    }
-    policy = f"played:actions={told['actions']},file={actions}"
-    run(
-        told["scenario"],
-        out=folder,
-        policy=policy,
-        steps=steps,
-        seed=worlds.episode_seed(),
-        record=True,
-        **options,
-    )
+    asked = {key: value for key, value in worlds.settings.items() if key in worlds.run_settings}
+    kind = "steps" if len(worlds.choices) > 1 else "view"
+    episode = {"policy": f"played:actions={kind},file={actions}", "steps": steps, "seed": worlds.episode_seed()}
+    run(worlds.file, out=folder, record=True, **{**asked, **episode})
     return pathlib.Path(folder, "report.html")

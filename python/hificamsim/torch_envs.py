@@ -35,10 +35,3 @@ def torchrl_env(scenario: str | os.PathLike[str], *, device: Any = "cpu", **sett
         categorical_actions=True,
         device=device,
     )
-
-
-def benchmarl_task(scenario: str | os.PathLike[str], **settings: Any) -> Any:
-    """A task for BenchMARL's ``Experiment(task=...)``: the TorchRL environment with its masks and its state."""
-    from .tasks import CameraTask
-
-    return CameraTask(scenario, settings)

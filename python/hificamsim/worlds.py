@@ -60,18 +60,19 @@ class Worlds:
     - ``measures`` float32 (B, 3): share of targets covered, k_min, score by the objective
     - ``states`` float32 (B, S): written by ``state``
 
+    Settings are given by name; the simulator checks them and has their defaults:
+
+    - those of a run: detection, threshold, detect, objective, order, headings, steps (of an episode) and seed (of the
+      first world), as the options of ``hificamsim run``
+    - reward: coverage, kmin, score, difference or thesis
+    - actions: view (the number of a view) or steps (pan and zoom, each down, stay or up)
+    - targets, neighbours: how many of the nearest seen targets and of the nearest cameras are observed
+    - auto_reset: whether the next episode begins within the call that ends one
+    - paints: whether ``picture`` will be asked for
+
     :param scenario: a name of ``scenarios()`` or a file
-    :param detection: the detection model, as of ``--detection``
-    :param steps: the length of an episode
-    :param seed: of the first world
-    :param reward: coverage, kmin, score, difference or thesis
-    :param actions: view (the number of a view) or steps (pan and zoom, each down, stay or up)
-    :param targets: how many of the nearest seen targets are observed
-    :param neighbours: how many of the nearest cameras are observed
-    :param auto_reset: whether the next episode begins within the call that ends one
     :param threads: that share the worlds; by default as many as there are processors, from 16 worlds on
     :param backend: jvm (in this process) or process; by default jvm where JPype is installed
-    :param paints: whether ``picture`` will be asked for
     """
 
     def __init__(
@@ -79,46 +80,17 @@ class Worlds:
         scenario: str | os.PathLike[str],
         num_envs: int = 1,
         *,
-        detection: str = "hifi:orb-lin",
-        threshold: float | None = None,
-        detect: str | None = None,
-        objective: str | None = None,
-        order: str | None = None,
-        headings: str | None = None,
-        steps: int = 1000,
-        seed: int = 0,
-        reward: str = "coverage",
-        actions: str = "view",
-        targets: int = 4,
-        neighbours: int = 2,
-        auto_reset: bool = True,
         threads: int | None = None,
         backend: str | None = None,
-        paints: bool = False,
+        **settings: Any,
     ) -> None:
         self.file = scenario_file(scenario)
         if threads is None:
             threads = (os.cpu_count() or 1) if num_envs >= 16 else 1
-        self.settings: dict[str, Any] = {
-            "scenario": self.file,
-            "detection": detection,
-            "threshold": threshold,
-            "detect": detect,
-            "objective": objective,
-            "order": order,
-            "headings": headings,
-            "worlds": num_envs,
-            "threads": threads,
-            "steps": steps,
-            "seed": seed,
-            "reward": reward,
-            "actions": actions,
-            "targets": targets,
-            "neighbours": neighbours,
-            "autoReset": auto_reset,
-            "paints": paints,
-        }
-        self._backend = open_backend(backend, self.settings)
+        #: What was asked for, by name.
+        self.settings = {key: value for key, value in settings.items() if value is not None}
+        own = {"scenario": self.file, "worlds": num_envs, "threads": threads}
+        self._backend = open_backend(backend, {**self.settings, **own})
         self._begun = False
         said = self._backend.description
         self.name: str = said["scenario"]
@@ -126,6 +98,7 @@ class Worlds:
         self.cameras: list[str] = said["cameras"]
         self.views: list[int] = said["views"]
         self.num_targets: int = said["targets"]
+        self.run_settings: list[str] = said["settings"]
         self.choices: list[int] = said["choices"]
         self.features: list[dict[str, Any]] = said["features"]
         arrays = {part["name"]: self._array(part) for part in said["sections"]}
@@ -160,7 +133,7 @@ class Worlds:
     def begin(self, seed: int | None) -> None:
         """As ``reset``; but the first time, no seed means that of the settings."""
         if seed is None and not self._begun:
-            seed = self.settings["seed"]
+            seed = self.episode_seed()
         self.reset(seed)
         self._begun = True
 

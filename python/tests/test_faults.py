@@ -35,7 +35,7 @@ def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]
         ({"detection": "hifi:orb-line"}, "unknown detection 'hifi:orb-line', expected one of"),
         ({"reward": "cover"}, "unknown reward 'cover', expected one of coverage"),
         ({"actions": "zoom"}, "actions is 'zoom', expected one of view, steps"),
-        ({"steps": 0}, "episodes of 0 steps, expected 1 or more"),
+        ({"steps": 0}, "steps is 0, expected a whole number from 1 to 1000000000"),
         ({"num_envs": 0}, "0 worlds, expected 1 or more"),
         ({"targets": -1}, "observed targets is -1, expected 0 to 1000"),
         ({"objective": "best"}, "unknown objective 'best'"),

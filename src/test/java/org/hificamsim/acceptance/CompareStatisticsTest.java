@@ -4,8 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -168,41 +166,6 @@ class CompareStatisticsTest {
       assertTrue(number(rows.get(i), "share") <= number(rows.get(i - 1), "share"));
     }
     assertTrue(Files.size(out.resolve("profile.svg")) > 1000);
-  }
-
-  @Test
-  void marlEvalFindsDetectionScenarioPolicySeedAndStep() throws IOException {
-    Path marl = folder.resolve("marl");
-    run(marl, 2, "zoom-out,sarsa:gamma=0.8,epsilon=0.2", "--steps", 120, "--marl-eval");
-    JsonNode all = new ObjectMapper().readTree(marl.resolve("marl-eval.json").toFile());
-    assertEquals(List.of("camsim-range", "hifi:orb-lin"), names(all));
-    assertEquals(List.of("lattice-random", "cluster-random"), names(all.get("hifi:orb-lin")));
-    JsonNode task = all.get("hifi:orb-lin").get("lattice-random");
-    assertEquals(List.of("zoom-out", "sarsa:gamma=0.8;epsilon=0.2"), names(task));
-    JsonNode run = task.get("zoom-out").get("seed_1");
-    assertEquals(51, run.size());
-    double sum = 0;
-    int steps = 0;
-    for (int i = 1; i <= 50; i++) {
-      JsonNode step = run.get("step_" + i);
-      sum += step.get("k_min").get(0).asDouble() * (step.get("step_count").asInt() - steps);
-      steps = step.get("step_count").asInt();
-      assertEquals(metrics(run.get("absolute_metrics")), metrics(step));
-    }
-    assertEquals(120, steps);
-    double absolute = run.get("absolute_metrics").get("k_min").get(0).asDouble();
-    assertEquals(120 * absolute, sum, ROUNDING);
-    assertTrue(absolute > 0);
-  }
-
-  private static List<String> names(JsonNode node) {
-    List<String> names = new ArrayList<>();
-    node.fieldNames().forEachRemaining(names::add);
-    return names;
-  }
-
-  private static List<String> metrics(JsonNode step) {
-    return names(step).stream().filter(name -> !name.equals("step_count")).toList();
   }
 
   @Test

@@ -11,7 +11,6 @@ import org.hificamsim.bridge.run.Tracks;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
@@ -20,7 +19,8 @@ import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 
 /** Reads the text after {@code -javaagent:hificamsim-bridge.jar=}. */
 final class BridgeOptions {
@@ -92,10 +92,15 @@ final class BridgeOptions {
   }
 
   private Detection detection(String name, Optional<String> threshold, Optional<String> detect) {
-    return Overrides.ofDetection(
-            threshold.map(value -> number("threshold", value, 0, 1)),
-            detect.map(rule -> DetectionRule.parse(rule.replace(';', ','))))
-        .detection(DetectionSpec.parse(name, catalogue::detection));
+    Settings asked = Settings.NONE;
+    if (threshold.isPresent()) {
+      number("threshold", threshold.get(), 0, 1);
+      asked = asked.with(Setting.THRESHOLD, threshold.get());
+    }
+    if (detect.isPresent()) {
+      asked = asked.with(Setting.DETECT, detect.get().replace(';', ','));
+    }
+    return DetectionSpec.parse(name, catalogue::detection).detection(asked);
   }
 
   private static Tracks tracks(String scenario) {

@@ -23,6 +23,20 @@ public final class Spelling {
         .findFirst();
   }
 
+  /**
+   * The constant of {@code type} that a text spells.
+   *
+   * @param name of what has the text, for the error line
+   * @throws InputException when there is none
+   */
+  public static <E extends Enum<E>> E require(Class<E> type, String name, String text) {
+    return find(type, text)
+        .orElseThrow(
+            () ->
+                new InputException(
+                    "%s is '%s', expected one of %s".formatted(name, text, all(type))));
+  }
+
   /** All spellings of {@code type}, for error lines. */
   public static <E extends Enum<E>> String all(Class<E> type) {
     return Arrays.stream(type.getEnumConstants())

@@ -17,8 +17,6 @@ import picocli.CommandLine.Option;
 
 /** The options of commands that run many plans. */
 final class BatchOptions {
-  @Mixin private RepeatOptions repeats;
-
   @Mixin private ThreadsOption threads;
 
   @Option(names = "--out", paramLabel = "DIR", description = "Where the files go.")
@@ -52,10 +50,6 @@ final class BatchOptions {
       description = "Take all runs from these folders of --shard; all other options as there.")
   private List<Path> merge;
 
-  RepeatOptions repeats() {
-    return repeats;
-  }
-
   Path out() {
     return out;
   }
@@ -80,7 +74,7 @@ final class BatchOptions {
   /**
    * Where the runs come from: the engine that was asked for, or the shards to merge.
    *
-   * @param plans of the whole comparison, made by {@code Yardsticks.with}
+   * @param plans of the whole comparison, made by {@code ReferencePolicies.with}
    * @throws InputException when there is no such engine, it cannot work, or shards are missing
    */
   RunEngine engine(Catalogue catalogue, List<RunPlan> plans) throws IOException {

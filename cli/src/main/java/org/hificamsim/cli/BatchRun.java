@@ -14,11 +14,13 @@ import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Comparison;
-import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.compare.Journal;
+import org.hificamsim.runs.compare.JournalledEngine;
+import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.RunEngine;
+import org.hificamsim.runs.compare.RunTask;
 import org.hificamsim.runs.compare.Shard;
-import org.hificamsim.runs.compare.ShardRun;
-import org.hificamsim.runs.compare.Yardsticks;
+import org.hificamsim.runs.compare.ShardFolder;
 import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.InputFiles;
 import org.hificamsim.runs.output.ManifestFile;
@@ -26,96 +28,94 @@ import org.hificamsim.runs.output.ResultFolder;
 
 /** The runs of a command that has many: with progress, a manifest, the page and a summary. */
 final class BatchRun {
-  /** How a comparison makes files of its plans. */
+  /**
+   * Writes a command's own files.
+   *
+   * @param <R> what its summary is made of
+   */
   @FunctionalInterface
-  interface Writing {
-    /** Runs all plans and writes what they gave, the extras among it. */
-    List<CaseResult> execute(
-        ComparisonRun comparison,
-        List<RunPlan> plans,
-        OutputFolder folder,
-        ComparisonRun.Extras extras)
-        throws IOException;
+  interface Files<R> {
+    /** Adds them to a folder's. */
+    R write(OutputFolder folder, List<CaseResult> results) throws IOException;
   }
 
   private final Screen screen;
   private final BatchOptions options;
   private final Catalogue catalogue;
-  private final Yardsticks yardsticks;
+  private final ReferencePolicies references;
   private final Instant started = Instant.now();
 
-  /** Runs with the optimum beside them. */
-  BatchRun(Screen screen, BatchOptions options, Catalogue catalogue) {
-    this(screen, options, catalogue, Yardsticks.OPTIMUM);
-  }
-
   /**
-   * @param yardsticks what is run beside the command's plans
+   * @param references what is run in addition to the command's plans
    */
-  BatchRun(Screen screen, BatchOptions options, Catalogue catalogue, Yardsticks yardsticks) {
+  BatchRun(Screen screen, BatchOptions options, Catalogue catalogue, ReferencePolicies references) {
     this.screen = screen;
     this.options = options;
     this.catalogue = catalogue;
-    this.yardsticks = yardsticks;
+    this.references = references;
   }
 
   /**
    * Checks that every plan can start, then runs them all, or the part that was asked for.
    *
-   * @param writing {@link ComparisonRun#execute} or its like without tables
-   * @param extras the command's own files; the manifest is added to them
+   * @param files the command's own
    * @param summary prints the results; not those of a part, which wait to be merged
    * @return the exit code
    * @throws org.hificamsim.core.InputException when a plan cannot start; nothing was written then
    */
-  int execute(
-      List<RunPlan> plans,
-      Writing writing,
-      ComparisonRun.Extras extras,
-      BiConsumer<PrintWriter, List<CaseResult>> summary)
+  <R> int execute(List<RunPlan> plans, Files<R> files, BiConsumer<PrintWriter, R> summary)
       throws IOException {
     plans.forEach(new RunExecutor(catalogue)::check);
     Optional<Shard> shard = options.shard();
-    List<RunPlan> all = yardsticks.with(plans);
+    List<RunPlan> all = references.with(plans);
     RunEngine engine = options.engine(catalogue, all);
     if (shard.isPresent()) {
       part(shard.get(), engine, all);
     } else {
-      List<CaseResult> results = whole(engine, plans, all, writing, extras);
-      results.forEach(this::warnOfUnproven);
-      summary.accept(screen.out(), results);
+      summary.accept(screen.out(), whole(engine, plans, all, files));
     }
     screen.out().println("files: " + options.out());
     return 0;
   }
 
-  private List<CaseResult> whole(
-      RunEngine engine,
-      List<RunPlan> plans,
-      List<RunPlan> all,
-      Writing writing,
-      ComparisonRun.Extras extras)
+  private <R> R whole(RunEngine engine, List<RunPlan> plans, List<RunPlan> all, Files<R> files)
       throws IOException {
-    long steps = all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum();
     try (OutputFolder folder = new OutputFolder(options.out());
-        Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
-      Comparison comparison = new Comparison(engine, progress);
-      return writing.execute(
-          new ComparisonRun(comparison, yardsticks, options.resume(), () -> describe(folder, all)),
-          plans,
-          folder,
-          (files, results) -> {
-            extras.write(files, results);
-            InputFiles.write(files, all);
-            manifest(files, steps);
-          });
+        Journal journal = Journal.open(folder, Journal.NAME, options.resume())) {
+      List<CaseResult> results = results(plans, all, engine, journal);
+      R written = files.write(folder, results);
+      InputFiles.write(folder, all);
+      manifest(folder, all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum());
+      ResultFolder.commit(folder, List.of(ResultFolder.REPORT, ResultFolder.CRATE));
+      Report.write(folder.path(), folder.path().resolve(ResultFolder.REPORT));
+      CrateFile.write(folder.path(), folder.written(), List.of(ResultFolder.REPORT), all);
+      journal.finish(); // until here, --resume has all runs
+      return written;
     }
   }
 
-  /** The page of the files that are in their place, and the crate that names them all. */
-  private static void describe(OutputFolder folder, List<RunPlan> all) throws IOException {
-    Report.write(folder.path(), folder.path().resolve(ResultFolder.REPORT));
-    CrateFile.write(folder.path(), folder.written(), List.of(ResultFolder.REPORT), all);
+  private List<CaseResult> results(
+      List<RunPlan> plans, List<RunPlan> all, RunEngine engine, Journal journal)
+      throws IOException {
+    List<CaseResult> results;
+    try (Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
+      RunEngine journalled = new JournalledEngine(engine, journal, progress);
+      results = Comparison.run(plans, references, journalled);
+    }
+    results.forEach(this::warnOfUnproven);
+    return results;
+  }
+
+  private void part(Shard shard, RunEngine engine, List<RunPlan> all) throws IOException {
+    List<RunTask> tasks = shard.tasks(all);
+    try (OutputFolder folder = new OutputFolder(options.out());
+        Journal journal = ShardFolder.open(folder, shard, all, options.resume());
+        Progress progress = progress(tasks.size())) {
+      new JournalledEngine(engine, journal, progress).run(all, tasks, (task, run) -> {});
+      manifest(folder, tasks.stream().mapToLong(task -> all.get(task.plan()).steps()).sum());
+      folder.commit(List.of());
+    }
+    screen.out().printf("shard %s: %s runs%n", shard, tasks.size());
   }
 
   /** Says so where a policy's claim to be the best is not proven for every step. */
@@ -139,19 +139,6 @@ final class BatchRun {
         .printf(
             "warning: scenario %s, detection %s: '%s' is not proven to be the best%s%n",
             plan.scenario().name(), plan.detection().name(), plan.policy(), what);
-  }
-
-  private void part(Shard shard, RunEngine engine, List<RunPlan> all) throws IOException {
-    ShardRun run = new ShardRun(shard, all);
-    try (Progress progress = progress(run.runs())) {
-      run.execute(
-          engine,
-          options.resume(),
-          progress,
-          options.out(),
-          folder -> manifest(folder, run.steps()));
-    }
-    screen.out().printf("shard %s: %s runs%n", shard, run.runs());
   }
 
   private Progress progress(long runs) {

@@ -18,8 +18,9 @@ import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.files.SeparateFiles;
 import org.hificamsim.network.statistics.RunSums;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -72,9 +73,9 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin private CamSimOptions options;
 
-  @Mixin private ModelOptions models;
-
-  @Mixin private DetectOptions detect;
+  @Mixin private final SettingOptions settings =
+      SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY)
+          .open(Setting.POLICY);
 
   @Option(
       names = "--extra-out",
@@ -117,9 +118,9 @@ final class CamSimCommand implements Callable<Integer> {
   private int run() throws IOException {
     Instant started = Instant.now();
     Catalogue catalogue = Catalogue.load();
-    NetworkSettings settings = options.settings(screen.err());
-    RunPlan plan = plan(catalogue, settings);
-    NetworkRun run = NetworkRun.of(plan, settings, catalogue);
+    NetworkSettings camSims = options.settings(screen.err());
+    RunPlan plan = plan(catalogue, camSims);
+    NetworkRun run = NetworkRun.of(plan, camSims, catalogue);
     CamSimFiles.Places places = new CamSimFiles.Places(file, output, summary, extra, coverage);
     try (CamSimFiles files = new CamSimFiles(places, plan, run);
         Progress progress = screen.progress(plan.scenario().name(), " steps", steps)) {
@@ -131,23 +132,23 @@ final class CamSimCommand implements Callable<Integer> {
   }
 
   /** Checks every option before anything is written. */
-  private RunPlan plan(Catalogue catalogue, NetworkSettings settings) {
+  private RunPlan plan(Catalogue catalogue, NetworkSettings camSims) {
     Numbers.inRange("-t", steps, 0, RunPlan.MAX_STEPS);
-    Overrides asked = Overrides.ofDetection(detect.threshold(), detect.rule());
-    DetectionSpec spec = models.detection(catalogue);
+    Settings asked = settings.settings();
+    DetectionSpec spec = DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
     Scenario scenario =
         asked.scenario(
             CamSimScenario.read(
                 file,
                 movement.orElse(null),
-                models.policy().isPresent(),
-                settings,
+                asked.asked(Setting.POLICY).isPresent(),
+                camSims,
                 catalogue,
                 screen.err()));
     return new RunPlan(
         scenario,
-        asked.detection(spec, scenario),
-        models.policy().orElse("zoom-out"),
+        spec.detection(asked, scenario),
+        asked.asked(Setting.POLICY).orElse("zoom-out"),
         steps,
         seed,
         1);

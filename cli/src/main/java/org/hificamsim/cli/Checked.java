@@ -28,7 +28,7 @@ record Checked(Path file, Optional<Scenario> scenario, List<String> errors, List
 
   /** The same with warnings as errors. */
   Checked strict() {
-    List<String> all = new ArrayList<>(warnings.stream().map(Warnings::asError).toList());
+    List<String> all = new ArrayList<>(warnings.stream().map(ScenarioOptions::asError).toList());
     all.addAll(errors);
     return new Checked(file, scenario, all, List.of());
   }

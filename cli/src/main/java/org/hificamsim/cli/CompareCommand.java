@@ -8,18 +8,18 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.compare.ComparisonRun;
-import org.hificamsim.runs.compare.LatexFile;
-import org.hificamsim.runs.compare.MarlEvalFile;
-import org.hificamsim.runs.compare.Yardsticks;
+import org.hificamsim.runs.compare.ComparisonFiles;
+import org.hificamsim.runs.compare.ReferencePolicies;
+import org.hificamsim.runs.compare.SummaryTables;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -47,11 +47,6 @@ final class CompareCommand implements Callable<Integer> {
       description = "Zoom policies with their options, P:key=value,key=value,Q.")
   private String policies;
 
-  @Option(
-      names = "--marl-eval",
-      description = "Write marl-eval.json too: all runs, as marl-eval reads them.")
-  private boolean marlEval;
-
   @Option(names = "--latex", description = "Write summary.tex too: the tables, for booktabs.")
   private boolean latex;
 
@@ -60,6 +55,8 @@ final class CompareCommand implements Callable<Integer> {
       paramLabel = "MMmm",
       description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
   private Optional<String> figureWidth;
+
+  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Mixin private ScenarioOptions scenarioOptions;
 
@@ -72,43 +69,34 @@ final class CompareCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     List<RunPlan> plans = plans(catalogue);
     Optional<PrintWidth> width = figureWidth.map(PrintWidth::parse);
-    return new BatchRun(screen, batch, catalogue, Yardsticks.OPTIMUM_AND_BEST_FIXED)
+    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM_AND_BEST_FIXED)
         .execute(
             plans,
-            ComparisonRun::execute,
             (folder, results) -> {
+              List<CaseResult> asked = results.subList(0, plans.size());
+              ComparisonFiles.write(folder, asked, results);
               ComparisonFigures.write(folder, results, width, batch.threads());
-              extras(folder, results.subList(0, plans.size()), results);
+              AggregateFiles.write(folder, asked, batch.threads());
+              if (latex) {
+                SummaryTables.writeLatex(folder, asked, results);
+              }
+              return results;
             },
             ComparisonTable::print);
   }
 
-  /** Writes what stands beside the tables of runs. */
-  private void extras(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
-      throws IOException {
-    AggregateFiles.write(folder, asked, batch.threads());
-    if (marlEval) {
-      MarlEvalFile.write(folder, asked);
-    }
-    if (latex) {
-      LatexFile.write(folder, asked, all);
-    }
-  }
-
   private List<RunPlan> plans(Catalogue catalogue) {
-    List<DetectionSpec> asked = DetectionList.split(detections, catalogue);
-    List<String> specs = PolicyList.split(policies, catalogue.policies());
-    Distinct.require("--policies", specs);
-    List<Scenario> scenarios =
-        files.stream().map(file -> scenarioOptions.read(file, catalogue, screen.err())).toList();
-    Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
+    Settings asked = settings.settings();
+    List<DetectionSpec> specs = DetectionList.split(detections, catalogue);
+    List<String> zooms = PolicyList.split(policies, catalogue.policies());
+    Distinct.require("--policies", zooms);
+    List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     List<RunPlan> plans = new ArrayList<>();
     for (Scenario scenario : scenarios) {
-      List<Detection> used =
-          asked.stream().map(one -> scenarioOptions.detection(one, scenario)).toList();
+      List<Detection> used = specs.stream().map(one -> one.detection(asked, scenario)).toList();
       Distinct.require("--detections", used.stream().map(Detection::name).toList());
       for (Detection detection : used) {
-        specs.forEach(policy -> plans.add(batch.repeats().plan(scenario, detection, policy)));
+        zooms.forEach(policy -> plans.add(asked.plan(scenario, detection, policy)));
       }
     }
     return plans;

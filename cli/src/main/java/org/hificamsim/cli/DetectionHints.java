@@ -1,7 +1,5 @@
 package org.hificamsim.cli;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
@@ -11,7 +9,7 @@ import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
-import org.hificamsim.runs.Lens;
+import org.hificamsim.runs.ModelLens;
 import org.hificamsim.runs.Reach;
 
 /** What a detection model makes of a scenario's cameras, in words. */
@@ -28,12 +26,12 @@ final class DetectionHints {
     String levels =
         all.stream()
             .limit(MAX_LEVELS)
-            .map(one -> plain(one.detected()) + " of " + plain(one.radius()))
+            .map(one -> Numbers.plain(one.detected()) + " of " + Numbers.plain(one.radius()))
             .collect(Collectors.joining(", "));
     return levels
         + (all.size() > MAX_LEVELS ? ", ..." : "")
         + " m (a target of "
-        + plain(Reach.largestTarget(scenario))
+        + Numbers.plain(Reach.largestTarget(scenario))
         + " m)";
   }
 
@@ -64,10 +62,10 @@ final class DetectionHints {
 
   /** A warning where cameras cannot have both their viewing angle and their focal lengths. */
   static Optional<String> lens(Scenario scenario, Detection detection) {
-    return Lens.of(detection, scenario).flatMap(lens -> contradiction(scenario, lens));
+    return ModelLens.of(detection, scenario).flatMap(lens -> contradiction(scenario, lens));
   }
 
-  private static Optional<String> contradiction(Scenario scenario, Lens lens) {
+  private static Optional<String> contradiction(Scenario scenario, ModelLens lens) {
     List<CameraSpec> wrong =
         scenario.cameras().stream().filter(camera -> contradicts(camera, scenario, lens)).toList();
     return wrong.stream()
@@ -78,12 +76,12 @@ final class DetectionHints {
                     .formatted(
                         camera.name(),
                         wrong.size() == 1 ? "" : " (one of " + wrong.size() + ")",
-                        plain(camera.viewingAngle()),
+                        Numbers.plain(camera.viewingAngle()),
                         angles(levels(camera, scenario), lens),
                         agreeing(camera, scenario)));
   }
 
-  private static boolean contradicts(CameraSpec camera, Scenario scenario, Lens lens) {
+  private static boolean contradicts(CameraSpec camera, Scenario scenario, ModelLens lens) {
     List<ZoomLevel> levels = levels(camera, scenario);
     double narrowest = lens.angleOfView(levels.get(0));
     double widest = lens.angleOfView(levels.get(levels.size() - 1));
@@ -91,9 +89,9 @@ final class DetectionHints {
     return angle < 360 && (angle < narrowest / TOLERANCE || angle > widest * TOLERANCE);
   }
 
-  private static String angles(List<ZoomLevel> levels, Lens lens) {
-    String narrowest = plain(lens.angleOfView(levels.get(0)));
-    String widest = plain(lens.angleOfView(levels.get(levels.size() - 1)));
+  private static String angles(List<ZoomLevel> levels, ModelLens lens) {
+    String narrowest = Numbers.plain(lens.angleOfView(levels.get(0)));
+    String widest = Numbers.plain(lens.angleOfView(levels.get(levels.size() - 1)));
     return narrowest.equals(widest) ? narrowest : narrowest + " to " + widest;
   }
 
@@ -103,15 +101,10 @@ final class DetectionHints {
     double radius = levels.get(levels.size() - 1).radius();
     double height = radius / Math.tan(Math.toRadians(camera.viewingAngle()) / 2);
     boolean known = camera.viewingAngle() < 180 && radius > 0 && Double.isFinite(height);
-    return known ? ", such as " + plain(height) : "";
+    return known ? ", such as " + Numbers.plain(height) : "";
   }
 
   private static List<ZoomLevel> levels(CameraSpec camera, Scenario scenario) {
     return World.zoomLevels(scenario, camera);
-  }
-
-  /** Three significant digits. */
-  private static String plain(double value) {
-    return new BigDecimal(value).round(new MathContext(3)).stripTrailingZeros().toPlainString();
   }
 }

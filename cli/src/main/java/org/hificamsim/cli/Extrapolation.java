@@ -1,7 +1,5 @@
 package org.hificamsim.cli;
 
-import java.math.BigDecimal;
-import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -76,11 +74,6 @@ final class Extrapolation {
   }
 
   private static String shown(Span span) {
-    return plain(span.least()) + (span.least() == span.most() ? "" : " to " + plain(span.most()));
-  }
-
-  /** Three significant digits. */
-  private static String plain(double value) {
-    return new BigDecimal(value).round(new MathContext(3)).stripTrailingZeros().toPlainString();
+    return Numbers.plain(span.least()) + (span.least() == span.most() ? "" : " to " + Numbers.plain(span.most()));
   }
 }

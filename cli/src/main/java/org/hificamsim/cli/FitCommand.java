@@ -30,6 +30,7 @@ import org.hificamsim.profiling.report.FitReport;
 import org.hificamsim.profiling.trial.TrialRun;
 import org.hificamsim.profiling.trial.Trials;
 import org.hificamsim.profiling.trial.TrialsFile;
+import org.hificamsim.runs.Setting;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -106,7 +107,7 @@ final class FitCommand implements Callable<Integer> {
   @Option(names = "--penalty", paramLabel = "C", description = "What larger errors cost them.")
   private double penalty;
 
-  @Mixin private SeedOption seed;
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Mixin private ThreadsOption threads;
 
@@ -192,8 +193,8 @@ final class FitCommand implements Callable<Integer> {
     Numbers.within("--penalty", penalty, 1e-6, 1e6);
     return new FitSettings(
         folds,
-        seed.value(),
-        new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
+        seed.settings().seed(),
+        new SymbolicSettings(population, generations, parsimony, seed.settings().seed(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
         shape(),
         ThresholdsFile.read(folder));

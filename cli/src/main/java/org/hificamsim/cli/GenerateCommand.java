@@ -8,6 +8,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.generate.RandomField;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -42,7 +43,7 @@ final class GenerateCommand implements Callable<Integer> {
       description = "Square metres for each camera; default: 42.9, as in the cluster scenarios.")
   private Double area;
 
-  @Mixin private SeedOption seed;
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Spec private CommandSpec spec;
 
@@ -63,7 +64,7 @@ final class GenerateCommand implements Callable<Integer> {
 
   private RandomField field() {
     Numbers.inRange("--cameras", cameras, 1, MAX);
-    RandomField usual = RandomField.ofCameras(cameras, seed.value());
+    RandomField usual = RandomField.ofCameras(cameras, seed.settings().seed());
     if (targets != null) {
       Numbers.inRange("--targets", targets, 1, MAX);
     }
@@ -75,6 +76,6 @@ final class GenerateCommand implements Callable<Integer> {
         cameras,
         targets != null ? targets : usual.targets(),
         area != null ? area : usual.area(),
-        seed.value());
+        seed.settings().seed());
   }
 }

@@ -9,6 +9,7 @@ import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
 import org.hificamsim.profiling.lab.Texture;
 import org.hificamsim.profiling.opencv.OpenCv;
+import org.hificamsim.runs.Setting;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -108,7 +109,7 @@ final class LabCommand implements Callable<Integer> {
       description = "Things in the room behind the object.")
   private int clutter;
 
-  @Mixin private SeedOption seed;
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Mixin private ThreadsOption threads;
 
@@ -149,7 +150,7 @@ final class LabCommand implements Callable<Integer> {
     Numbers.within("--offset", offset, 0, 0.4);
     Numbers.within("--lighting", lighting, 0, 0.3);
     Numbers.inRange("--clutter", clutter, 0, MAX_CLUTTER);
-    return LabSettings.thesis(seed.value())
+    return LabSettings.thesis(seed.settings().seed())
         .withScale(scale)
         .withGrid(focalLengths, distances, objects)
         .with(texture)

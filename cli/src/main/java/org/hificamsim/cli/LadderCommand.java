@@ -8,14 +8,18 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.reproduction.ladder.Ladder;
 import org.hificamsim.reproduction.ladder.LadderFiles;
-import org.hificamsim.reproduction.ladder.LadderResult;
 import org.hificamsim.reproduction.ladder.Rung;
 import org.hificamsim.reproduction.ladder.Rungs;
 import org.hificamsim.reproduction.ladder.WorldRungs;
-import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.compare.ComparisonFiles;
+import org.hificamsim.runs.compare.ReferencePolicies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -67,39 +71,40 @@ final class LadderCommand implements Callable<Integer> {
       description = "Zoom policies to choose from, P:key=value,key=value,Q.")
   private String policies;
 
+  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
 
-  private LadderResult result;
-
   @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    Ladder ladder = ladder(catalogue);
-    RepeatOptions repeats = batch.repeats();
-    return new BatchRun(screen, batch, catalogue)
+    Settings asked = settings.settings();
+    Ladder ladder = ladder(asked, catalogue);
+    List<RunPlan> plans = ladder.plans(asked);
+    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM)
         .execute(
-            ladder.plans(repeats.steps(), repeats.seed(), repeats.repeats()),
-            ComparisonRun::execute,
-            (folder, results) -> result = LadderFiles.write(folder, ladder, results, catalogue),
-            (out, results) -> LadderTable.print(out, result));
+            plans,
+            (folder, results) -> {
+              ComparisonFiles.write(folder, results.subList(0, plans.size()), results);
+              return LadderFiles.write(folder, ladder, results, catalogue);
+            },
+            LadderTable::print);
   }
 
-  private Ladder ladder(Catalogue catalogue) {
-    scenarioOptions.rule().ifPresent(rule -> refuse(rule.text()));
+  private Ladder ladder(Settings asked, Catalogue catalogue) {
+    asked.asked(Setting.DETECT).ifPresent(LadderCommand::refuse);
     List<String> specs = PolicyList.split(policies, catalogue.policies());
     Distinct.require("--policies", specs);
-    List<Scenario> scenarios =
-        files.stream().map(file -> scenarioOptions.read(file, catalogue, screen.err())).toList();
-    Distinct.require("the scenarios' names", scenarios.stream().map(Scenario::name).toList());
+    List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     return new Ladder(
         scenarios,
-        asked(),
+        rungsAsked(),
         specs,
-        (rung, scenario) -> scenarioOptions.detection(rung.spec(catalogue::detection), scenario));
+        (rung, scenario) -> rung.spec(catalogue::detection).detection(asked, scenario));
   }
 
   private static void refuse(String rule) {
@@ -107,12 +112,10 @@ final class LadderCommand implements Callable<Integer> {
         "--detect is '" + rule + "', expected none: a rung names its own, --rungs NAME@" + rule);
   }
 
-  private List<Rung> asked() {
+  private List<Rung> rungsAsked() {
     Optional<List<String>> names =
         rungs.map(text -> Arrays.stream(text.split(",", -1)).map(String::strip).toList());
-    return ScenarioOptions.choice(Of.class, "--of", of) == Of.WORLD
-        ? ofWorld(names)
-        : ofDetection(names);
+    return Spelling.require(Of.class, "--of", of) == Of.WORLD ? ofWorld(names) : ofDetection(names);
   }
 
   private List<Rung> ofWorld(Optional<List<String>> names) {

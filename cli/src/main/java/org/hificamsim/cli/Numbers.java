@@ -1,8 +1,10 @@
 package org.hificamsim.cli;
 
+import java.math.BigDecimal;
+import java.math.MathContext;
 import org.hificamsim.core.InputException;
 
-/** Range checks of numeric options. */
+/** Range checks of numeric options, and numbers in messages. */
 final class Numbers {
   private Numbers() {}
 
@@ -43,5 +45,10 @@ final class Numbers {
           "%s is %s, expected a number from %s to %s".formatted(option, value, min, max));
     }
     return value;
+  }
+
+  /** A number with three significant digits. */
+  static String plain(double value) {
+    return new BigDecimal(value).round(new MathContext(3)).stripTrailingZeros().toPlainString();
   }
 }

@@ -22,7 +22,6 @@ import org.hificamsim.presentation.replay.Replay;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatTable;
-import org.hificamsim.runs.output.Table;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParseResult;
 
@@ -171,17 +170,11 @@ final class PictureOptions {
     if (heat.isEmpty()) {
       return new StepPicture(run, run.at("--step", step == null ? run.last() : step));
     }
-    HeatFigure figure =
-        Spelling.find(HeatFigure.class, heat.get())
-            .orElseThrow(
-                () ->
-                    new InputException(
-                        "--heatmap is '%s', expected one of %s"
-                            .formatted(heat.get(), Spelling.all(HeatFigure.class))));
-    if (!Table.HEATMAP.isIn(folder)) {
+    HeatFigure figure = Spelling.require(HeatFigure.class, "--heatmap", heat.get());
+    if (!HeatTable.TABLE.isIn(folder)) {
       throw new InputException(
           "no file '%s', expected a folder that 'hificamsim run --record --heatmap' wrote"
-              .formatted(folder.resolve(Table.HEATMAP.file())));
+              .formatted(folder.resolve(HeatTable.TABLE.file())));
     }
     return new HeatPicture(run, HeatTable.read(folder, run.field()), figure, repeats);
   }

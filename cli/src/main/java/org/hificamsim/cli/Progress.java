@@ -14,14 +14,9 @@ import org.hificamsim.runs.compare.RunProgress;
  * short runs show nothing.
  */
 final class Progress implements RunProgress, AutoCloseable {
-  /** Units between two looks at the clock, at most: more would save nothing. */
-  private static final long MAX_UNSEEN = 64;
-
-  /** As often as a look need be, nanoseconds. */
-  private static final long SOON = TimeUnit.MILLISECONDS.toNanos(1);
-
   private static final long QUIET = TimeUnit.SECONDS.toNanos(2);
   private static final long BETWEEN_LINES = TimeUnit.SECONDS.toNanos(10);
+  private static final long BETWEEN_BARS = TimeUnit.MILLISECONDS.toNanos(10);
 
   /** How progress is shown. */
   enum Telling {
@@ -44,24 +39,11 @@ final class Progress implements RunProgress, AutoCloseable {
   private final LongSupplier clock;
   private long started;
   private final AtomicLong done = new AtomicLong();
-  private long unseen = 1;
-  private volatile long nextLook;
-  private long lastLook;
-  private long lastLine;
+  private volatile long next; // nanoseconds
   private ProgressBar bar;
 
   /**
    * @param unit what is counted, as in {@code " steps"}
-   */
-  Progress(String task, String unit, long total, PrintWriter err) {
-    this(task, unit, total, err, Telling.asLaunched());
-  }
-
-  Progress(String task, String unit, long total, PrintWriter err, Telling telling) {
-    this(task, unit, total, err, telling, System::nanoTime);
-  }
-
-  /**
    * @param clock nanoseconds
    */
   Progress(
@@ -72,26 +54,32 @@ final class Progress implements RunProgress, AutoCloseable {
     this.telling = telling;
     this.clock = clock;
     this.started = clock.getAsLong();
-    this.lastLook = started;
-    this.lastLine = started;
-    this.nextLook = telling == Telling.NOTHING ? Long.MAX_VALUE : 1;
+    this.next = started + (telling == Telling.LINES ? BETWEEN_LINES : QUIET);
   }
 
   /** Counts one unit; any number of threads may, and mostly none waits for another. */
   @Override
   public void advance() {
-    if (done.incrementAndGet() >= nextLook) {
-      look();
+    done.incrementAndGet();
+    if (telling != Telling.NOTHING && clock.getAsLong() - next > 0) {
+      show();
     }
   }
 
-  private synchronized void look() {
-    if (done.get() >= nextLook) {
-      long now = clock.getAsLong();
-      unseen = now - lastLook < SOON ? Math.min(2 * unseen, MAX_UNSEEN) : 1;
-      lastLook = now;
-      nextLook = done.get() + unseen;
-      look(now);
+  private synchronized void show() {
+    long now = clock.getAsLong();
+    if (now - next <= 0) {
+      return; // another thread was faster
+    }
+    if (telling == Telling.BAR) {
+      next = now + BETWEEN_BARS;
+      if (bar == null) {
+        bar = bar();
+      }
+      bar.stepTo(done.get());
+    } else {
+      next = now + BETWEEN_LINES;
+      err.println(line.plain(done.get(), now - started));
     }
   }
 
@@ -99,24 +87,9 @@ final class Progress implements RunProgress, AutoCloseable {
   @Override
   public synchronized void resume(long units) {
     done.set(units);
-    nextLook = telling == Telling.NOTHING ? Long.MAX_VALUE : units + 1;
     started = clock.getAsLong();
+    next = Math.max(next, started + QUIET);
     line = line.after(units);
-  }
-
-  private void look(long now) {
-    if (now - started < QUIET) {
-      return;
-    }
-    if (telling == Telling.BAR) {
-      if (bar == null) {
-        bar = bar();
-      }
-      bar.stepTo(done.get());
-    } else if (now - lastLine > BETWEEN_LINES) {
-      lastLine = now;
-      err.println(line.plain(done.get(), now - started));
-    }
   }
 
   private ProgressBar bar() {

@@ -82,12 +82,7 @@ final class RecordingOptions {
   }
 
   static Unit unit(String option, String text) {
-    return Spelling.find(Unit.class, text)
-        .orElseThrow(
-            () ->
-                new InputException(
-                    "%s is '%s', expected one of %s"
-                        .formatted(option, text, Spelling.all(Unit.class))));
+    return Spelling.require(Unit.class, option, text);
   }
 
   /** The unit that a format's positions have, as far as options and the format's name say it. */

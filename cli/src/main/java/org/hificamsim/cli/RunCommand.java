@@ -28,7 +28,9 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
-import org.hificamsim.runs.heat.Cells;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
+import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatRecorder;
 import org.hificamsim.runs.heat.HeatTable;
@@ -53,11 +55,9 @@ final class RunCommand implements Callable<Integer> {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Mixin private ModelOptions models;
+  @Mixin private final SettingOptions settings = SettingOptions.all();
 
   @Mixin private ScenarioOptions scenarioOptions;
-
-  @Mixin private RepeatOptions repeats;
 
   @Mixin private ThreadsOption threads;
 
@@ -164,7 +164,7 @@ final class RunCommand implements Callable<Integer> {
     if (cells.isPresent() && !heatmap) {
       throw new InputException("--cells needs --heatmap beside it");
     }
-    return Numbers.inRange("--cells", cells.orElse(Cells.USUAL), 1, Cells.MAX);
+    return Numbers.inRange("--cells", cells.orElse(FieldCells.USUAL), 1, FieldCells.MAX);
   }
 
   private void tell(HeatMap map) {
@@ -219,11 +219,13 @@ final class RunCommand implements Callable<Integer> {
 
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue) {
-    DetectionSpec detection = models.detection(catalogue);
-    Scenario scenario = scenarioOptions.read(file, catalogue, screen.err());
-    Detection used = scenarioOptions.detection(detection, scenario);
+    Settings asked = settings.settings();
+    DetectionSpec detection =
+        DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
+    Scenario scenario = scenarioOptions.read(file, asked, catalogue, screen.err());
+    Detection used = detection.detection(asked, scenario);
     scenarioOptions.warnAboutLens(file, scenario, used, screen.err());
-    return repeats.plan(scenario, used, models.policy().orElseThrow());
+    return asked.plan(scenario, used);
   }
 
   private List<RunResult> execute(

@@ -44,7 +44,8 @@ final class Screen {
         unit,
         total,
         err(),
-        quiet ? Progress.Telling.NOTHING : Progress.Telling.asLaunched());
+        quiet ? Progress.Telling.NOTHING : Progress.Telling.asLaunched(),
+        System::nanoTime);
   }
 
   /** The words of the command line. */

@@ -1,11 +1,13 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.reproduction.sensitivity.SensitivityFiles;
 import org.hificamsim.reproduction.sensitivity.Sweeps;
-import org.hificamsim.runs.compare.ComparisonRun;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.compare.ReferencePolicies;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
@@ -16,23 +18,22 @@ import picocli.CommandLine.Mixin;
         "Sweeps thresholds, targets, their size, optics, f, g, CamSim's formula and the learners'"
             + " settings around defaults.")
 final class SensitivityCommand implements Callable<Integer> {
+  @Mixin private final SettingOptions settings =
+      SettingOptions.of(Setting.STEPS, Setting.REPEAT, Setting.SEED);
+
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
 
-  private String findings;
-
   @Override
   public Integer call() throws IOException {
     Catalogue catalogue = Catalogue.load();
-    RepeatOptions repeats = batch.repeats();
     Sweeps sweeps =
         new Sweeps(ShippedScenarios.read(Sweeps.scenarioNames(), catalogue), catalogue::detection);
-    return new BatchRun(screen, batch, catalogue)
+    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM)
         .execute(
-            sweeps.plans(repeats.steps(), repeats.seed(), repeats.repeats()),
-            ComparisonRun::executeWithoutTables,
-            (folder, results) -> findings = SensitivityFiles.write(folder, sweeps, results),
-            (out, results) -> out.print(findings));
+            sweeps.plans(settings.settings()),
+            (folder, results) -> SensitivityFiles.write(folder, sweeps, results),
+            PrintWriter::print);
   }
 }

@@ -41,15 +41,7 @@ final class SummaryTable {
                     + plan.seed()
                     + " to "
                     + plan.seed(plan.repeats() - 1)));
-    table.figure("performance", Metric.PERFORMANCE, "%.0f", "sum of k_min");
-    if (!plan.objective().isKMin()) {
-      table.figure("score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
-    }
-    table.figure("mean k_min", Metric.MEAN_K_MIN, "%.4f", "per step");
-    table.figure("covered by none", Metric.COVERED_0, "%.4f", "share of targets");
-    table.figure("covered by one", Metric.COVERED_1, "%.4f", "");
-    table.figure("covered by more", Metric.COVERED_K, "%.4f", "");
-    table.figure("mean k", Metric.MEAN_K, "%.4f", "cameras per target");
+    table.figures(plan);
     table.unproven(plan);
     table.uncovered(plan);
     table.line("k_min over time", Sparkline.of(kMin));
@@ -75,6 +67,17 @@ final class SummaryTable {
       line(
           plan.detection().certain() ? "detected up to" : "half of the time",
           DetectionHints.reach(plan.scenario(), plan.detection()));
+    }
+  }
+
+  private void figures(RunPlan plan) {
+    for (Metric metric : Metric.values()) {
+      if (metric.isPrinted()) {
+        figure(metric.title(), metric, metric.format(), metric.note());
+      }
+      if (metric == Metric.PERFORMANCE && !plan.objective().isKMin()) {
+        figure("score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
+      }
     }
   }
 

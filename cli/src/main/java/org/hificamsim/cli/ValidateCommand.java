@@ -16,7 +16,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -32,7 +32,7 @@ final class ValidateCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "SCENARIO.xml", description = "The scenario files.")
   private List<Path> files;
 
-  @Mixin private Warnings warnings;
+  @Mixin private ScenarioOptions scenarioOptions;
 
   @Option(
       names = "--detection",
@@ -52,7 +52,7 @@ final class ValidateCommand implements Callable<Integer> {
     List<Checked> all = new ArrayList<>();
     for (Path file : files) {
       Checked one = check(file, model, catalogue);
-      all.add(warnings.strict() ? one.strict() : one);
+      all.add(scenarioOptions.strict() ? one.strict() : one);
       tell(all.get(all.size() - 1));
     }
     if (json) {
@@ -82,7 +82,7 @@ final class ValidateCommand implements Callable<Integer> {
 
   private static void warnAboutDetection(
       Path file, Scenario scenario, DetectionSpec model, List<String> warned) {
-    Detection used = Overrides.NONE.detection(model, scenario);
+    Detection used = model.detection(Settings.NONE, scenario);
     Stream.of(
             DetectionHints.smallReach(scenario, used),
             DetectionHints.lens(scenario, used),

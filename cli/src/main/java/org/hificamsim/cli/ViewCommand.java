@@ -13,6 +13,8 @@ import org.hificamsim.presentation.view.LivePage;
 import org.hificamsim.presentation.view.LiveRun;
 import org.hificamsim.presentation.view.LiveSession;
 import org.hificamsim.presentation.view.ViewServer;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -35,11 +37,9 @@ final class ViewCommand implements Callable<Integer> {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Mixin private ModelOptions models;
+  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
 
   @Mixin private ScenarioOptions scenarioOptions;
-
-  @Mixin private SeedOption seed;
 
   @Option(
       names = "--port",
@@ -56,13 +56,14 @@ final class ViewCommand implements Callable<Integer> {
   public Integer call() throws IOException, InterruptedException {
     Numbers.inRange("--port", port, 0, MAX_PORT);
     Catalogue catalogue = Catalogue.load();
-    Scenario scenario = scenarioOptions.read(file, catalogue, spec.commandLine().getErr());
-    LiveChoice choice =
-        new LiveChoice(
-            models.detection(), scenarioOptions.threshold(), models.policy().orElseThrow());
+    Settings asked = settings.settings();
+    Scenario scenario = scenarioOptions.read(file, asked, catalogue, spec.commandLine().getErr());
+    String detection = asked.value(Setting.DETECTION);
+    Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
+    LiveChoice choice = new LiveChoice(detection, threshold, asked.value(Setting.POLICY));
     LiveRun run =
-        new LiveRun(catalogue, scenario, choice, seed.value(), FloorPictures.of(file, scenario));
-    String page = LivePage.html(catalogue, scenario.name(), models.detection());
+        new LiveRun(catalogue, scenario, choice, asked.seed(), FloorPictures.of(file, scenario));
+    String page = LivePage.html(catalogue, scenario.name(), detection);
     try (LiveSession session = new LiveSession(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {
       spec.commandLine().getOut().println(server.address());

@@ -43,7 +43,8 @@ class DefaultsTest {
           option.arity().max() == 0
               || !option.type().isPrimitive()
               || defaults.containsKey(qualified(option))
-              || defaults.containsKey(plain(option)),
+              || defaults.containsKey(plain(option))
+              || option.defaultValue() != null,
           qualified(option));
     }
   }

@@ -18,7 +18,10 @@ record Conventions(ObservationLayout layout, ActionKind actions) {
         new ObservationLayout(
             number(metadata, "targets", usual.targets()),
             number(metadata, "neighbours", usual.neighbours())),
-        actions(metadata.getOrDefault("actions", Spelling.of(ActionKind.VIEW))));
+        Spelling.require(
+            ActionKind.class,
+            "its metadata actions",
+            metadata.getOrDefault("actions", Spelling.of(ActionKind.VIEW))));
   }
 
   private static int number(Map<String, String> metadata, String key, int otherwise) {
@@ -31,14 +34,4 @@ record Conventions(ObservationLayout layout, ActionKind actions) {
     }
   }
 
-  private static ActionKind actions(String text) {
-    return Spelling.find(ActionKind.class, text)
-        .orElseThrow(
-            () ->
-                new InputException(
-                    "its metadata actions is '"
-                        + text
-                        + "', expected one of "
-                        + Spelling.all(ActionKind.class)));
-  }
 }

@@ -16,10 +16,10 @@ import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.Settings;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -77,7 +77,7 @@ class TrainedPoliciesTest {
     Path file = ROOT.resolve("scenarios").resolve(site + ".xml");
     Scenario scenario = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
     Detection used =
-        Overrides.NONE.detection(DetectionSpec.parse(detection, catalogue::detection), scenario);
-    return new RunPlan(Overrides.NONE.scenario(scenario), used, policy, steps, SEED, 5);
+        DetectionSpec.parse(detection, catalogue::detection).detection(Settings.NONE, scenario);
+    return new RunPlan(scenario, used, policy, steps, SEED, 5);
   }
 }

@@ -4,9 +4,9 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.file.Rows;
 import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.output.TableFormat;
-import org.hificamsim.runs.output.TableRows;
 
 /** Columns of numbers, compressed: {@code --format parquet}. */
 public final class ParquetFormat implements TableFormat {
@@ -16,8 +16,8 @@ public final class ParquetFormat implements TableFormat {
   }
 
   @Override
-  public TableRows create(Table table, OutputFolder folder) throws IOException {
-    return new ParquetRows(folder.stream(table.file(name())), table.stepColumns());
+  public Rows create(Table<?> table, OutputFolder folder) throws IOException {
+    return new ParquetRows(folder.stream(table.file(name())), table.columns());
   }
 
   @Override

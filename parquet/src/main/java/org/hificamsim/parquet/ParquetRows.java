@@ -4,7 +4,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
-import org.hificamsim.runs.output.StepColumn;
+import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.TableRows;
 
 /** A Parquet file under way: rows are gathered by column, and written some thousand at a time. */
@@ -12,14 +12,14 @@ final class ParquetRows implements TableRows {
   /** Rows that are gathered: few enough for a processor's cache. */
   static final int BATCH = 4096;
 
-  private final Cells[] columns;
+  private final ColumnCells[] columns;
   private final RowGroups groups;
   private int column;
   private int rows;
   private boolean closed;
 
-  ParquetRows(OutputStream out, List<StepColumn> columns) throws IOException {
-    this.columns = columns.stream().map(Cells::of).toArray(Cells[]::new);
+  ParquetRows(OutputStream out, List<? extends Column<?>> columns) throws IOException {
+    this.columns = columns.stream().map(ColumnCells::of).toArray(ColumnCells[]::new);
     this.groups = new RowGroups(out, columns);
   }
 

@@ -12,7 +12,7 @@ import org.apache.parquet.column.ParquetProperties.WriterVersion;
 import org.apache.parquet.hadoop.ColumnChunkPageWriteStore;
 import org.apache.parquet.hadoop.ParquetFileWriter;
 import org.apache.parquet.schema.MessageType;
-import org.hificamsim.runs.output.StepColumn;
+import org.hificamsim.runs.output.Column;
 
 /**
  * The row groups of a Parquet file. One is in memory at a time, so that memory stays the same
@@ -28,12 +28,12 @@ final class RowGroups implements Closeable {
   private final MessageType schema;
   private final ParquetProperties properties;
   private final ParquetFileWriter file;
-  private final List<StepColumn> columns;
+  private final List<? extends Column<?>> columns;
   private ColumnChunkPageWriteStore pages;
   private ColumnWriteStore cells;
   private int rows;
 
-  RowGroups(OutputStream out, List<StepColumn> columns) throws IOException {
+  RowGroups(OutputStream out, List<? extends Column<?>> columns) throws IOException {
     this.columns = columns;
     schema = Schema.of(columns);
     properties = properties(columns);
@@ -52,15 +52,15 @@ final class RowGroups implements Closeable {
   }
 
   /** Steps are written as differences, and all else as the number of a value seen before. */
-  private static ParquetProperties properties(List<StepColumn> columns) {
+  private static ParquetProperties properties(List<? extends Column<?>> columns) {
     ParquetProperties.Builder builder =
         ParquetProperties.builder()
             .withWriterVersion(WriterVersion.PARQUET_2_0)
             .withAllocator(new HeapByteBufferAllocator())
             .withPageRowCountLimit(MAX_ROWS);
     columns.stream()
-        .filter(column -> column.kind() == StepColumn.Kind.LONG)
-        .forEach(column -> builder.withDictionaryEncoding(column.label(), false));
+        .filter(column -> column.kind() == Column.Kind.LONG)
+        .forEach(column -> builder.withDictionaryEncoding(column.name(), false));
     return builder.build();
   }
 
@@ -72,7 +72,7 @@ final class RowGroups implements Closeable {
   }
 
   /** Writes the first cells of every column. */
-  void write(Cells[] from, int count) throws IOException {
+  void write(ColumnCells[] from, int count) throws IOException {
     for (int i = 0; i < from.length; i++) {
       from[i].write(cells.getColumnWriter(schema.getColumns().get(i)), count);
     }

@@ -13,32 +13,32 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.apache.parquet.schema.MessageType;
 import org.apache.parquet.schema.Type;
-import org.hificamsim.runs.output.StepColumn;
+import org.hificamsim.runs.output.Column;
 
 /** The columns as Parquet knows them. */
 final class Schema {
   private Schema() {}
 
   /** The columns with their types; floating numbers alone may be missing. */
-  static MessageType of(List<StepColumn> columns) {
+  static MessageType of(List<? extends Column<?>> columns) {
     return new MessageType("rows", columns.stream().map(Schema::type).toList());
   }
 
-  private static Type type(StepColumn column) {
+  private static Type type(Column<?> column) {
     return switch (column.kind()) {
-      case INT -> required(INT32).named(column.label());
-      case LONG -> required(INT64).named(column.label());
-      case DOUBLE -> optional(DOUBLE).named(column.label());
-      case TEXT -> required(BINARY).as(stringType()).named(column.label());
+      case INT -> required(INT32).named(column.name());
+      case LONG -> required(INT64).named(column.name());
+      case DOUBLE -> optional(DOUBLE).named(column.name());
+      case TEXT -> required(BINARY).as(stringType()).named(column.name());
     };
   }
 
   /** What they say: {@code NAME.unit} and {@code NAME.meaning}. */
-  static Map<String, String> meanings(List<StepColumn> columns) {
+  static Map<String, String> meanings(List<? extends Column<?>> columns) {
     Map<String, String> meanings = new TreeMap<>();
-    for (StepColumn column : columns) {
-      meanings.put(column.label() + ".unit", column.unit());
-      meanings.put(column.label() + ".meaning", column.meaning());
+    for (Column<?> column : columns) {
+      meanings.put(column.name() + ".unit", column.unit());
+      meanings.put(column.name() + ".meaning", column.meaning());
     }
     return meanings;
   }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.observation.Feature;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.worlds.Section;
 import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
@@ -19,6 +20,7 @@ import org.hificamsim.worlds.Worlds;
  * @param features what the numbers of an observation say
  * @param sections how the shared memory is divided
  * @param bytes how long the memory is
+ * @param settings the names of the settings of a run
  */
 record Description(
     String scenario,
@@ -30,7 +32,8 @@ record Description(
     List<Integer> choices,
     List<Feature> features,
     List<Section> sections,
-    int bytes) {
+    int bytes,
+    List<String> settings) {
   static Description of(Worlds worlds, WorldSettings settings) {
     NetworkView network = worlds.network(0);
     IntStream cameras = IntStream.range(0, network.cameras());
@@ -44,7 +47,8 @@ record Description(
         worlds.choices(),
         settings.layout().features(),
         worlds.block().sections(),
-        worlds.block().bytes());
+        worlds.block().bytes(),
+        Request.SETTINGS.stream().map(Setting::label).toList());
   }
 
   String json() {

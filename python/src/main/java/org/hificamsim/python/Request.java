@@ -1,61 +1,94 @@
 package org.hificamsim.python;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.PropertyNamingStrategies;
+import com.fasterxml.jackson.databind.exc.UnrecognizedPropertyException;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.detection.DetectionRule;
-import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.worlds.ActionKind;
 import org.hificamsim.worlds.Rewards;
 import org.hificamsim.worlds.WorldSettings;
 
 /**
- * What Python asks for, as JSON. What is null is left to the scenario, or to the default.
+ * What Python asks for, as JSON: settings of a run by their names, and those of environments alone.
  *
- * @param scenario a file
- * @param worlds how many
- * @param threads that share them
- * @param steps of an episode
- * @param seed of the first world
- * @param actions view or steps
- * @param targets that an observation has room for
- * @param neighbours that an observation has room for
- * @param paints whether pictures of the first world will be asked for
+ * @param asked of a run
+ * @param own of environments alone
  */
-record Request(
-    String scenario,
-    String detection,
-    Double threshold,
-    String detect,
-    String objective,
-    String order,
-    String headings,
-    int worlds,
-    int threads,
-    int steps,
-    long seed,
-    String reward,
-    String actions,
-    int targets,
-    int neighbours,
-    boolean autoReset,
-    boolean paints) {
+record Request(Settings asked, Environment own) {
+  /** Of a run: actions stand in place of a policy, and episodes of repeats. */
+  static final Set<Setting> SETTINGS =
+      EnumSet.complementOf(EnumSet.of(Setting.POLICY, Setting.REPEAT));
+
+  private static final ObjectMapper MAPPER =
+      new ObjectMapper().setPropertyNamingStrategy(PropertyNamingStrategies.SNAKE_CASE);
+
+  /**
+   * The settings that only environments have; what is null is left to the default.
+   *
+   * @param scenario a file
+   * @param worlds how many
+   * @param threads that share them
+   * @param actions view or steps
+   * @param targets that an observation has room for
+   * @param neighbours that an observation has room for
+   * @param paints whether pictures of the first world will be asked for
+   */
+  record Environment(
+      String scenario,
+      int worlds,
+      int threads,
+      String reward,
+      String actions,
+      Integer targets,
+      Integer neighbours,
+      Boolean autoReset,
+      boolean paints) {
+    Environment {
+      reward = Optional.ofNullable(reward).orElse("coverage");
+      actions = Optional.ofNullable(actions).orElse("view");
+      targets = Optional.ofNullable(targets).orElse(4);
+      neighbours = Optional.ofNullable(neighbours).orElse(2);
+      autoReset = Optional.ofNullable(autoReset).orElse(true);
+    }
+  }
+
   static Request parse(String json) {
     try {
-      return new ObjectMapper().readValue(json, Request.class);
+      Settings asked = Settings.NONE;
+      ObjectNode own = MAPPER.createObjectNode();
+      for (Map.Entry<String, JsonNode> one : MAPPER.readTree(json).properties()) {
+        Optional<Setting> setting = Setting.named(one.getKey());
+        if (setting.filter(SETTINGS::contains).isPresent()) {
+          asked = asked.with(setting.get(), one.getValue().asText());
+        } else {
+          own.set(one.getKey(), one.getValue());
+        }
+      }
+      return new Request(asked, MAPPER.treeToValue(own, Environment.class));
+    } catch (UnrecognizedPropertyException e) {
+      throw new InputException(
+          "unknown setting '%s', expected one of %s"
+              .formatted(
+                  e.getPropertyName(),
+                  SETTINGS.stream().map(Setting::label).collect(Collectors.joining(", "))),
+          e);
     } catch (JsonProcessingException e) {
       throw new InputException("settings: " + e.getOriginalMessage(), e);
     }
@@ -63,42 +96,20 @@ record Request(
 
   /** Reads the scenario, and finds everything by its name. */
   WorldSettings worldSettings(Catalogue catalogue) {
-    Overrides overrides = overrides();
-    DetectionSpec spec = DetectionSpec.parse(detection, catalogue::detection);
-    Scenario read =
-        overrides.scenario(
-            ScenarioReader.read(Path.of(scenario), catalogue.movements()::knows, warning -> {}));
-    Detection used = overrides.detection(spec, read);
-    Rewards.registry().create(reward); // a wrong one is refused here
+    DetectionSpec spec = DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
+    Scenario scenario =
+        asked.scenario(
+            ScenarioReader.read(
+                Path.of(own.scenario), catalogue.movements()::knows, warning -> {}));
+    Rewards.registry().create(own.reward); // a wrong one is refused here
     return new WorldSettings(
-        read,
+        scenario,
         catalogue.movements(),
-        used,
-        new ObservationLayout(targets, neighbours),
-        choice(ActionKind.class, "actions", actions),
-        () -> Rewards.registry().create(reward),
-        steps,
-        autoReset);
-  }
-
-  private Overrides overrides() {
-    return new Overrides(
-        Optional.ofNullable(threshold),
-        given(detect, DetectionRule::parse),
-        given(objective, Objective::parse),
-        given(order, text -> choice(StepOrder.class, "order", text)),
-        given(headings, text -> choice(Headings.class, "headings", text)));
-  }
-
-  private static <T> Optional<T> given(String text, Function<String, T> parse) {
-    return Optional.ofNullable(text).map(parse);
-  }
-
-  private static <E extends Enum<E>> E choice(Class<E> type, String setting, String text) {
-    return Spelling.find(type, text)
-        .orElseThrow(
-            () ->
-                new InputException(
-                    setting + " is '" + text + "', expected one of " + Spelling.all(type)));
+        spec.detection(asked, scenario),
+        new ObservationLayout(own.targets, own.neighbours),
+        Spelling.require(ActionKind.class, "actions", own.actions),
+        () -> Rewards.registry().create(own.reward),
+        asked.steps(),
+        own.autoReset);
   }
 }

@@ -33,12 +33,13 @@ public final class Session implements AutoCloseable {
 
   private Session(Request request, Worlds.Memory memory) {
     Catalogue catalogue = Catalogue.load();
+    long seed = request.asked().seed();
     settings = request.worldSettings(catalogue);
-    worlds = Worlds.of(settings, request.worlds(), request.threads(), request.seed(), memory);
-    painted = request.paints() ? painted(catalogue, request.seed()) : null;
+    worlds = Worlds.of(settings, request.own().worlds(), request.own().threads(), seed, memory);
+    painted = request.own().paints() ? painted(catalogue, seed) : null;
     if (painted != null) {
       worlds.watch(0, painted);
-      worlds.reset(request.seed(), true);
+      worlds.reset(seed, true);
     }
   }
 

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.compare.ScoredRun;
 
 /**
  * What it is worth to change the zoom in a scenario at all: the exact optimum of every step against
@@ -59,6 +59,6 @@ public record Adapting(
   }
 
   private static long performance(CaseResult one) {
-    return one.runs().stream().map(ScoredRun::result).mapToLong(run -> run.performance()).sum();
+    return one.runs().stream().mapToLong(run -> (long) Metric.PERFORMANCE.of(run)).sum();
   }
 }

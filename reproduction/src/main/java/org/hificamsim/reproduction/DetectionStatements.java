@@ -3,9 +3,9 @@ package org.hificamsim.reproduction;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.reproduction.Statement.Margin;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
-import org.hificamsim.runs.compare.Score;
 
 /** What chapter 8 says of the two detection models. */
 public final class DetectionStatements {
@@ -57,9 +57,9 @@ public final class DetectionStatements {
   }
 
   private Margin pair(String scenario, String one, String other) {
-    Score score = Score.PERFORMANCE;
+    Metric metric = Metric.PERFORMANCE;
     Margin hifi =
-        Margins.more("", margins.hifi(scenario, one), margins.hifi(scenario, other), score);
+        Margins.more("", margins.hifi(scenario, one), margins.hifi(scenario, other), metric);
     boolean up = hifi.value().mean() >= 0;
     String better = up ? one : other;
     String worse = up ? other : one;
@@ -67,7 +67,7 @@ public final class DetectionStatements {
         scenario + ", " + better + " and " + worse,
         margins.camsim(scenario, better),
         margins.camsim(scenario, worse),
-        score);
+        metric);
   }
 
   private Statement scenarioThree() {

@@ -9,15 +9,9 @@ import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.compare.Score;
 
 /** Differences between cases, paired by seed. */
 final class Margins {
-  static final Score K_MIN = Score.of(Metric.MEAN_K_MIN);
-  static final Score COVERED_0 = Score.of(Metric.COVERED_0);
-  static final Score SETTLING =
-      Score.ALL.stream().filter(score -> score.label().equals("settling_steps")).findFirst().get();
-
   private static final double LAST = 0.1;
 
   private final Cases cases;
@@ -35,13 +29,15 @@ final class Margins {
   }
 
   /** What one case has more of a figure than another. */
-  static Margin more(String where, CaseResult one, CaseResult other, Score score) {
-    return new Margin(where, Bootstrap.difference(one.figures(score), other.figures(score)));
+  static Margin more(String where, CaseResult one, CaseResult other, Metric metric) {
+    return new Margin(where, Bootstrap.difference(one.figures(metric), other.figures(metric)));
   }
 
   /** How much higher one policy's k_min is than another's, in each of the six scenarios. */
   List<Margin> inAllSix(String better, String worse) {
-    return six(scenario -> more(scenario, hifi(scenario, better), hifi(scenario, worse), K_MIN));
+    return six(
+        scenario ->
+            more(scenario, hifi(scenario, better), hifi(scenario, worse), Metric.MEAN_K_MIN));
   }
 
   /** One margin for each of the six scenarios. */

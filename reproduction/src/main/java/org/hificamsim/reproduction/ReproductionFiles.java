@@ -3,14 +3,135 @@ package org.hificamsim.reproduction;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 
 /** The files of a reproduction: table and verdicts as CSV and Markdown, and the figures. */
 public final class ReproductionFiles {
+  private static final String ROLE =
+      "`fitted`: the defaults were chosen for it (a statement: the hi-fi column implies it, at"
+          + " least in part); `held out`: they were not";
+
+  /** A cell of the table or a statement of the text, judged. */
+  record Judged(
+      String kind,
+      String id,
+      String source,
+      String claim,
+      double published,
+      Estimate value,
+      int checks,
+      int held,
+      Verdict verdict,
+      String why,
+      FitRole role) {}
+
+  /** A row per scenario and model. */
+  public static final Table<Adapting> ADAPTING =
+      Table.<Adapting>of("adapting.csv")
+          .with(
+              Column.ofText("scenario", "its name", Adapting::scenario),
+              Column.ofText("detection", "the detection's name", Adapting::detection),
+              Column.ofLong(
+                  "optimum",
+                  "cameras x steps",
+                  "performance of `optimal`, summed over the seeds",
+                  Adapting::optimum),
+              Column.ofLong("fixed", "cameras x steps", "the same of `fixed:2`", Adapting::fixed),
+              Column.ofDouble(
+                  "value_of_adapting", "ratio", "the one over the other", Adapting::value),
+              Column.ofText(
+                  "same_every_step",
+                  "`true` or `false`: the same k_min at each step",
+                  one -> "" + one.sameEveryStep()));
+
+  /** A row per cell of Table 8.1. */
+  public static final Table<Table81.Cell> CELLS =
+      Table.<Table81.Cell>of("table-8.1.csv")
+          .with(
+              Column.ofText("layout", "the cell's row", cell -> cell.published().layout().label()),
+              Column.ofText("policy", "the cell's row", cell -> cell.published().policy()),
+              Column.ofText("detection", "the cell's column", cell -> cell.published().detection()),
+              Column.ofDouble(
+                  "published",
+                  "share",
+                  "the thesis's proportion of the greedy performance",
+                  cell -> cell.published().proportion()))
+          .with(
+              Column.ofEstimate(
+                  "proportion",
+                  "low",
+                  "high",
+                  "share",
+                  "ours: a ratio of sums over the random and the scripted scenario",
+                  Table81.Cell::ours))
+          .with(
+              Column.ofDouble(
+                  "difference", "share", "ours minus the published", Table81.Cell::difference),
+              Column.ofText(
+                  "verdict",
+                  "`reproduced`, `within interval` or `not reproduced`"
+                      + " ([rules](reproduction.md#verdicts))",
+                  cell -> cell.verdict().label()),
+              Column.ofDouble(
+                  "over_hifi_optimum",
+                  "share",
+                  "CamSim's performance over the hi-fi optimum; empty for hi-fi",
+                  Table81.Cell::overHifi),
+              Column.ofDouble(
+                  "over_hifi_optimum_at_0.45",
+                  "share",
+                  "the same with CamSim's threshold at 0.45",
+                  Table81.Cell::at45),
+              Column.ofDouble(
+                  "explore_any",
+                  "share",
+                  "epsilon-greedy whose exploring may draw the best level too; empty for other"
+                      + " policies",
+                  Table81.Cell::exploreAny),
+              Column.ofDouble(
+                  "cluster_script_at_origin",
+                  "share",
+                  "the cluster with its script about the field's centre; empty for other layouts",
+                  Table81.Cell::origin),
+              Column.<Table81.Cell>ofDouble(
+                      "eq_6.2",
+                      "share",
+                      "CamSim's cells under Eq 6.2 as printed, over its own optimum; empty for"
+                          + " hi-fi",
+                      Table81.Cell::standard)
+                  .later(),
+              Column.<Table81.Cell>ofText("role", ROLE, cell -> FitRole.of(cell).label()).later());
+
+  /** A row per cell and per statement of the text. */
+  public static final Table<Judged> VERDICTS =
+      Table.<Judged>of("verdicts.csv")
+          .with(
+              Column.ofText("kind", "`cell` or `statement`", Judged::kind),
+              Column.ofText("id", "its name", Judged::id),
+              Column.ofText("source", "the thesis's section, table or figure", Judged::source),
+              Column.ofText("claim", "what it says", Judged::claim),
+              Column.ofDouble("published", "share", "cells only", Judged::published))
+          .with(
+              Column.ofEstimate(
+                  "value",
+                  "low",
+                  "high",
+                  "",
+                  "a cell's proportion; a statement's weakest margin, in that margin's unit",
+                  Judged::value))
+          .with(
+              Column.ofInt("checks", "", "how many margins there are", Judged::checks),
+              Column.ofInt("checks_held", "", "how many of them are above 0", Judged::held),
+              Column.ofText("verdict", "as above", one -> one.verdict.label()),
+              Column.ofText("why", "the reason for it", Judged::why),
+              Column.<Judged>ofText("role", ROLE, one -> one.role.label()).later());
+
   private ReproductionFiles() {}
 
   /**
@@ -21,9 +142,9 @@ public final class ReproductionFiles {
   public static Judgement write(OutputFolder folder, List<CaseResult> results) throws IOException {
     Cases cases = new Cases(results);
     Judgement judgement = judge(cases);
-    adapting(folder, judgement.adapting());
-    table(folder, judgement.cells());
-    verdicts(folder, judgement);
+    ADAPTING.write(folder, judgement.adapting().stream());
+    CELLS.write(folder, judgement.cells().stream());
+    VERDICTS.write(folder, judged(judgement));
     MarkdownReport.write(folder, judgement);
     new ReproductionFigures(cases).write(folder);
     return judgement;
@@ -36,78 +157,39 @@ public final class ReproductionFiles {
     return new Judgement(new Table81(cases).cells(), statements, Adapting.of(cases));
   }
 
-  private static void adapting(OutputFolder folder, List<Adapting> all) throws IOException {
-    try (CsvTable table = Table.ADAPTING.create(folder)) {
-      for (Adapting one : all) {
-        table.row(
-            one.scenario(),
-            one.detection(),
-            one.optimum(),
-            one.fixed(),
-            one.value(),
-            one.sameEveryStep() ? "true" : "false");
-      }
-    }
+  private static Stream<Judged> judged(Judgement judgement) {
+    return Stream.concat(
+        judgement.cells().stream().map(ReproductionFiles::judged),
+        judgement.statements().stream().map(ReproductionFiles::judged));
   }
 
-  private static void table(OutputFolder folder, List<Table81.Cell> cells) throws IOException {
-    try (CsvTable table = Table.TABLE_8_1.create(folder)) {
-      for (Table81.Cell cell : cells) {
-        table.row(
-            cell.published().layout().label(),
-            cell.published().policy(),
-            cell.published().detection(),
-            cell.published().proportion(),
-            cell.ours().mean(),
-            cell.ours().low(),
-            cell.ours().high(),
-            cell.difference(),
-            cell.verdict().label(),
-            cell.overHifi(),
-            cell.at45(),
-            cell.exploreAny(),
-            cell.origin(),
-            cell.standard(),
-            FitRole.of(cell).label());
-      }
-    }
+  private static Judged judged(Table81.Cell cell) {
+    return new Judged(
+        "cell",
+        Reason.id(cell),
+        "Table 8.1",
+        "proportion of the optimum",
+        cell.published().proportion(),
+        cell.ours(),
+        1,
+        cell.verdict() == Verdict.REPRODUCED ? 1 : 0,
+        cell.verdict(),
+        Reason.of(cell),
+        FitRole.of(cell));
   }
 
-  private static void verdicts(OutputFolder folder, Judgement judgement) throws IOException {
-    try (CsvTable table = Table.VERDICTS.create(folder)) {
-      for (Table81.Cell cell : judgement.cells()) {
-        table.row(
-            "cell",
-            Reason.id(cell),
-            "Table 8.1",
-            "proportion of the optimum",
-            cell.published().proportion(),
-            cell.ours().mean(),
-            cell.ours().low(),
-            cell.ours().high(),
-            1,
-            cell.verdict() == Verdict.REPRODUCED ? 1 : 0,
-            cell.verdict().label(),
-            Reason.of(cell),
-            FitRole.of(cell).label());
-      }
-      for (Statement statement : judgement.statements()) {
-        Statement.Margin weakest = statement.weakest();
-        table.row(
-            "statement",
-            statement.id(),
-            statement.source(),
-            statement.text(),
-            "",
-            weakest.value().mean(),
-            weakest.value().low(),
-            weakest.value().high(),
-            statement.margins().size(),
-            statement.held(),
-            statement.verdict().label(),
-            Reason.of(statement),
-            FitRole.of(statement).label());
-      }
-    }
+  private static Judged judged(Statement statement) {
+    return new Judged(
+        "statement",
+        statement.id(),
+        statement.source(),
+        statement.text(),
+        Double.NaN,
+        statement.weakest().value(),
+        statement.margins().size(),
+        (int) statement.held(),
+        statement.verdict(),
+        Reason.of(statement),
+        FitRole.of(statement));
   }
 }

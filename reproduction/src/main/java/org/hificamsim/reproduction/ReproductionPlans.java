@@ -12,16 +12,16 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Settings;
 
 /**
  * All runs that Table 8.1, the figures and the statements need.
  *
  * @param scenarios by name: those of Table 7.1 and {@link #ORIGIN}
+ * @param asked steps, seeds and repeats
  */
-public record ReproductionPlans(
-    Map<String, Scenario> scenarios, int steps, long seed, int repeats) {
+public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked) {
   public static final String HIFI = "hifi:orb-lin";
   public static final String CAMSIM = "camsim-range";
 
@@ -67,19 +67,14 @@ public record ReproductionPlans(
     return cases().stream()
         .map(
             one ->
-                new RunPlan(
-                    scenarios.get(one.scenario()),
-                    detections.get(one.detection()),
-                    one.policy(),
-                    steps,
-                    seed,
-                    repeats))
+                asked.plan(
+                    scenarios.get(one.scenario()), detections.get(one.detection()), one.policy()))
         .toList();
   }
 
   /** The detection of a name, at its own threshold or the model's default. */
   public static Detection detection(String name, Function<String, DetectionModel> models) {
-    return Overrides.NONE.detection(DetectionSpec.parse(name, models));
+    return DetectionSpec.parse(name, models).detection(Settings.NONE);
   }
 
   private static Set<Case> cases() {

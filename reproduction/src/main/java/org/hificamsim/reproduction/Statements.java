@@ -1,6 +1,5 @@
 package org.hificamsim.reproduction;
 
-import static org.hificamsim.reproduction.Margins.K_MIN;
 import static org.hificamsim.reproduction.Margins.more;
 import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
 import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
@@ -8,16 +7,17 @@ import static org.hificamsim.reproduction.ReproductionPlans.QB_SARSA;
 import static org.hificamsim.reproduction.ReproductionPlans.SARSA;
 import static org.hificamsim.reproduction.ReproductionPlans.STATELESS;
 import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
+import static org.hificamsim.runs.Metric.MEAN_K_MIN;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.hificamsim.reproduction.Statement.Margin;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.compare.Score;
 
 /** What chapter 7 says of the policies, checked under the hi-fi model. */
 public final class Statements {
@@ -43,9 +43,9 @@ public final class Statements {
 
   private List<Statement> baselines() {
     var optimum = margins.hifi(SCENARIO_1, OPTIMAL);
-    Margin zoomOut = more("zoom-out", optimum, margins.hifi(SCENARIO_1, ZOOM_OUT), K_MIN);
-    Margin random = more("random", optimum, margins.hifi(SCENARIO_1, "random"), K_MIN);
-    double[] uncovered = optimum.figures(Margins.COVERED_0);
+    Margin zoomOut = more("zoom-out", optimum, margins.hifi(SCENARIO_1, ZOOM_OUT), MEAN_K_MIN);
+    Margin random = more("random", optimum, margins.hifi(SCENARIO_1, "random"), MEAN_K_MIN);
+    double[] uncovered = optimum.figures(Metric.COVERED_0);
     Margin always =
         new Margin("scenario 1", Bootstrap.difference(new double[uncovered.length], uncovered));
     return List.of(
@@ -85,7 +85,7 @@ public final class Statements {
                     "lattice",
                     margins.hifi(SCENARIO_4, EPSILON_GREEDY),
                     margins.hifi(SCENARIO_1, EPSILON_GREEDY),
-                    Score.PROPORTION_OF_OPTIMAL)),
+                    Metric.PROPORTION_OF_OPTIMAL)),
             ""));
   }
 
@@ -102,7 +102,8 @@ public final class Statements {
             "7.4.4, Figure 7.6",
             "SARSA falls as epsilon goes from 0.1 to 0.3.",
             List.of(
-                more("0.1 to 0.2", low, middle, K_MIN), more("0.2 to 0.3", middle, high, K_MIN)),
+                more("0.1 to 0.2", low, middle, MEAN_K_MIN),
+                more("0.2 to 0.3", middle, high, MEAN_K_MIN)),
             ""),
         new Statement(
             "alpha-same-end",
@@ -118,8 +119,8 @@ public final class Statements {
             "7.4.4, Figure 7.7",
             "SARSA converges faster with alpha 0.1 than with 0.2 and 0.3.",
             List.of(
-                more("0.1 and 0.2", two, low, Margins.SETTLING),
-                more("0.1 and 0.3", three, low, Margins.SETTLING)),
+                more("0.1 and 0.2", two, low, Metric.SETTLING_STEPS),
+                more("0.1 and 0.3", three, low, Metric.SETTLING_STEPS)),
             "steps until within 90% of the final level"));
   }
 
@@ -135,12 +136,12 @@ public final class Statements {
             "sarsa-above-epsilon-greedy",
             "7.4.4",
             "SARSA does better than epsilon-greedy in scenario 4.",
-            List.of(more("scenario 4", sarsa, bandit, K_MIN)),
+            List.of(more("scenario 4", sarsa, bandit, MEAN_K_MIN)),
             "contradicts Table 8.1 as well"));
   }
 
   private static Statement number(String id, String policy, CaseResult one, double published) {
-    var ours = Bootstrap.mean(one.figures(Score.PROPORTION_OF_OPTIMAL));
+    var ours = Bootstrap.mean(one.figures(Metric.PROPORTION_OF_OPTIMAL));
     return new Statement(
         id,
         "7.4.4",
@@ -171,7 +172,7 @@ public final class Statements {
                     scenario,
                     margins.hifi(scenario, SARSA + options),
                     margins.hifi(scenario, QB_SARSA + options),
-                    Margins.SETTLING)),
+                    Metric.SETTLING_STEPS)),
         "steps until within 90% of the final level; " + remark);
   }
 
@@ -195,7 +196,7 @@ public final class Statements {
                     scenario,
                     margins.hifi(scenario, SARSA + options),
                     margins.hifi(scenario, QB_SARSA + options),
-                    Margins.COVERED_0)),
+                    Metric.COVERED_0)),
         remark);
   }
 
@@ -212,7 +213,7 @@ public final class Statements {
                 policy + ", " + layout.label(),
                 margins.hifi(layout.scripted(), policy),
                 margins.hifi(layout.random(), policy),
-                K_MIN));
+                MEAN_K_MIN));
       }
     }
     return List.of(

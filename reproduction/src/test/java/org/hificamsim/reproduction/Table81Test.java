@@ -11,11 +11,14 @@ import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.ScoredRun;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.compare.ScoredRun;
 import org.junit.jupiter.api.Test;
 
 /** The aggregation by hand: two seeds, made-up performances. */
@@ -25,9 +28,9 @@ class Table81Test {
   /** Random: 10 and 20 of 20; scripted: 30 and 60 of 120. */
   private static ScoredRun run(RunPlan plan, int seed) {
     boolean scripted = plan.scenario().name().contains("scripted");
-    long performance = (scripted ? 30L : 10L) * (seed + 1);
-    RunResult result = new RunResult(seed, seed, performance, 0, 0, 0, 0, 0, 0, 0, 0);
-    return new ScoredRun(result, scripted ? 120 : 20, 0);
+    double performance = (scripted ? 30.0 : 10.0) * (seed + 1);
+    RunResult result = RunResult.of(seed, seed, Map.of(Metric.PERFORMANCE, performance));
+    return new ScoredRun(result, scripted ? 120 : 20, Double.NaN, 0);
   }
 
   private static List<Table81.Cell> cells() {
@@ -37,7 +40,9 @@ class Table81Test {
       scenarios.put(name, ScenarioReader.read(file, movement -> true, warning -> {}));
     }
     List<RunPlan> plans =
-        new ReproductionPlans(scenarios, 10, 0, 2).plans(Catalogue.load()::detection);
+        new ReproductionPlans(
+                scenarios, Settings.NONE.with(Setting.STEPS, "10").with(Setting.REPEAT, "2"))
+            .plans(Catalogue.load()::detection);
     return new Table81(new Cases(plans.stream().map(Table81Test::result).toList())).cells();
   }
 

@@ -1,12 +1,15 @@
 package org.hificamsim.runs;
 
 import java.util.Optional;
+import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.scenario.Scenario;
 
 /**
  * A detection as users name it: {@code NAME} or {@code FILE.json}, or either with a threshold or a
@@ -23,7 +26,7 @@ public record DetectionSpec(
 
   /** Checks the threshold. */
   public DetectionSpec {
-    threshold.ifPresent(Overrides::checkThreshold);
+    threshold.ifPresent(DetectionSpec::checkThreshold);
   }
 
   /**
@@ -36,7 +39,7 @@ public record DetectionSpec(
     Matcher parts = WITH_THRESHOLD.matcher(text);
     Matcher ruled = WITH_RULE.matcher(text);
     if (parts.matches()) {
-      Optional<Double> own = Optional.of(number(parts.group(2)));
+      Optional<Double> own = Optional.of(threshold(parts.group(2)));
       return new DetectionSpec(models.apply(parts.group(1)), own, Optional.empty());
     }
     if (ruled.matches()) {
@@ -47,20 +50,77 @@ public record DetectionSpec(
     return new DetectionSpec(models.apply(text), Optional.empty(), Optional.empty());
   }
 
-  private static double number(String threshold) {
+  /**
+   * A threshold.
+   *
+   * @throws InputException when it is no number from 0 to 1
+   */
+  static double threshold(String text) {
     try {
-      return Double.parseDouble(threshold);
+      return checkThreshold(Double.parseDouble(text));
     } catch (NumberFormatException e) {
-      throw new InputException(
-          "threshold is '" + threshold + "', expected a number from 0 to 1", e);
+      throw new InputException("threshold is '" + text + "', expected a number from 0 to 1", e);
     }
+  }
+
+  private static double checkThreshold(double threshold) {
+    if (!(threshold >= 0 && threshold <= 1)) {
+      throw new InputException("threshold is " + threshold + ", expected a number from 0 to 1");
+    }
+    return threshold;
+  }
+
+  /** The detection where no scenario has a say. */
+  public Detection detection(Settings asked) {
+    return detection(asked, OptionalDouble.empty(), Optional.empty());
+  }
+
+  /**
+   * The detection with the first rule or threshold that there is: its own, the one that is asked
+   * for, the scenario's, the default. A threshold asks for the rule of thresholds.
+   *
+   * @throws InputException when both a threshold and a rule of chance are asked for
+   */
+  public Detection detection(Settings asked, Scenario scenario) {
+    return detection(asked, scenario.threshold(), scenario.detect());
+  }
+
+  Detection detection(
+      Settings asked, OptionalDouble ofScenario, Optional<DetectionRule> ruleOfScenario) {
+    Optional<Double> asThreshold = asked.asked(Setting.THRESHOLD).map(DetectionSpec::threshold);
+    DetectionRule first =
+        rule(asThreshold, asked.asked(Setting.DETECT).map(DetectionRule::parse))
+            .or(() -> ruleOfScenario)
+            .orElseGet(DetectionRule.Threshold::new);
+    if (!first.certain()) {
+      return Detection.by(first, name(first), model);
+    }
+    double used =
+        threshold
+            .or(() -> asThreshold)
+            .orElseGet(() -> ofScenario.orElse(model.defaultThreshold()));
+    return new Detection(name(first), model, used);
+  }
+
+  /** The rule that the detection itself or, after it, the user asks for. */
+  private Optional<DetectionRule> rule(
+      Optional<Double> asThreshold, Optional<DetectionRule> askedRule) {
+    if (rule.isPresent() || threshold.isPresent()) {
+      return rule.or(() -> Optional.of(new DetectionRule.Threshold()));
+    }
+    if (asThreshold.isPresent() && askedRule.isPresent() && !askedRule.get().certain()) {
+      throw new InputException(
+          "threshold is %s, expected none with detect=%s"
+              .formatted(asThreshold.get(), askedRule.get().text()));
+    }
+    return askedRule.or(() -> asThreshold.map(value -> new DetectionRule.Threshold()));
   }
 
   /**
    * The name in result files: the model's with its own threshold or, unless that is by a threshold,
    * with the rule; {@link #parse} understands it.
    */
-  String name(DetectionRule used) {
+  private String name(DetectionRule used) {
     return used.certain()
         ? model.name() + threshold.map(value -> "@" + value).orElse("")
         : model.name() + "@" + used.text().replace(',', ';');

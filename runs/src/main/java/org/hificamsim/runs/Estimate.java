@@ -20,11 +20,11 @@ public record Estimate(double mean, double low, double high) {
    */
   public static Estimate of(List<RunResult> results, Metric metric) {
     if (results.size() == 1) { // as most runs: without loading what statistics need
-      double only = metric.of(results.get(0));
+      double only = results.get(0).value(metric);
       return new Estimate(only, only, only);
     }
     SummaryStatistics statistics = new SummaryStatistics();
-    results.forEach(result -> statistics.addValue(metric.of(result)));
+    results.forEach(result -> statistics.addValue(result.value(metric)));
     double mean = statistics.getMean();
     double quantile =
         new TDistribution(results.size() - 1).inverseCumulativeProbability((1 + LEVEL) / 2);

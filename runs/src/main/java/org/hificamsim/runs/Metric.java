@@ -1,56 +1,251 @@
 package org.hificamsim.runs;
 
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Locale;
+import java.util.function.BiPredicate;
 import java.util.function.ToDoubleFunction;
 
-/** The figures of a run, each with its name in files ({@code docs/data.md}). */
-@SuppressWarnings("ImmutableEnumChecker") // the figures are method references
+/**
+ * The metrics of a run, in the order of files. A metric is declared here alone: what it is called,
+ * its unit and meaning, how it is computed, and whether {@code run} prints it. Files, tables on the
+ * terminal, pages and the table in {@code docs/data.md} follow.
+ */
+@SuppressWarnings("ImmutableEnumChecker") // functions and records
 public enum Metric {
-  PERFORMANCE("performance", RunResult::performance),
-  MEAN_K_MIN("mean_k_min", RunResult::meanKMin),
-  COVERED_0("covered_0", RunResult::covered0),
-  COVERED_1("covered_1", RunResult::covered1),
-  COVERED_K("covered_k", RunResult::coveredK),
-  MEAN_K("mean_k", RunResult::meanK),
-  DETECTIONS("detections", RunResult::detections),
-  ZOOM_CHANGES("zoom_changes", RunResult::zoomChanges),
-  MESSAGES("messages", RunResult::messages),
-  SCORE("score", RunResult::score),
-  EXPECTED_PERFORMANCE("expected_performance", result -> result.expected().performance()),
-  EXPECTED_COVERED_0("expected_covered_0", result -> result.expected().covered0()),
-  EXPECTED_COVERED_1("expected_covered_1", result -> result.expected().covered1()),
-  EXPECTED_COVERED_K("expected_covered_k", result -> result.expected().coveredK()),
-  EXPECTED_MEAN_K("expected_mean_k", result -> result.expected().meanK()),
-  LEAST_EXPECTED_K("least_expected_k", result -> result.expected().leastK()),
-  LEAST_CHANCE("least_chance", result -> result.expected().leastChance()),
-  LEAST_EXPECTED_K_BOUND("least_expected_k_bound", result -> result.expected().leastKBound());
+  PERFORMANCE(
+      "cameras x steps",
+      "the sum of k_min over the steps (Eq 7.2)",
+      measured(run -> run.coverage().performance()),
+      new Line("performance", "%.0f", "sum of k_min")),
+  PROPORTION_OF_OPTIMAL(
+      "share",
+      "the score (the performance, unless there is another [objective](objectives.md)) divided by"
+          + " that of the exact optimum of the same scenario, detection model and seed; empty where"
+          + " that is 0",
+      compared(ScoredRun::proportionOfOptimal)),
+  REGRET("that of `score`", "the optimum's score minus this one", compared(ScoredRun::regret)),
+  MEAN_K_MIN(
+      "cameras",
+      "performance per step",
+      measured(run -> run.coverage().meanKMin()),
+      new Line("mean k_min", "%.4f", "per step")),
+  COVERED_0(
+      "share of targets",
+      "covered by no camera, over all steps (Figure 7.9)",
+      measured(run -> run.coverage().proportion0()),
+      new Line("covered by none", "%.4f", "share of targets")),
+  COVERED_1(
+      "share of targets",
+      "covered by exactly one camera",
+      measured(run -> run.coverage().proportion1()),
+      new Line("covered by one", "%.4f", "")),
+  COVERED_K(
+      "share of targets",
+      "covered by two or more cameras",
+      measured(run -> run.coverage().proportionK()),
+      new Line("covered by more", "%.4f", "")),
+  MEAN_K(
+      "cameras",
+      "mean number of cameras that cover a target",
+      measured(run -> run.coverage().meanK()),
+      new Line("mean k", "%.4f", "cameras per target")),
+  DETECTIONS(
+      "number",
+      "one for each camera, target and step",
+      measured(run -> run.coverage().detections())),
+  ZOOM_CHANGES(
+      "number",
+      "how often a camera's view (its zoom level or pan angle) differed from that of the step"
+          + " before",
+      measured(run -> run.coverage().zoomChanges())),
+  MESSAGES("number", "sent between cameras, by policies that vote", measured(Measured::messages)),
+  SCORE(
+      "of `kmin` and `lexicographic`: cameras x steps; of `covered`: shares x steps; of `sum`:"
+          + " detections",
+      "the sum of the steps' scores by the [objective](objectives.md)",
+      measured(run -> run.coverage().score())),
+  SETTLING_STEPS(
+      "steps",
+      "until within 90% of the final level; empty where that is 0",
+      compared(ScoredRun::settling)),
+  UNPROVEN_STEPS(
+      "steps",
+      "`optimal` and `one-hop` alone: those whose search ended without a proof",
+      measured(Measured::unprovenSteps)),
+  PERFORMANCE_BOUND(
+      "cameras x steps",
+      "of the same: what the performance could have been at most",
+      measured(run -> run.objective().isKMin() ? run.bound() : Double.NaN)),
+  SCORE_BOUND(
+      "that of `score`",
+      "the same of the score, under another objective than `kmin`",
+      measured(run -> run.objective().isKMin() ? Double.NaN : run.bound())),
+  EXPECTED_PERFORMANCE(
+      "cameras x steps",
+      "[by chance](detection.md) alone, as all that are expected: before luck was drawn",
+      measured(run -> run.coverage().expectedPerformance())),
+  EXPECTED_COVERED_0(
+      "share of targets",
+      "covered by no camera, expected",
+      measured(run -> run.coverage().expectedProportion0())),
+  EXPECTED_COVERED_1(
+      "share of targets",
+      "covered by exactly one camera, expected",
+      measured(run -> run.coverage().expectedProportion1())),
+  EXPECTED_COVERED_K(
+      "share of targets",
+      "covered by two or more cameras, expected",
+      measured(run -> run.coverage().expectedProportionK())),
+  EXPECTED_MEAN_K(
+      "cameras",
+      "mean number of cameras that cover a target, expected",
+      measured(run -> run.coverage().expectedMeanK())),
+  LEAST_EXPECTED_K(
+      "cameras",
+      "the least expected number of cameras that cover a target, mean over the steps",
+      measured(run -> run.coverage().leastExpectedK())),
+  LEAST_CHANCE(
+      "probability",
+      "the least probability of a target to be covered, mean over the steps",
+      measured(run -> run.coverage().leastChance())),
+  LEAST_EXPECTED_K_BOUND(
+      "cameras",
+      "`optimal-expected` alone: what `least_expected_k` could have been at most",
+      measured(Measured::leastExpectedKBound)),
+  VALUE_OF_LEARNING(
+      "ratio",
+      "`compare` alone, of every policy but `optimal`: score over that of `best-fixed` (the best"
+          + " configuration that never changes, in hindsight) of the same scenario, detection model"
+          + " and seed; empty where that is 0. `zoom-out` and similar policies have it too: what"
+          + " they are worth compared with a good fixed choice",
+      overBestFixed(false, ScoredRun::overBestFixed)),
+  BEST_FIXED(
+      "that of `score`",
+      "of `optimal`: the score of `best-fixed`",
+      overBestFixed(true, ScoredRun::bestFixed)),
+  VALUE_OF_ADAPTING(
+      "ratio",
+      "of `optimal`: score over that of `best-fixed`, what changing zooms is worth at most; 1 where"
+          + " the optimum never needs to change",
+      overBestFixed(true, ScoredRun::overBestFixed));
 
-  private final String label;
-  private final ToDoubleFunction<RunResult> figure;
+  /** How a run prints a metric: its title, the format of the number, and a note. */
+  private record Line(String title, String format, String note) {}
 
-  Metric(String label, ToDoubleFunction<RunResult> figure) {
-    this.label = label;
-    this.figure = figure;
+  /**
+   * How a metric is computed.
+   *
+   * @param measured of a run alone, NaN where it has no such metric; null where others are needed
+   * @param compared of a run next to its yardsticks; null for a metric of the run alone
+   * @param applies whether a run has the metric: the optimum (true) or another
+   */
+  private record Source(
+      ToDoubleFunction<Measured> measured,
+      ToDoubleFunction<ScoredRun> compared,
+      BiPredicate<ScoredRun, Boolean> applies) {}
+
+  private final String unit;
+  private final String meaning;
+  private final Source source;
+  private final Line line;
+
+  Metric(String unit, String meaning, Source source) {
+    this(unit, meaning, source, null);
   }
 
-  /** The figures that a run has, in the order of files. */
-  public static List<Metric> measured(RunResult result) {
-    return Arrays.stream(values()).filter(metric -> !Double.isNaN(metric.of(result))).toList();
+  Metric(String unit, String meaning, Source source, Line line) {
+    this.unit = unit;
+    this.meaning = meaning;
+    this.source = source;
+    this.line = line;
   }
 
-  /** Whether it is a figure of runs whose detections are by chance alone. */
-  public boolean ofChance() {
-    return compareTo(EXPECTED_PERFORMANCE) >= 0;
+  private static Source measured(ToDoubleFunction<Measured> figure) {
+    return new Source(figure, null, (run, optimum) -> false);
+  }
+
+  private static Source compared(ToDoubleFunction<ScoredRun> figure) {
+    return new Source(null, figure, (run, optimum) -> true);
+  }
+
+  private static Source overBestFixed(boolean ofOptimum, ToDoubleFunction<ScoredRun> figure) {
+    return new Source(
+        null, figure, (run, optimum) -> !Double.isNaN(run.bestFixed()) && optimum == ofOptimum);
+  }
+
+  /** All that a run measures on its own, each with its value. */
+  static EnumMap<Metric, Double> measure(Measured run) {
+    EnumMap<Metric, Double> values = new EnumMap<>(Metric.class);
+    for (Metric metric : values()) {
+      double value =
+          metric.source.measured == null ? Double.NaN : metric.source.measured.applyAsDouble(run);
+      if (!Double.isNaN(value)) {
+        values.put(metric, value);
+      }
+    }
+    return values;
+  }
+
+  /** The metrics that {@code run} prints and the page of a run shows, in the order of files. */
+  public static List<Metric> ofRuns() {
+    return Arrays.stream(values())
+        .filter(metric -> metric.source.measured != null && !metric.isClaim())
+        .toList();
+  }
+
+  /**
+   * Whether a run has it, perhaps without a value.
+   *
+   * @param optimum whether the run is the optimum's
+   */
+  public boolean appliesTo(ScoredRun run, boolean optimum) {
+    return source.measured == null ? source.applies.test(run, optimum) : run.result().has(this);
+  }
+
+  /** Whether it says how far the policy's claim to be the best is proven. */
+  public boolean isClaim() {
+    return compareTo(UNPROVEN_STEPS) >= 0 && compareTo(SCORE_BOUND) <= 0;
+  }
+
+  /** The value of one run; NaN where there is none. */
+  public double of(ScoredRun run) {
+    return source.compared == null ? run.result().value(this) : source.compared.applyAsDouble(run);
   }
 
   /** The name in files. */
   public String label() {
-    return label;
+    return name().toLowerCase(Locale.ROOT);
   }
 
-  /** The figure of one run. */
-  public double of(RunResult result) {
-    return figure.applyAsDouble(result);
+  /** The unit, as {@code docs/data.md} has it. */
+  public String unit() {
+    return unit;
+  }
+
+  /** What it is, as {@code docs/data.md} has it. */
+  public String meaning() {
+    return meaning;
+  }
+
+  /** Whether a run prints it. */
+  public boolean isPrinted() {
+    return line != null;
+  }
+
+  /** What it is called where a run prints it. */
+  public String title() {
+    return line.title;
+  }
+
+  /** How its number is printed. */
+  public String format() {
+    return line.format;
+  }
+
+  /** What stands behind the printed number; perhaps nothing. */
+  public String note() {
+    return line.note;
   }
 }

@@ -42,20 +42,6 @@ public record Proof(long unprovenSteps, double gap) {
         + " higher in sum";
   }
 
-  /**
-   * The most that the score could have been.
-   *
-   * @param score that was reached
-   */
-  public double bound(double score) {
-    return score + gap;
-  }
-
-  /** The name in files of {@link #bound}. */
-  public static String boundLabel(Objective objective) {
-    return objective.isKMin() ? "performance_bound" : "score_bound";
-  }
-
   /** What is proven of these steps and of others. */
   public Proof plus(Proof other) {
     return new Proof(unprovenSteps + other.unprovenSteps, gap + other.gap);

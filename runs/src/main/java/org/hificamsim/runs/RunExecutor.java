@@ -59,7 +59,7 @@ public final class RunExecutor {
       rehearse(plan, run, hindsight);
     }
     run(simulation(plan, run, policy, all), plan, run);
-    return RunResult.of(run, plan.seed(run), coverage, policy);
+    return RunResult.of(run, plan.seed(run), Measured.of(coverage, plan.objective(), policy));
   }
 
   /**

@@ -1,34 +1,78 @@
 package org.hificamsim.runs;
 
+import java.util.EnumMap;
+import java.util.Map;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
 
 /**
- * What is to be run: the model's parameters, apart from where results go.
+ * What is to be run: a scenario, what detects in it, and the {@link Setting settings} that neither
+ * of them has. Nothing else decides what a run computes.
  *
- * @param policy name and options; each repeat makes its own instance
- * @param steps 0 ({@code camsim} alone) to {@link #MAX_STEPS}
- * @param seed of the first repeat; repeat i uses seed + i
- * @param repeats 1 or more
+ * @param scenario with what was asked for in place of what its file says
+ * @param own the values of the settings that the plan itself keeps, all of them
  */
-public record RunPlan(
-    Scenario scenario, Detection detection, String policy, int steps, long seed, int repeats) {
+public record RunPlan(Scenario scenario, Detection detection, Map<Setting, String> own) {
   /** The longest run. */
   public static final int MAX_STEPS = 1_000_000_000;
 
-  /** The seed of one repeat. */
-  public long seed(int run) {
-    return seed + run;
+  /**
+   * A plan with all other settings at their defaults.
+   *
+   * @param policy name and options; each repeat makes its own instance
+   * @param steps 0 ({@code camsim} alone) to {@link #MAX_STEPS}
+   * @param seed of the first repeat; repeat i uses seed + i
+   * @param repeats 1 or more
+   */
+  public RunPlan(
+      Scenario scenario, Detection detection, String policy, int steps, long seed, int repeats) {
+    this(scenario, detection, own(policy, steps, seed, repeats));
   }
 
-  /** What a step is scored by: the scenario has what was asked for. */
+  private static Map<Setting, String> own(String policy, int steps, long seed, int repeats) {
+    Map<Setting, String> own = Settings.NONE.own();
+    own.put(Setting.POLICY, policy);
+    own.put(Setting.STEPS, Integer.toString(steps));
+    own.put(Setting.SEED, Long.toString(seed));
+    own.put(Setting.REPEAT, Integer.toString(repeats));
+    return own;
+  }
+
+  /** The policy's name and options. */
+  public String policy() {
+    return own.get(Setting.POLICY);
+  }
+
+  /** The number of steps of each run. */
+  public int steps() {
+    return Integer.parseInt(own.get(Setting.STEPS));
+  }
+
+  /** The seed of the first repeat. */
+  public long seed() {
+    return Long.parseLong(own.get(Setting.SEED));
+  }
+
+  /** The number of runs. */
+  public int repeats() {
+    return Integer.parseInt(own.get(Setting.REPEAT));
+  }
+
+  /** The seed of one repeat. */
+  public long seed(int run) {
+    return seed() + run;
+  }
+
+  /** What a step is scored by. */
   public Objective objective() {
     return scenario.objective();
   }
 
   /** The same plan under another policy. */
-  public RunPlan withPolicy(String newPolicy) {
-    return new RunPlan(scenario, detection, newPolicy, steps, seed, repeats);
+  public RunPlan withPolicy(String policy) {
+    Map<Setting, String> changed = new EnumMap<>(own);
+    changed.put(Setting.POLICY, policy);
+    return new RunPlan(scenario, detection, changed);
   }
 }

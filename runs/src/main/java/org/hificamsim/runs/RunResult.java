@@ -1,85 +1,51 @@
 package org.hificamsim.runs;
 
 import java.io.Serializable;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import org.hificamsim.core.engine.RunCoverage;
-import org.hificamsim.core.policy.ExpectationProvingZoomPolicy;
-import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * The coverage of one repeat.
+ * What one repeat measured.
  *
- * @param performance the sum of k_min over the steps (Eq 7.2)
- * @param meanKMin per step
- * @param covered0 share of targets that no camera covered, over all steps
- * @param covered1 share that exactly one camera covered
- * @param coveredK share that two or more cameras covered
- * @param meanK mean number of cameras that cover a target
- * @param detections one for each camera, target and step
- * @param zoomChanges how often a camera's view (its zoom level or pan angle) differed from that of
- *     the step before
- * @param messages sent between cameras
- * @param unprovenSteps steps whose configuration is not proven to be the best that the policy could
- *     take; -1 under a policy that does not claim it to be
- * @param gap what the score might gain in those steps at most
- * @param score the sum over the steps of what the objective makes of them; the performance by
- *     default
- * @param expected before luck was drawn, where detections are by chance
+ * @param values of the metrics that the run has on its own
+ * @param gap what the score might gain at most in the steps whose configuration is not proven to be
+ *     the best
  */
-public record RunResult(
-    int run,
-    long seed,
-    long performance,
-    double meanKMin,
-    double covered0,
-    double covered1,
-    double coveredK,
-    double meanK,
-    long detections,
-    long zoomChanges,
-    long messages,
-    long unprovenSteps,
-    double gap,
-    double score,
-    ExpectedResult expected)
+public record RunResult(int run, long seed, EnumMap<Metric, Double> values, double gap)
     implements Serializable {
-  private static final Proof NO_CLAIM = new Proof(-1, 0);
+  /** The result of a repeat. */
+  public static RunResult of(int run, long seed, Measured measured) {
+    double gap = measured.proof().map(Proof::gap).orElse(0.0);
+    return new RunResult(run, seed, Metric.measure(measured), gap);
+  }
 
-  /** A result under k_min whose policy proves nothing. */
-  public RunResult(
-      int run,
-      long seed,
-      long performance,
-      double meanKMin,
-      double covered0,
-      double covered1,
-      double coveredK,
-      double meanK,
-      long detections,
-      long zoomChanges,
-      long messages) {
-    this(
-        run,
-        seed,
-        performance,
-        meanKMin,
-        covered0,
-        covered1,
-        coveredK,
-        meanK,
-        detections,
-        zoomChanges,
-        messages,
-        NO_CLAIM.unprovenSteps(),
-        NO_CLAIM.gap(),
-        (double) performance,
-        ExpectedResult.NONE);
+  /** A result of known values, of a policy that claims nothing. */
+  public static RunResult of(int run, long seed, Map<Metric, Double> values) {
+    return new RunResult(run, seed, new EnumMap<>(values), 0);
+  }
+
+  /** Whether the run has a metric. */
+  public boolean has(Metric metric) {
+    return values.containsKey(metric);
+  }
+
+  /** A metric's value; NaN where the run does not have it. */
+  public double value(Metric metric) {
+    return values.getOrDefault(metric, Double.NaN);
+  }
+
+  /** The sum over the steps of what the objective makes of them; the performance by default. */
+  public double score() {
+    return value(Metric.SCORE);
   }
 
   /** What the policy proved; empty under one that does not claim to be the best. */
   public Optional<Proof> proof() {
-    return unprovenSteps < 0 ? Optional.empty() : Optional.of(new Proof(unprovenSteps, gap));
+    return has(Metric.UNPROVEN_STEPS)
+        ? Optional.of(new Proof((long) value(Metric.UNPROVEN_STEPS), gap))
+        : Optional.empty();
   }
 
   /**
@@ -87,8 +53,8 @@ public record RunResult(
    * that is proven to be the best, or where the policy does not claim it.
    */
   public double expectedGap() {
-    double gap = expected.leastKBound() - expected.leastK();
-    return gap > 0 ? gap : 0;
+    double more = value(Metric.LEAST_EXPECTED_K_BOUND) - value(Metric.LEAST_EXPECTED_K);
+    return more > 0 ? more : 0;
   }
 
   /** What is proven of several repeats together; of nothing where the policy claims nothing. */
@@ -98,65 +64,8 @@ public record RunResult(
         .reduce(Proof.OF_NOTHING, Proof::plus);
   }
 
-  /** The result of a repeat whose coverage has been added up, under a policy. */
-  public static RunResult of(int run, long seed, RunCoverage coverage, ZoomPolicy policy) {
-    double gap =
-        policy instanceof ExpectationProvingZoomPolicy proving ? proving.gap() : Double.NaN;
-    return of(run, seed, coverage, policy.messages(), Proof.of(policy))
-        .with(ExpectedResult.of(coverage, gap));
-  }
-
-  /**
-   * The result of a repeat whose coverage has been added up.
-   *
-   * @param proven what its policy proved; empty under one that does not claim to be the best
-   */
-  public static RunResult of(
-      int run, long seed, RunCoverage coverage, long messages, Optional<Proof> proven) {
-    Proof proof = proven.orElse(NO_CLAIM);
-    return new RunResult(
-        run,
-        seed,
-        coverage.performance(),
-        coverage.meanKMin(),
-        coverage.proportion0(),
-        coverage.proportion1(),
-        coverage.proportionK(),
-        coverage.meanK(),
-        coverage.detections(),
-        coverage.zoomChanges(),
-        messages,
-        proof.unprovenSteps(),
-        proof.gap(),
-        coverage.score(),
-        ExpectedResult.of(coverage, Double.NaN));
-  }
-
   /** The same result as another repeat: a run with this seed may be any repeat of a plan. */
   public RunResult asRun(int repeat) {
-    return copy(repeat, expected);
-  }
-
-  private RunResult with(ExpectedResult newExpected) {
-    return copy(run, newExpected);
-  }
-
-  private RunResult copy(int newRun, ExpectedResult newExpected) {
-    return new RunResult(
-        newRun,
-        seed,
-        performance,
-        meanKMin,
-        covered0,
-        covered1,
-        coveredK,
-        meanK,
-        detections,
-        zoomChanges,
-        messages,
-        unprovenSteps,
-        gap,
-        score,
-        newExpected);
+    return new RunResult(repeat, seed, values, gap);
   }
 }

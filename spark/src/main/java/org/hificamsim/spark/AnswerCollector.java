@@ -38,7 +38,7 @@ final class AnswerCollector extends AbstractFunction2<Object, Answer[], BoxedUni
     if (answer.fault() != null) {
       throw answer.fault();
     }
-    finished.take(answer.task(), answer.outcome());
+    finished.take(answer.task(), answer.run());
   }
 
   synchronized boolean isFaulty() {

@@ -7,7 +7,7 @@ import java.util.Map;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.compare.Outcome;
+import org.hificamsim.runs.compare.FinishedRun;
 import org.hificamsim.runs.compare.RunTask;
 
 /** All plans of a comparison as text; each is read once in an executor. */
@@ -29,8 +29,8 @@ final class PortableComparison implements Serializable {
   }
 
   /** Computes one run. */
-  Outcome outcome(RunTask task) {
-    return Outcome.of(new RunExecutor(catalogue()), plan(task.plan()), task.repeat());
+  FinishedRun run(RunTask task) {
+    return FinishedRun.of(new RunExecutor(catalogue()), plan(task.plan()), task.repeat());
   }
 
   private synchronized RunPlan plan(int index) {

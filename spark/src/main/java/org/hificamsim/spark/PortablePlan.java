@@ -4,12 +4,14 @@ import java.io.IOException;
 import java.io.Serializable;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
+import java.util.EnumMap;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.compare.RunKey;
 
 /**
@@ -17,16 +19,14 @@ import org.hificamsim.runs.compare.RunKey;
  *
  * @param scenario its name
  * @param xml the scenario's content
+ * @param own the settings that the plan itself keeps
  * @param key of the plan's results: a machine that comes to another one would compute another plan
  */
 record PortablePlan(
     String scenario,
     String xml,
     PortableDetection detection,
-    String policy,
-    int steps,
-    long seed,
-    int repeats,
+    EnumMap<Setting, String> own,
     String key)
     implements Serializable {
   /**
@@ -40,10 +40,7 @@ record PortablePlan(
             plan.scenario().name(),
             ScenarioWriter.write(plan.scenario()),
             PortableDetection.of(plan.detection()),
-            plan.policy(),
-            plan.steps(),
-            plan.seed(),
-            plan.repeats(),
+            new EnumMap<>(plan.own()),
             RunKey.of(plan).text());
     portable.plan(catalogue);
     return portable;
@@ -55,9 +52,7 @@ record PortablePlan(
    * @throws InputException when models, jars or the version here are others than where it was made
    */
   RunPlan plan(Catalogue catalogue) {
-    RunPlan plan =
-        new RunPlan(
-            readScenario(catalogue), detection.detection(catalogue), policy, steps, seed, repeats);
+    RunPlan plan = new RunPlan(readScenario(catalogue), detection.detection(catalogue), own);
     RunKey there = RunKey.of(plan);
     if (!there.text().equals(key)) {
       String input = there.changed(RunKey.read(key)).orElse("a user's jar");

@@ -21,9 +21,11 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Comparison;
-import org.hificamsim.runs.compare.ComparisonRun;
 import org.hificamsim.runs.compare.EngineSettings;
-import org.hificamsim.runs.compare.Yardsticks;
+import org.hificamsim.runs.compare.Journal;
+import org.hificamsim.runs.compare.JournalledEngine;
+import org.hificamsim.runs.compare.ReferencePolicies;
+import org.hificamsim.runs.compare.RunEngine;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -65,16 +67,15 @@ class MixedModelsTest {
   void aComparisonWhoseModelHasChangedUnderItsNameIsNotResumed() throws IOException {
     RunPlan plan = plan(model("0.026"));
     try (OutputFolder out = new OutputFolder(folder.resolve("out"))) {
-      assertThrows(InterruptedByTest.class, () -> compare(plan, out, MixedModelsTest::interrupt));
-      Path journal = out.path().resolve(".compare.journal");
+      compare(CATALOGUE, plan, out); // and ends before its tables are written
+      Path journal = out.path().resolve(Journal.NAME);
       byte[] finished = Files.readAllBytes(journal);
       InputException fault =
-          assertThrows(
-              InputException.class, () -> compare(plan(model("0.2")), out, (files, all) -> {}));
+          assertThrows(InputException.class, () -> compare(CATALOGUE, plan(model("0.2")), out));
       assertTrue(
           fault.getMessage().contains("has runs of another detection 'mine'"), fault.getMessage());
       assertArrayEquals(finished, Files.readAllBytes(journal));
-      assertEquals(2, compare(plan, out, (files, all) -> {}).size(), "with the optimum");
+      assertEquals(2, compare(CATALOGUE, plan, out).size(), "with the optimum");
     }
   }
 
@@ -86,33 +87,21 @@ class MixedModelsTest {
         new Catalogue(here, CATALOGUE.policies(), CATALOGUE.movements(), CATALOGUE.listeners());
     try (OutputFolder out = new OutputFolder(folder.resolve("out"))) {
       InputException fault =
-          assertThrows(
-              InputException.class,
-              () -> comparison(changed).execute(List.of(plan(new Blind())), out, (f, all) -> {}));
+          assertThrows(InputException.class, () -> compare(changed, plan(new Blind()), out));
       assertTrue(
           fault.getMessage().contains("detection 'geometric' is another on an executor than here"),
           fault.getMessage());
     }
   }
 
-  /** Ends a comparison when its runs are finished and its tables are not written. */
-  private static void interrupt(OutputFolder folder, List<CaseResult> cases) {
-    throw new InterruptedByTest();
-  }
-
-  private static final class InterruptedByTest extends RuntimeException {
-    private static final long serialVersionUID = 1L;
-  }
-
-  private static List<CaseResult> compare(
-      RunPlan plan, OutputFolder folder, ComparisonRun.Extras extras) throws IOException {
-    return comparison(CATALOGUE).executeWithoutTables(List.of(plan), folder, extras);
-  }
-
-  private static ComparisonRun comparison(Catalogue catalogue) {
+  private static List<CaseResult> compare(Catalogue catalogue, RunPlan plan, OutputFolder folder)
+      throws IOException {
     SparkEngine engine = new SparkEngine();
     engine.configure(new EngineSettings(catalogue, 1, Optional.of("local[2]")));
-    return new ComparisonRun(new Comparison(engine, () -> {}), Yardsticks.OPTIMUM, true, () -> {});
+    try (Journal journal = Journal.open(folder, Journal.NAME, true)) {
+      RunEngine journalled = new JournalledEngine(engine, journal, () -> {});
+      return Comparison.run(List.of(plan), ReferencePolicies.OPTIMUM, journalled);
+    }
   }
 
   private DetectionModel model(String intercept) throws IOException {

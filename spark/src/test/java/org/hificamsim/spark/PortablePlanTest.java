@@ -69,10 +69,7 @@ class PortablePlanTest {
             here.xml(),
             PortableDetection.of(
                 new Detection("geometric", CATALOGUE.detection("hifi:orb-lin"), 0.5)),
-            here.policy(),
-            here.steps(),
-            here.seed(),
-            here.repeats(),
+            here.own(),
             here.key());
     InputException fault = assertThrows(InputException.class, () -> there.plan(CATALOGUE));
     assertEquals(

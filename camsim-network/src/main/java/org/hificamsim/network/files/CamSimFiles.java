@@ -15,8 +15,8 @@ import org.hificamsim.network.statistics.RunSums;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.RunTables;
 import org.hificamsim.runs.output.SingleRun;
-import org.hificamsim.runs.output.Table;
 
 /** All files of one run: CamSim's two, and those of ours that are asked for. */
 public final class CamSimFiles implements Closeable {
@@ -37,7 +37,7 @@ public final class CamSimFiles implements Closeable {
       Optional<Path> coverage) {}
 
   private static final List<String> COVERAGE =
-      List.of(Table.RUN_STEPS.file(), ResultFolder.SUMMARY, ResultFolder.MANIFEST);
+      List.of(RunTables.STEPS.file(), ResultFolder.SUMMARY, ResultFolder.MANIFEST);
 
   private final List<Closeable> opened = new ArrayList<>();
   private final List<OutputFile> files = new ArrayList<>();

@@ -9,7 +9,6 @@ import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.StackPanel;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.compare.Score;
 
 /** The shares of targets covered by no, one, and more cameras, as Figure 7.9 stacks them. */
 public final class CoverageFigure {
@@ -47,12 +46,12 @@ public final class CoverageFigure {
             "share of targets",
             group.cases().stream().map(one -> one.plan().policy()).toList());
     for (int layer = 0; layer < METRICS.length; layer++) {
-      panel.layer(shares(group, Score.of(METRICS[layer])), COLORS[layer]);
+      panel.layer(shares(group, METRICS[layer]), COLORS[layer]);
     }
     return panel;
   }
 
-  private static List<Double> shares(Group group, Score score) {
-    return group.cases().stream().map(one -> StatUtils.mean(one.figures(score))).toList();
+  private static List<Double> shares(Group group, Metric metric) {
+    return group.cases().stream().map(one -> StatUtils.mean(one.figures(metric))).toList();
   }
 }

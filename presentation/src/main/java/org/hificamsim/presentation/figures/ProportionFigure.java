@@ -10,8 +10,8 @@ import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.compare.Score;
 import org.knowm.xchart.XYChart;
 
 /** The proportion of the optimum by policy and detection model, a panel per scenario. */
@@ -66,7 +66,7 @@ final class ProportionFigure {
 
   private void dot(XyPanel panel, CaseResult one) {
     int row = policies.indexOf(one.plan().policy());
-    Estimate estimate = one.values(Score.PROPORTION_OF_OPTIMAL).mean();
+    Estimate estimate = one.values(Metric.PROPORTION_OF_OPTIMAL).mean();
     if (row >= 0 && !Double.isNaN(estimate.mean())) {
       int detection = detections.indexOf(one.plan().detection().name());
       double y = row + 1 + APART * ((detections.size() - 1) / 2.0 - detection);

@@ -16,7 +16,7 @@ import java.util.zip.InflaterInputStream;
  * @param frames how many there are
  * @param scale parts of a metre that positions are rounded to
  * @param estimateScale parts of a unit that estimates are rounded to
- * @param data a {@link Series} for the frames' steps, then one for each {@link Column}; deflated
+ * @param data a {@link Series} for the frames' steps, then one for each {@link FrameColumn}; deflated
  *     (zlib), in Base64
  */
 public record PackedRun(
@@ -34,7 +34,7 @@ public record PackedRun(
   static PackedRun of(Setup setup, RecordedRun recording) {
     Scale place = Scale.of(setup.field());
     Scale estimate = Scale.of(largestEstimate(recording.frames()));
-    List<Column> columns = Column.of(setup, place, estimate, !recording.estimated().isEmpty());
+    List<FrameColumn> columns = FrameColumn.of(setup, place, estimate, !recording.estimated().isEmpty());
     return new PackedRun(
         recording.run(),
         recording.seed(),
@@ -60,7 +60,7 @@ public record PackedRun(
    */
   RecordedRun unpack(Setup setup) throws IOException {
     boolean known = !estimated.isEmpty();
-    List<Column> columns = Column.of(setup, new Scale(scale), new Scale(estimateScale), known);
+    List<FrameColumn> columns = FrameColumn.of(setup, new Scale(scale), new Scale(estimateScale), known);
     List<Frame> unpacked = new ArrayList<>(frames);
     try (InputStream in =
         new InflaterInputStream(new ByteArrayInputStream(Base64.getDecoder().decode(data)))) {
@@ -69,7 +69,7 @@ public record PackedRun(
         at += Series.read(in);
         unpacked.add(Frame.blank(setup, at, known));
       }
-      for (Column column : columns) {
+      for (FrameColumn column : columns) {
         at = 0;
         for (Frame frame : unpacked) {
           at += Series.read(in);
@@ -82,17 +82,17 @@ public record PackedRun(
     return new RecordedRun(run, seed, steps, every, estimated, moves, unpacked);
   }
 
-  private static String pack(List<Frame> frames, List<Column> columns) {
+  private static String pack(List<Frame> frames, List<FrameColumn> columns) {
     return Deflated.base64(
         out -> {
-          pack(out, new Column(Frame::step, (frame, step) -> {}), frames);
-          for (Column column : columns) {
+          pack(out, new FrameColumn(Frame::step, (frame, step) -> {}), frames);
+          for (FrameColumn column : columns) {
             pack(out, column, frames);
           }
         });
   }
 
-  private static void pack(OutputStream out, Column column, List<Frame> frames) throws IOException {
+  private static void pack(OutputStream out, FrameColumn column, List<Frame> frames) throws IOException {
     long before = 0;
     for (Frame frame : frames) {
       long number = column.pack().applyAsLong(frame);

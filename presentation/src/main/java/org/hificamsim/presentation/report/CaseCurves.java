@@ -14,6 +14,7 @@ import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
@@ -40,7 +41,7 @@ final class CaseCurves {
         Math.max(2, Math.min(MAX_POINTS_OF_A_CASE, MAX_POINTS / Math.max(1, lengths.size())));
     int group = (longest + most - 1) / most;
     Map<List<String>, double[]> cases = new LinkedHashMap<>();
-    Table.STEPS.read(
+    ComparisonFiles.STEPS.read(
         folder,
         row -> {
           List<String> key = Table.caseOf(row);

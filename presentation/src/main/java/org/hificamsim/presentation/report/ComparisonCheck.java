@@ -6,6 +6,7 @@ import java.util.Map;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
+import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.Table;
 
 /** Compares {@code summary.csv} with {@code results.csv}: a page must not mix two comparisons. */
@@ -44,7 +45,7 @@ final class ComparisonCheck {
                   .formatted(
                       row.text("mean"),
                       row.text("runs"),
-                      Table.RESULTS.file(),
+                      ComparisonFiles.RESULTS.file(),
                       own.getMean(),
                       own.getN()));
     }

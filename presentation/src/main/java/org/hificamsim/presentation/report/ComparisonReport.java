@@ -8,10 +8,11 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import org.hificamsim.core.InputException;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.presentation.figures.PolicyColors;
+import org.hificamsim.runs.compare.AggregateFiles;
+import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
@@ -20,18 +21,20 @@ import org.hificamsim.runs.output.Table;
  * pictures, made from its folder alone.
  */
 final class ComparisonReport {
-  private static final List<Table> OTHERS =
+  /** The tables that stand on the page as they are, in its order. */
+  private static final List<String> OTHERS =
       List.of(
-          Table.ADAPTING,
-          Table.VERDICTS,
-          Table.TABLE_8_1,
-          Table.SENSITIVITY,
-          Table.FIT,
-          Table.RUNGS,
-          Table.LADDER,
-          Table.AGGREGATE,
-          Table.IMPROVEMENT,
-          Table.PAIRS);
+          "adapting.csv",
+          "verdicts.csv",
+          "table-8.1.csv",
+          "sensitivity.csv",
+          "fit.csv",
+          "rungs.csv",
+          "ladder.csv",
+          AggregateFiles.AGGREGATE.file(),
+          AggregateFiles.IMPROVEMENT.file(),
+          AggregateFiles.PAIRS.file());
+
   private static final int MAX_ROWS = 5_000;
   private static final int MAX_SUMMARY_ROWS = 20_000;
 
@@ -44,18 +47,19 @@ final class ComparisonReport {
 
   /** Whether a folder holds any table that this page shows. */
   static boolean suits(Path folder) {
-    return Table.SUMMARY.isIn(folder) || OTHERS.stream().anyMatch(table -> table.isIn(folder));
+    return ComparisonFiles.SUMMARY.isIn(folder)
+        || OTHERS.stream().anyMatch(name -> Table.of(name).isIn(folder));
   }
 
   /**
    * The page.
    *
-   * @throws InputException when a table is missing, broken, or of another comparison than the rest
+   * @throws org.hificamsim.core.InputException when a table is missing, broken, or of another comparison than the rest
    */
   static Page of(Path folder) throws IOException {
     ComparisonReport report = new ComparisonReport(folder);
     report.addTables();
-    if (Table.SUMMARY.isIn(folder)) {
+    if (ComparisonFiles.SUMMARY.isIn(folder)) {
       report.addComparison();
     }
     report.data.set("pictures", Pictures.of(folder));
@@ -73,7 +77,8 @@ final class ComparisonReport {
 
   private void addTables() throws IOException {
     ArrayNode tables = data.putArray("tables");
-    for (Table table : OTHERS) {
+    for (String name : OTHERS) {
+      Table<?> table = Table.of(name);
       if (table.isIn(folder)) {
         write(tables.addObject(), table.read(folder), MAX_ROWS);
       }
@@ -81,14 +86,14 @@ final class ComparisonReport {
   }
 
   private void addComparison() throws IOException {
-    CsvRows summary = Table.SUMMARY.read(folder);
-    CsvRows results = Table.RESULTS.read(folder);
+    CsvRows summary = ComparisonFiles.SUMMARY.read(folder);
+    CsvRows results = ComparisonFiles.RESULTS.read(folder);
     ComparisonCheck.check(summary, results);
     write(data.putObject("summary"), summary, MAX_SUMMARY_ROWS);
     write(data.putObject("results"), results, MAX_ROWS);
     JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
     data.set("settings", settings);
-    if (Table.STEPS.isIn(folder)) {
+    if (ComparisonFiles.STEPS.isIn(folder)) {
       data.set("curves", CaseCurves.of(folder, settings));
     }
     addColors(summary);

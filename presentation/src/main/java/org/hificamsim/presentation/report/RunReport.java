@@ -13,7 +13,6 @@ import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.heat.HeatTable;
 import org.hificamsim.runs.output.ResultFolder;
-import org.hificamsim.runs.output.Table;
 
 /** The page of a run that was recorded: made from its folder alone. */
 final class RunReport {
@@ -42,7 +41,7 @@ final class RunReport {
     Setup setup = report.replay.setup();
     ObjectNode data = JSON.createObjectNode();
     data.set("replay", JSON.readTree(ReplayJson.of(report.replay)));
-    if (Table.HEATMAP.isIn(folder)) {
+    if (HeatTable.TABLE.isIn(folder)) {
       data.set("heat", JSON.readTree(ReplayJson.of(report.heat())));
     }
     data.set("summary", report.figures());
@@ -120,9 +119,9 @@ final class RunReport {
             });
     figures.put("repeat", replay.repeat());
     ObjectNode metrics = figures.putObject("metrics");
-    for (Metric metric : Metric.values()) {
+    for (Metric metric : Metric.ofRuns()) {
       JsonNode mean = settings.remove(metric.label());
-      if (mean == null && metric.ofChance()) {
+      if (mean == null) {
         continue;
       }
       JsonNode interval = summary.path("interval_95").path(metric.label());

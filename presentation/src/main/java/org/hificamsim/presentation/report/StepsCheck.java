@@ -9,6 +9,8 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.RecordedRun;
+import org.hificamsim.runs.output.RunTables;
+import org.hificamsim.runs.output.StepCursor;
 import org.hificamsim.runs.output.StepRow;
 
 /** Compares {@code steps.csv} with recorded frames: a page must show the numbers of the table. */
@@ -19,11 +21,13 @@ final class StepsCheck {
   /** Adds the frames of a run. */
   void expect(RecordedRun recording) throws IOException {
     StringWriter text = new StringWriter();
+    StepCursor at = new StepCursor();
     try (NumberRows row = new NumberRows(text, "", ',', "")) {
       for (Frame frame : recording.frames()) {
-        StepRow.addMeasures(row, frame.measure());
-        row.end();
-        expected.put(recording.run() + "," + frame.step(), text.toString());
+        at.at(recording.run(), frame.step(), frame.measure());
+        RunTables.steps(frame.measure().byChance()).add(at, row);
+        String which = recording.run() + "," + frame.step();
+        expected.put(which, text.toString().substring(which.length() + 1));
         text.getBuffer().setLength(0);
       }
     }

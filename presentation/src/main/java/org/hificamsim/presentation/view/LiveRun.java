@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
@@ -16,7 +15,8 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 
 /**
  * One or two simulations of the same targets, in step. The targets are the same because each world
@@ -269,9 +269,11 @@ public final class LiveRun {
   }
 
   private LiveSide side(World world, LiveChoice choice) {
-    Detection detection =
-        Overrides.ofDetection(Optional.ofNullable(choice.threshold()), Optional.empty())
-            .detection(spec(choice.detection()), scenario.now());
+    Settings asked =
+        choice.threshold() == null
+            ? Settings.NONE
+            : Settings.NONE.with(Setting.THRESHOLD, choice.threshold().toString());
+    Detection detection = spec(choice.detection()).detection(asked, scenario.now());
     LiveSide side =
         new LiveSide(world, catalogue, detection, choice.policy(), seed, next, floor, held);
     side.heat(heat);

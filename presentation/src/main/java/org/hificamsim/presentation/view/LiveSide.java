@@ -20,7 +20,7 @@ import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
-import org.hificamsim.runs.heat.Cells;
+import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatRecorder;
 
 /** A simulation that is watched step by step: a world under one choice of model and policy. */
@@ -91,7 +91,7 @@ final class LiveSide {
 
   /** Begins a heat map with the next step, or makes none any more. */
   void heat(boolean on) {
-    heat = on ? new HeatRecorder(world, detection, Cells.USUAL) : null;
+    heat = on ? new HeatRecorder(world, detection, FieldCells.USUAL) : null;
   }
 
   /** The heat map of the steps since it was begun, if there are any. */

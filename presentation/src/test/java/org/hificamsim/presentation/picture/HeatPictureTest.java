@@ -20,7 +20,7 @@ import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.TargetSetup;
-import org.hificamsim.runs.heat.Cells;
+import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatMap.Place;
@@ -40,7 +40,7 @@ class HeatPictureTest {
   /** From the lower left: never covered, by half a camera, by two; then three that differ. */
   private static final HeatMap MAP =
       new HeatMap(
-          new Cells(FIELD, 3, 2),
+          new FieldCells(FIELD, 3, 2),
           List.of(
               new Place(0, 1, 0, 0, 0, NONE, NONE),
               new Place(0.5, 0.5, 0.5, 0, 1, 0, 1),

@@ -9,6 +9,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Settings;
 
 /** Scenarios x rungs x policies: what is run, and what is compared with what. */
 public final class Ladder {
@@ -76,10 +77,10 @@ public final class Ladder {
   }
 
   /** Everything that has to be run. */
-  public List<RunPlan> plans(int steps, long seed, int repeats) {
+  public List<RunPlan> plans(Settings asked) {
     List<RunPlan> plans = new ArrayList<>();
     for (RungScenario one : all()) {
-      policies.forEach(policy -> plans.add(one.plan(policy, steps, seed, repeats)));
+      policies.forEach(policy -> plans.add(one.plan(policy, asked)));
     }
     return plans;
   }

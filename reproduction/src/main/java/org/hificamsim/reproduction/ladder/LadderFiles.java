@@ -1,8 +1,12 @@
 package org.hificamsim.reproduction.ladder;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.plot.FigureFile;
@@ -11,7 +15,7 @@ import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.JsonOutput;
 import org.hificamsim.runs.output.Table;
 
@@ -21,6 +25,81 @@ public final class LadderFiles {
   public static final String OR = " | ";
 
   private static final String COST = "cost";
+
+  /** What a rung predicts of a policy in a scenario. */
+  record PolicyRow(RungScenario place, String policy, Estimate score, int rank) {}
+
+  /** A row per scenario, rung and policy. */
+  public static final Table<PolicyRow> POLICIES =
+      Table.<PolicyRow>of("ladder.csv")
+          .with(
+              Column.ofText(
+                  "scenario",
+                  "as it was given, also where a rung changes it",
+                  row -> row.place.scenario()),
+              Column.ofText(
+                  "rung",
+                  "its name: that of its detection, unless it changes the scenario",
+                  row -> row.place.rung().name()),
+              Column.ofText("policy", "the zoom policy with its options", PolicyRow::policy))
+          .with(
+              Column.ofEstimate(
+                  "mean_k_min",
+                  "low",
+                  "high",
+                  "cameras",
+                  "the score that the rung predicts",
+                  PolicyRow::score))
+          .with(
+              Column.ofInt(
+                  "rank",
+                  "",
+                  "1 for the best; policies that tie share the better place",
+                  PolicyRow::rank));
+
+  /** A row per scenario and rung, then one per rung for all scenarios. */
+  public static final Table<RungResult> RUNGS =
+      Table.<RungResult>of("rungs.csv")
+          .with(
+              Column.ofText("scenario", "its name; `all` for the mean", RungResult::scenario),
+              Column.ofText("rung", "its name", row -> row.rung().name()),
+              Column.ofDouble(
+                  "optimum",
+                  "cameras",
+                  "mean `k_min` of the exact optimum under the rung; by chance it knows the luck",
+                  row -> row.optimum().mean()))
+          .with(
+              Column.ofEstimate(
+                  "tau",
+                  "tau_low",
+                  "tau_high",
+                  "-1 to 1",
+                  "Kendall's tau-b between the order of the policies under the rung and under the"
+                      + " top one, the last; empty where all tie",
+                  RungResult::tau))
+          .with(
+              Column.ofText(
+                  "chosen",
+                  "the policy with the best score under the rung; several, with a bar between,"
+                      + " where they tie; empty for `all`",
+                  row -> String.join(OR, row.chosen())))
+          .with(
+              Column.ofEstimate(
+                  "regret",
+                  "regret_low",
+                  "regret_high",
+                  "cameras",
+                  "under the top rung, the best policy's score less that of the policy chosen,"
+                      + " paired by seed; the mean over those that tie",
+                  RungResult::regret))
+          .with(
+              Column.ofEstimate(
+                  "share",
+                  "share_low",
+                  "share_high",
+                  "share",
+                  "the same as a share of that best score; empty where it is 0",
+                  RungResult::share));
 
   private final OutputFolder folder;
   private final Ladder ladder;
@@ -42,8 +121,8 @@ public final class LadderFiles {
 
   private LadderResult write(List<Double> costs) throws IOException {
     LadderResult result = LadderResult.of(ladder, cases, byRung(costs));
-    policies();
-    rungs(result);
+    POLICIES.write(folder, ladder.all().stream().flatMap(this::policies));
+    RUNGS.write(folder, result.rungs().stream());
     costs(costs);
     LadderFigures figures = new LadderFigures(result);
     FigureFile.write(folder, "ladder", figures.byScenario());
@@ -65,68 +144,31 @@ public final class LadderFiles {
         .toList();
   }
 
-  private void policies() throws IOException {
-    try (CsvTable table = Table.LADDER.create(folder)) {
-      for (RungScenario place : ladder.all()) {
-        policies(table, place, PolicyScores.of(place.results(cases, ladder.policies())));
-      }
-    }
-  }
-
-  private void policies(CsvTable table, RungScenario place, PolicyScores scores) {
+  private Stream<PolicyRow> policies(RungScenario place) {
+    RungScores scores = RungScores.of(place.results(cases, ladder.policies()));
     int[] ranks = scores.ranks();
-    for (int policy = 0; policy < ranks.length; policy++) {
-      Estimate score = Bootstrap.mean(scores.score()[policy]);
-      table.row(
-          place.scenario(),
-          place.rung().name(),
-          ladder.policies().get(policy),
-          score.mean(),
-          score.low(),
-          score.high(),
-          ranks[policy]);
-    }
-  }
-
-  private void rungs(LadderResult result) throws IOException {
-    try (CsvTable table = Table.RUNGS.create(folder)) {
-      for (RungResult one : result.rungs()) {
-        table.row(
-            one.scenario(),
-            one.rung().name(),
-            one.optimum().mean(),
-            one.tau().mean(),
-            one.tau().low(),
-            one.tau().high(),
-            String.join(OR, one.chosen()),
-            one.regret().mean(),
-            one.regret().low(),
-            one.regret().high(),
-            one.share().mean(),
-            one.share().low(),
-            one.share().high());
-      }
-    }
+    return IntStream.range(0, ranks.length)
+        .mapToObj(
+            policy ->
+                new PolicyRow(
+                    place,
+                    ladder.policies().get(policy),
+                    Bootstrap.mean(scores.score()[policy]),
+                    ranks[policy]));
   }
 
   private void costs(List<Double> costs) throws IOException {
-    JsonOutput.write(
-        folder,
-        COST + ".json",
-        json -> {
-          json.writeStartObject();
-          json.writeStringField("policy", ladder.policies().get(0));
-          json.writeNumberField("threads", 1);
-          json.writeArrayFieldStart("steps");
-          for (int i = 0; i < costs.size(); i++) {
-            json.writeStartObject();
-            json.writeStringField("scenario", ladder.all().get(i).scenario());
-            json.writeStringField("rung", ladder.all().get(i).rung().name());
-            json.writeNumberField("nanoseconds", costs.get(i));
-            json.writeEndObject();
-          }
-          json.writeEndArray();
-          json.writeEndObject();
-        });
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("policy", ladder.policies().get(0));
+    json.put("threads", 1);
+    ArrayNode steps = json.putArray("steps");
+    for (int i = 0; i < costs.size(); i++) {
+      RungScenario place = ladder.all().get(i);
+      ObjectNode step = steps.addObject();
+      step.put("scenario", place.scenario());
+      step.put("rung", place.rung().name());
+      step.put("nanoseconds", costs.get(i));
+    }
+    JsonOutput.write(folder, COST + ".json", json);
   }
 }

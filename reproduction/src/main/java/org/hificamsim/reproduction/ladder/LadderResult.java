@@ -19,9 +19,9 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
     Map<Rung, List<RungComparison>> byRung = new LinkedHashMap<>();
     for (List<RungScenario> places : ladder.scenarios().values()) {
       RungScenario last = places.get(places.size() - 1);
-      PolicyScores top = PolicyScores.of(last.results(cases, ladder.policies()));
+      RungScores top = RungScores.of(last.results(cases, ladder.policies()));
       for (RungScenario place : places) {
-        PolicyScores own = PolicyScores.of(place.results(cases, ladder.policies()));
+        RungScores own = RungScores.of(place.results(cases, ladder.policies()));
         RungComparison comparison = new RungComparison(own, top);
         results.add(RungResult.of(place, ladder.policies(), comparison));
         byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(comparison);

@@ -6,7 +6,7 @@ import org.apache.commons.math3.stat.correlation.KendallsCorrelation;
  * A rung compared with the top rung in one scenario; figures are of the seeds that a bootstrap
  * draws.
  */
-record RungComparison(PolicyScores own, PolicyScores top) {
+record RungComparison(RungScores own, RungScores top) {
   /**
    * How alike both put the policies in order: Kendall's tau-b, 1 for the same order, -1 for the
    * reverse; NaN where either has all policies tie.

@@ -4,6 +4,7 @@ import java.util.List;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 
@@ -14,8 +15,8 @@ import org.hificamsim.runs.compare.Cases;
  * @param changed what the rung makes of it
  */
 record RungScenario(String scenario, Rung rung, Scenario changed, Detection detection) {
-  RunPlan plan(String policy, int steps, long seed, int repeats) {
-    return new RunPlan(changed, detection, policy, steps, seed, repeats);
+  RunPlan plan(String policy, Settings asked) {
+    return asked.plan(changed, detection, policy);
   }
 
   List<CaseResult> results(Cases cases, List<String> policies) {

@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 
 /**
  * What a step costs on this machine, with all that a run measures of it: the least of some timed
@@ -42,11 +44,15 @@ final class StepCost {
 
   /** A plan of so many steps that they take long enough for the clock; it is warm then. */
   private RunPlan calibrated(RungScenario place) {
-    RunPlan plan = place.plan(policy, FIRST_STEPS, 0, 1);
+    RunPlan plan = plan(place, FIRST_STEPS);
     while (isShort(plan) && plan.steps() < MAX_STEPS) {
-      plan = place.plan(policy, 2 * plan.steps(), 0, 1);
+      plan = plan(place, 2 * plan.steps());
     }
     return plan;
+  }
+
+  private RunPlan plan(RungScenario place, int steps) {
+    return place.plan(policy, Settings.NONE.with(Setting.STEPS, Integer.toString(steps)));
   }
 
   /** Whether any of three runs is: one alone may have been interrupted. */

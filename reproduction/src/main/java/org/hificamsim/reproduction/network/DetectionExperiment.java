@@ -26,7 +26,8 @@ import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.StackPanel;
-import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.Column;
+import org.hificamsim.runs.output.Table;
 import org.knowm.xchart.CategoryChart;
 
 /**
@@ -125,27 +126,16 @@ public final class DetectionExperiment {
   }
 
   private static void table(OutputFolder folder, List<Outcome> outcomes) throws IOException {
-    try (CsvTable table =
-        new CsvTable(
-            folder.open("camsim-network.csv"),
-            "scenario",
-            "detection",
-            "setting",
-            "messages",
-            "handovers",
-            "tracked",
-            "utility")) {
-      for (Outcome one : outcomes) {
-        table.row(
-            one.scenario(),
-            one.detection(),
-            one.setting(),
-            one.messages(),
-            one.handovers(),
-            rounded(one.tracked()),
-            rounded(one.utility()));
-      }
-    }
+    Table.<Outcome>of("camsim-network.csv")
+        .with(
+            Column.ofText("scenario", "", Outcome::scenario),
+            Column.ofText("detection", "", Outcome::detection),
+            Column.ofText("setting", "", Outcome::setting),
+            Column.ofDouble("messages", "", "", Outcome::messages),
+            Column.ofDouble("handovers", "", "", Outcome::handovers),
+            Column.ofDouble("tracked", "", "", one -> rounded(one.tracked())),
+            Column.ofDouble("utility", "", "", one -> rounded(one.utility())))
+        .write(folder, outcomes.stream());
   }
 
   private static double rounded(double value) {

@@ -9,7 +9,7 @@ final class Findings {
   private Findings() {}
 
   /** Markdown: a paragraph per parameter. */
-  static String of(List<Sweep> sweeps, List<Gap> gaps) {
+  static String of(List<ParameterSweep> sweeps, List<Gap> gaps) {
     StringBuilder text =
         new StringBuilder(
             """
@@ -19,7 +19,7 @@ Chapter 8 says so. Here it holds where the hi-fi proportion of the optimum is ab
 its whole 95% interval, by layout and policy; it flips where it is below with its whole interval.
 
 """);
-    for (Sweep sweep : sweeps) {
+    for (ParameterSweep sweep : sweeps) {
       text.append(paragraph(sweep, gaps.stream().filter(gap -> gap.isOf(sweep)).toList()));
     }
     return text.toString();
@@ -61,7 +61,7 @@ results to the last digit: %s. `fit.csv` has all of them.
         Locale.ROOT, "%s %s (%.3f)", fit.sweep().parameter(), fit.variant().value(), fit.hifi());
   }
 
-  private static String paragraph(Sweep sweep, List<Gap> gaps) {
+  private static String paragraph(ParameterSweep sweep, List<Gap> gaps) {
     List<Gap> cells = gaps.stream().filter(gap -> !gap.layout().equals(Gap.ALL)).toList();
     return String.format(
         Locale.ROOT,
@@ -80,7 +80,7 @@ results to the last digit: %s. `fit.csv` has all of them.
     return cells.stream().filter(gap -> gap.finding() == finding).count();
   }
 
-  private static String everywhere(Sweep sweep, List<Gap> cells) {
+  private static String everywhere(ParameterSweep sweep, List<Gap> cells) {
     String values =
         sweep.variants().stream()
             .filter(

@@ -15,18 +15,18 @@ import org.hificamsim.reproduction.PublishedCell;
  *     optimum above 0
  * @param camsim from CamSim's column
  */
-record Fit(Sweep sweep, Variant variant, double hifi, double camsim) {
+record Fit(ParameterSweep sweep, Variant variant, double hifi, double camsim) {
   /** Distances nearer than this to the default's are as good. */
   static final double AS_GOOD = 0.01;
 
   /** Every value of every sweep that changes a cell of the table. */
-  static List<Fit> of(List<Sweep> sweeps, List<Gap> gaps) {
+  static List<Fit> of(List<ParameterSweep> sweeps, List<Gap> gaps) {
     Map<String, Gap> defaults = new LinkedHashMap<>();
     gaps.stream()
         .filter(gap -> gap.variant().standard())
         .forEach(gap -> defaults.put(cell(gap), gap));
     List<Fit> fits = new ArrayList<>();
-    for (Sweep sweep : sweeps) {
+    for (ParameterSweep sweep : sweeps) {
       if (sweep.policies().stream().anyMatch(PublishedCell.POLICIES::contains)) {
         sweep.variants().forEach(variant -> fits.add(of(sweep, variant, gaps, defaults)));
       }
@@ -49,7 +49,7 @@ record Fit(Sweep sweep, Variant variant, double hifi, double camsim) {
     return hifi == standard.hifi;
   }
 
-  private static Fit of(Sweep sweep, Variant variant, List<Gap> gaps, Map<String, Gap> defaults) {
+  private static Fit of(ParameterSweep sweep, Variant variant, List<Gap> gaps, Map<String, Gap> defaults) {
     Map<String, Gap> own = new LinkedHashMap<>(defaults);
     gaps.stream()
         .filter(gap -> gap.isOf(sweep) && gap.isAt(variant))

@@ -10,7 +10,7 @@ import org.hificamsim.runs.Estimate;
  * @param hifi NaN where the optimum is 0 throughout, and so for the others
  */
 record Gap(
-    Sweep sweep,
+    ParameterSweep sweep,
     Variant variant,
     String layout,
     String policy,
@@ -32,7 +32,7 @@ record Gap(
     }
   }
 
-  boolean isOf(Sweep other) {
+  boolean isOf(ParameterSweep other) {
     return sweep.parameter().equals(other.parameter());
   }
 

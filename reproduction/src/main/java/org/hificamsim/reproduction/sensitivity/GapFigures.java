@@ -31,14 +31,14 @@ final class GapFigures {
     this.colors = new PolicyColors(gaps.stream().map(Gap::policy).toList());
   }
 
-  void write(OutputFolder folder, List<Sweep> sweeps) throws IOException {
-    for (Sweep sweep : sweeps) {
+  void write(OutputFolder folder, List<ParameterSweep> sweeps) throws IOException {
+    for (ParameterSweep sweep : sweeps) {
       FigureFile.write(folder, "sensitivity-" + sweep.parameter(), byLayout(sweep));
     }
     FigureFile.write(folder, "sensitivity", overview(sweeps));
   }
 
-  private Figure byLayout(Sweep sweep) {
+  private Figure byLayout(ParameterSweep sweep) {
     List<Gap> own = gaps.stream().filter(gap -> gap.isOf(sweep)).toList();
     return new Figure(
         "What the " + sweep.meaning() + " does to the conclusion of chapter 8",
@@ -52,7 +52,7 @@ final class GapFigures {
         HEIGHT);
   }
 
-  private Figure overview(List<Sweep> sweeps) {
+  private Figure overview(List<ParameterSweep> sweeps) {
     List<Gap> all = gaps.stream().filter(gap -> gap.layout().equals(Gap.ALL)).toList();
     return new Figure(
         "What each open parameter does to the conclusion of chapter 8",
@@ -67,7 +67,7 @@ final class GapFigures {
   /**
    * @param scale the gaps that the y axis must hold
    */
-  private XYChart panel(String title, Sweep sweep, String layout, List<Gap> scale) {
+  private XYChart panel(String title, ParameterSweep sweep, String layout, List<Gap> scale) {
     List<String> values =
         sweep.variants().stream()
             .map(variant -> label(variant.value()) + (variant.standard() ? "*" : ""))
@@ -90,7 +90,7 @@ final class GapFigures {
     return value.replaceFirst("^camsim-", "");
   }
 
-  private List<Gap> gapsOf(Sweep sweep, String layout, String policy) {
+  private List<Gap> gapsOf(ParameterSweep sweep, String layout, String policy) {
     return gaps.stream()
         .filter(
             gap ->

@@ -16,9 +16,9 @@ final class Gaps {
   }
 
   /** Every gap: by sweep, value, layout (then all), policy. */
-  List<Gap> of(List<Sweep> sweeps) {
+  List<Gap> of(List<ParameterSweep> sweeps) {
     List<Gap> gaps = new ArrayList<>();
-    for (Sweep sweep : sweeps) {
+    for (ParameterSweep sweep : sweeps) {
       for (Variant variant : sweep.variants()) {
         for (Layout layout : Layout.values()) {
           gaps.addAll(gaps(sweep, variant, layout.label(), List.of(layout)));
@@ -29,13 +29,13 @@ final class Gaps {
     return gaps;
   }
 
-  private List<Gap> gaps(Sweep sweep, Variant variant, String name, List<Layout> layouts) {
+  private List<Gap> gaps(ParameterSweep sweep, Variant variant, String name, List<Layout> layouts) {
     return sweep.policies().stream()
         .map(policy -> gap(sweep, variant, name, policy, layouts))
         .toList();
   }
 
-  private Gap gap(Sweep sweep, Variant variant, String name, String policy, List<Layout> layouts) {
+  private Gap gap(ParameterSweep sweep, Variant variant, String name, String policy, List<Layout> layouts) {
     List<Ratio> hifi = ratios(variant, variant.hifi(), policy, layouts);
     List<Ratio> camsim = ratios(variant, variant.camsim(), policy, layouts);
     int seeds = hifi.get(0).performance().length;

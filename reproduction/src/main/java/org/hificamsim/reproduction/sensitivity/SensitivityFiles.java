@@ -6,58 +6,77 @@ import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 
 /** The files of a sensitivity study: one table, the pictures, and the findings in words. */
 public final class SensitivityFiles {
+  private static final String PARAMETER =
+      "`threshold-hifi`, `threshold-camsim`, `targets`, `gamma`, `epsilon`, `k`, `reward`, `size`"
+          + " (q, m), `optics` (focal length of the narrowest level, m), `f`, `g`, `state` or"
+          + " `formula` (CamSim's)";
+  private static final String VALUE =
+      "its value, all else at the default; text, since some have words";
+  private static final String DEFAULT = "`true` or `false`: whether the value is the default";
+
+  /** A row per parameter, value, layout and policy. */
+  public static final Table<Gap> GAPS =
+      Table.<Gap>of("sensitivity.csv")
+          .with(
+              Column.ofText("parameter", PARAMETER, gap -> gap.sweep().parameter()),
+              Column.ofText("value", VALUE, gap -> gap.variant().value()),
+              Column.ofText("default", DEFAULT, gap -> "" + gap.variant().standard()),
+              Column.ofText(
+                  "layout",
+                  "`lattice`, `ring`, `cluster`, or `all` for the mean of the three",
+                  Gap::layout),
+              Column.ofText("policy", "the policy without options", Gap::policy),
+              Column.ofDouble(
+                  "proportion_hifi",
+                  "share",
+                  "of the own optimum, as in Table 8.1; empty where that is 0",
+                  gap -> gap.hifi().mean()),
+              Column.ofDouble(
+                  "proportion_camsim", "share", "the same of CamSim", gap -> gap.camsim().mean()))
+          .with(
+              Column.ofEstimate(
+                  "difference", "low", "high", "share", "hi-fi minus CamSim", Gap::difference))
+          .with(
+              Column.ofText(
+                  "finding",
+                  "`underestimates` (whole interval above 0), `overestimates` (below), `open`",
+                  gap -> gap.finding().label()));
+
+  /** A row per value of each parameter that changes a cell of Table 8.1. */
+  public static final Table<Fit> FITS =
+      Table.<Fit>of("fit.csv")
+          .with(
+              Column.ofText("parameter", "as above", fit -> fit.sweep().parameter()),
+              Column.ofText("value", VALUE, fit -> fit.variant().value()),
+              Column.ofText("default", DEFAULT, fit -> "" + fit.variant().standard()),
+              Column.ofDouble(
+                  "error_hifi",
+                  "share",
+                  "mean distance of the nine cells of the hi-fi model from the published ones, all"
+                      + " else at the default; empty where an optimum is 0",
+                  Fit::hifi),
+              Column.ofDouble("error_camsim", "share", "the same of CamSim's model", Fit::camsim));
+
   private SensitivityFiles() {}
 
   /** Writes all files and returns the findings. */
   public static String write(OutputFolder folder, Sweeps sweeps, List<CaseResult> results)
       throws IOException {
-    List<Sweep> all = sweeps.all();
+    List<ParameterSweep> all = sweeps.all();
     List<Gap> gaps = new Gaps(new Cases(results)).of(all);
     List<Fit> fits = Fit.of(all, gaps);
-    table(folder, gaps);
-    fits(folder, fits);
+    GAPS.write(folder, gaps.stream());
+    FITS.write(folder, fits.stream());
     new GapFigures(gaps).write(folder, all);
     String findings = Findings.of(all, gaps) + Findings.ofFits(fits);
     try (PrintWriter out = new PrintWriter(folder.open("sensitivity.md"))) {
       out.print(findings);
     }
     return findings;
-  }
-
-  private static void fits(OutputFolder folder, List<Fit> fits) throws IOException {
-    try (CsvTable table = Table.FIT.create(folder)) {
-      for (Fit fit : fits) {
-        table.row(
-            fit.sweep().parameter(),
-            fit.variant().value(),
-            fit.variant().standard() ? "true" : "false",
-            fit.hifi(),
-            fit.camsim());
-      }
-    }
-  }
-
-  private static void table(OutputFolder folder, List<Gap> gaps) throws IOException {
-    try (CsvTable table = Table.SENSITIVITY.create(folder)) {
-      for (Gap gap : gaps) {
-        table.row(
-            gap.sweep().parameter(),
-            gap.variant().value(),
-            gap.variant().standard() ? "true" : "false",
-            gap.layout(),
-            gap.policy(),
-            gap.hifi().mean(),
-            gap.camsim().mean(),
-            gap.difference().mean(),
-            gap.difference().low(),
-            gap.difference().high(),
-            gap.finding().label());
-      }
-    }
   }
 }

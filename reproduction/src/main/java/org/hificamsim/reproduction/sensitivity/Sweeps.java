@@ -17,6 +17,7 @@ import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.ReproductionPlans;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Settings;
 
 /** The sweeps: each open parameter around its default ({@code docs/reproduction.md}). */
 public final class Sweeps {
@@ -54,65 +55,65 @@ public final class Sweeps {
   }
 
   /** Every sweep, in the order of files. */
-  List<Sweep> all() {
+  List<ParameterSweep> all() {
     return List.of(
-        new Sweep(
+        new ParameterSweep(
             "threshold-hifi",
             "detection threshold of " + hifi.name(),
             thresholds(hifi, 0.03, 0.04, 0.0441, 0.05, 0.06, 0.08)),
-        new Sweep(
+        new ParameterSweep(
             "threshold-camsim",
             "detection threshold of " + camsim.name(),
             thresholds(camsim, 0.15, 0.25, 0.35, 0.45, 0.55)),
-        new Sweep("targets", "number of targets", targets(1, 2, 3, 4, 5, 6, 8)),
-        new Sweep(
+        new ParameterSweep("targets", "number of targets", targets(1, 2, 3, 4, 5, 6, 8)),
+        new ParameterSweep(
             "gamma",
             "discount factor of SARSA and QB-SARSA",
             options(TEMPORAL, "gamma", "0.9", "0", "0.3", "0.6", "0.8", "0.9", "0.95", "0.99")),
-        new Sweep(
+        new ParameterSweep(
             "epsilon",
             "probability of exploring",
             options(LEARNERS, "epsilon", "0.1", "0.01", "0.05", "0.1", "0.2", "0.3")),
-        new Sweep(
+        new ParameterSweep(
             "k",
             "cameras that QB-SARSA asks",
             options(List.of(ReproductionPlans.QB_SARSA), "k", "4", "0", "1", "2", "4", "6", "8")),
-        new Sweep(
+        new ParameterSweep(
             "reward",
             "reading of Eq 7.5",
             options(TEMPORAL, "reward", "count-change", "count-change", "sign", "literal")),
-        new Sweep("size", "targets' size q, m", sizes(0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.66)),
-        new Sweep(
+        new ParameterSweep("size", "targets' size q, m", sizes(0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.66)),
+        new ParameterSweep(
             "optics",
             "focal length of the narrowest level, m",
             focalLengths(0.03, 0.05, 0.07, 0.085, 0.1)),
-        new Sweep(
+        new ParameterSweep(
             "f",
             "feature abstraction f of the hi-fi model",
             hifi("hifi:orb-%s", "lin", "lin", "pinhole", "power", "sr", "svr-lin")),
-        new Sweep(
+        new ParameterSweep(
             "g",
             "detector g of the hi-fi model",
             hifi("hifi:%s-lin", "orb", "orb", "sift", "surf")),
-        new Sweep(
+        new ParameterSweep(
             "state",
             "state of SARSA and QB-SARSA",
             options(TEMPORAL, "state", "level-count", "level-count", "count", "none")),
-        new Sweep(
+        new ParameterSweep(
             "formula",
             "formula of CamSim's model",
             formulas("camsim-range", "camsim-standard", "camsim-visibility", "geometric")));
   }
 
   /** The plans of all sweeps, each once. */
-  public List<RunPlan> plans(int steps, long seed, int repeats) {
+  public List<RunPlan> plans(Settings asked) {
     Set<RunPlan> plans = new LinkedHashSet<>();
-    for (Sweep sweep : all()) {
+    for (ParameterSweep sweep : all()) {
       for (Variant variant : sweep.variants()) {
         for (Scenario scenario : variant.scenarios().values()) {
           for (Detection detection : variant.detections()) {
             for (String policy : variant.policies().values()) {
-              plans.add(new RunPlan(scenario, detection, policy, steps, seed, repeats));
+              plans.add(asked.plan(scenario, detection, policy));
             }
           }
         }

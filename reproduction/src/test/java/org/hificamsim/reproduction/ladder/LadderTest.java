@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -13,12 +14,14 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.runs.Overrides;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.ScoredRun;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.compare.ScoredRun;
 import org.junit.jupiter.api.Test;
 
 /** Rungs as changes of a plan. */
@@ -43,7 +46,7 @@ class LadderTest {
         List.of(RING),
         List.of(rungs),
         List.of("zoom-out", "zoom-in"),
-        (rung, scenario) -> Overrides.NONE.detection(rung.spec(LadderTest::model), scenario));
+        (rung, scenario) -> rung.spec(LadderTest::model).detection(Settings.NONE, scenario));
   }
 
   private static DetectionModel model(String name) {
@@ -53,13 +56,13 @@ class LadderTest {
   @Test
   void everyRungIsThereAndTheirNamesDiffer() {
     Ladder ladder = ladder(Rungs.all().toArray(Rung[]::new));
-    assertEquals(2 * Rungs.all().size(), ladder.plans(10, 0, 1).size());
+    assertEquals(2 * Rungs.all().size(), ladder.plans(asked(1)).size());
     assertEquals(Rungs.all().size(), Rungs.all().stream().map(Rung::name).distinct().count());
   }
 
   @Test
   void theTopRungIsByChanceAndTheOthersOfItsFitBelowIt() {
-    List<RunPlan> plans = ladder(Rungs.all().toArray(Rung[]::new)).plans(10, 0, 1);
+    List<RunPlan> plans = ladder(Rungs.all().toArray(Rung[]::new)).plans(asked(1));
     RunPlan top = plans.get(plans.size() - 1);
     assertEquals("hifi:orb-lin@chance", top.detection().name());
     assertTrue(plans.stream().anyMatch(plan -> plan.detection().name().equals("hifi:orb-lin")));
@@ -68,7 +71,7 @@ class LadderTest {
   @Test
   void aRungMayChangeTheScenarioAndItsResultsAreFoundUnderTheOldName() {
     Ladder ladder = ladder(Rungs.named("geometric"), LONELY);
-    List<RunPlan> plans = ladder.plans(10, 0, 2);
+    List<RunPlan> plans = ladder.plans(asked(2));
     assertEquals(
         List.of("ring-random", "ring-random", "lonely-ring", "lonely-ring"),
         plans.stream().map(plan -> plan.scenario().name()).toList());
@@ -92,10 +95,14 @@ class LadderTest {
     boolean good = plan.policy().equals("zoom-out") != lonely;
     List<ScoredRun> runs =
         IntStream.range(0, 2)
-            .mapToObj(seed -> new RunResult(seed, seed, 0, good ? 1 : 0.4, 0, 0, 0, 0, 0, 0, 0))
-            .map(run -> new ScoredRun(run, 10, 0))
+            .mapToObj(seed -> RunResult.of(seed, seed, Map.of(Metric.MEAN_K_MIN, good ? 1 : 0.4)))
+            .map(run -> new ScoredRun(run, 10, Double.NaN, 0))
             .toList();
     return new CaseResult(plan, runs, new double[10], new double[2][10]);
+  }
+
+  private static Settings asked(int repeats) {
+    return Settings.NONE.with(Setting.STEPS, "10").with(Setting.REPEAT, "" + repeats);
   }
 
   private static List<String> names(List<RungResult> results) {
@@ -106,7 +113,7 @@ class LadderTest {
   void aRungWithoutARuleIsByThresholdWhereTheScenarioSaysChance() {
     Scenario chance = RING.withDetect(DetectionRule.parse("chance"));
     Rung rung = Rungs.named("hifi:orb-lin");
-    assertTrue(Overrides.NONE.detection(rung.spec(LadderTest::model), chance).certain());
+    assertTrue(rung.spec(LadderTest::model).detection(Settings.NONE, chance).certain());
   }
 
   @Test

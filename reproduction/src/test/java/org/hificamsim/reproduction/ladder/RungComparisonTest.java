@@ -11,13 +11,13 @@ import org.junit.jupiter.api.Test;
 class RungComparisonTest {
   private static final int[] ONE = {0};
 
-  private static PolicyScores scores(double... kMin) {
-    return new PolicyScores(
+  private static RungScores scores(double... kMin) {
+    return new RungScores(
         Arrays.stream(kMin).mapToObj(value -> new double[] {value}).toArray(double[][]::new),
         new double[] {9});
   }
 
-  private static double tau(PolicyScores own, PolicyScores top) {
+  private static double tau(RungScores own, RungScores top) {
     return new RungComparison(own, top).tau(ONE);
   }
 
@@ -74,9 +74,9 @@ class RungComparisonTest {
 
   @Test
   void drawnSeedsAreTheSameOnBothRungs() {
-    PolicyScores own = new PolicyScores(new double[][] {{1, 1}, {0, 0}}, new double[] {1, 1});
-    PolicyScores top =
-        new PolicyScores(new double[][] {{0.2, 0.6}, {0.3, 0.9}}, new double[] {1, 1});
+    RungScores own = new RungScores(new double[][] {{1, 1}, {0, 0}}, new double[] {1, 1});
+    RungScores top =
+        new RungScores(new double[][] {{0.2, 0.6}, {0.3, 0.9}}, new double[] {1, 1});
     RungComparison comparison = new RungComparison(own, top);
     assertEquals(0.2, comparison.regret(new int[] {0, 1}), 1e-12);
     assertEquals(0.1, comparison.regret(new int[] {0, 0}), 1e-12);
@@ -85,9 +85,9 @@ class RungComparisonTest {
 
   @Test
   void everyDrawChoosesAnewUnderBothRungs() {
-    PolicyScores own = new PolicyScores(new double[][] {{1, 0}, {0, 2}}, new double[] {1, 1});
-    PolicyScores top =
-        new PolicyScores(new double[][] {{0.2, 0.6}, {0.3, 0.1}}, new double[] {1, 1});
+    RungScores own = new RungScores(new double[][] {{1, 0}, {0, 2}}, new double[] {1, 1});
+    RungScores top =
+        new RungScores(new double[][] {{0.2, 0.6}, {0.3, 0.1}}, new double[] {1, 1});
     RungComparison comparison = new RungComparison(own, top);
     assertEquals(0.2, comparison.regret(new int[] {0, 1}), 1e-12);
     assertEquals(0.1, comparison.regret(new int[] {0, 0}), 1e-12);

@@ -1,13 +1,13 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Function;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.Estimate;
-import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.Column;
 import org.hificamsim.runs.output.Table;
 import org.hificamsim.runs.statistics.Aggregate;
 import org.hificamsim.runs.statistics.Holm;
@@ -17,120 +17,154 @@ import org.hificamsim.runs.statistics.SignFlips;
 
 /** The tables over all scenarios of a comparison, and those of pairs of policies. */
 public final class AggregateFiles {
-  private final OutputFolder folder;
-  private final int threads;
+  private static final List<Column<PolicyScores>> POLICY =
+      List.of(
+          Column.ofText("detection", "the detection's name", PolicyScores::detection),
+          Column.ofText("policy", "the zoom policy with its options", PolicyScores::policy));
+  private static final String OTHER = "the policy that it is compared with";
 
-  private AggregateFiles(OutputFolder folder, int threads) {
-    this.folder = folder;
-    this.threads = threads;
-  }
+  /** A statistic of a policy. */
+  record Statistic(PolicyScores of, Aggregate aggregate, Estimate value) {}
+
+  /** A point of a policy's profile. */
+  record Point(PolicyScores of, double tau, Estimate share) {}
+
+  /** How a policy does against another. */
+  record Against(PolicyPair pair, Estimate probability) {}
+
+  /** A pair in one scenario, with its p-value before and after Holm's correction. */
+  record Difference(PolicyPair.InScenario pair, Estimate mean, double p, double corrected) {}
+
+  /** A row per detection, policy and statistic. */
+  public static final Table<Statistic> AGGREGATE =
+      Table.<Statistic>of("aggregate.csv")
+          .with(POLICY, Statistic::of)
+          .with(
+              Column.ofText(
+                  "statistic",
+                  "`iqm`, `optimality_gap`, `mean` or `median`",
+                  row -> row.aggregate.label()),
+              Column.ofInt(
+                  "scenarios", "", "how many have a value", row -> row.of.scores().scenarios()),
+              Column.ofInt("runs", "", "how many have a value", row -> row.of.scores().runs()))
+          .with(
+              Column.ofEstimate(
+                  "value", "low", "high", "share", "of `proportion_of_optimal`", Statistic::value));
+
+  /** A row per detection, policy and tau. */
+  public static final Table<Point> PROFILE =
+      Table.<Point>of("profile.csv")
+          .with(POLICY, Point::of)
+          .with(Column.ofDouble("tau", "share", "0 to 1 in hundredths", Point::tau))
+          .with(
+              Column.ofEstimate(
+                  "share",
+                  "low",
+                  "high",
+                  "share",
+                  "of runs whose proportion of the optimum is `tau` or more",
+                  Point::share));
+
+  /** A row per detection and pair of policies. */
+  public static final Table<Against> IMPROVEMENT =
+      Table.<Against>of("improvement.csv")
+          .with(POLICY, row -> row.pair.one())
+          .with(
+              Column.ofText("other", OTHER, row -> row.pair.other().policy()),
+              Column.ofInt(
+                  "scenarios",
+                  "",
+                  "how many have a value",
+                  row -> row.pair.one().scores().scenarios()))
+          .with(
+              Column.ofEstimate(
+                  "probability",
+                  "low",
+                  "high",
+                  "probability",
+                  "that a run of `policy` has a higher proportion than a run of `other` in the same"
+                      + " scenario (a tie counts half; the mean over scenarios)",
+                  Against::probability));
+
+  /** A row per scenario, detection and pair of policies. */
+  public static final Table<Difference> PAIRS =
+      Table.<Difference>of("pairs.csv")
+          .with(ComparisonFiles.CASE, row -> row.pair.one().plan())
+          .with(
+              Column.ofText("other", OTHER, row -> row.pair.other().plan().policy()),
+              Column.ofText("metric", "`proportion_of_optimal`", row -> PolicyPair.SCORE.label()),
+              Column.ofInt("runs", "", "seeds with a value", row -> row.pair.differences().size()))
+          .with(
+              Column.ofEstimate(
+                  "difference",
+                  "low",
+                  "high",
+                  "share",
+                  "`policy` minus `other`, paired by seed",
+                  Difference::mean))
+          .with(
+              Column.ofDouble(
+                  "p_value",
+                  "probability",
+                  "two-sided randomization test: each difference might as well have the other sign;"
+                      + " all choices of signs up to 16 seeds, 99,999 drawn ones above",
+                  Difference::p),
+              Column.ofDouble(
+                  "p_holm",
+                  "probability",
+                  "the same after Holm's correction over all rows of the file: below 0.05, not one"
+                      + " false finding in all of it is likely",
+                  Difference::corrected));
+
+  private AggregateFiles() {}
 
   /**
    * Adds the tables to a folder's.
    *
    * @param cases every policy under every detection in every scenario
-   * @param threads that share the work, 1 or more
+   * @param threads that share the work, 1 or more: an interval takes thousands of draws
    */
   public static void write(OutputFolder folder, List<CaseResult> cases, int threads)
       throws IOException {
     List<PolicyScores> policies = PolicyScores.of(cases);
-    AggregateFiles files = new AggregateFiles(folder, threads);
-    files.aggregates(policies);
-    files.profiles(policies);
-    files.improvements(PolicyPair.of(policies));
-    files.pairs(PolicyPair.of(policies));
+    List<PolicyPair> pairs = PolicyPair.of(policies);
+    List<List<Statistic>> statistics = Parallel.map(policies, threads, AggregateFiles::statistics);
+    AGGREGATE.write(folder, statistics.stream().flatMap(List::stream));
+    List<List<Point>> points = Parallel.map(policies, threads, AggregateFiles::points);
+    PROFILE.write(folder, points.stream().flatMap(List::stream));
+    List<Against> improvements = Parallel.map(pairs, threads, AggregateFiles::against);
+    IMPROVEMENT.write(folder, improvements.stream());
+    PAIRS.write(folder, differences(pairs, threads));
   }
 
-  private void aggregates(List<PolicyScores> policies) throws IOException {
-    try (CsvTable table = Table.AGGREGATE.create(folder)) {
-      for (PolicyScores one : policies) {
-        List<Aggregate> aggregates = List.of(Aggregate.values());
-        List<Estimate> estimates = all(aggregates, figure -> figure.estimate(one.scores()));
-        for (int i = 0; i < estimates.size(); i++) {
-          Estimate value = estimates.get(i);
-          table.row(
-              one.detection(),
-              one.policy(),
-              aggregates.get(i).label(),
-              one.scores().scenarios(),
-              one.scores().runs(),
-              value.mean(),
-              value.low(),
-              value.high());
-        }
-      }
-    }
+  private static List<Statistic> statistics(PolicyScores one) {
+    return Stream.of(Aggregate.values())
+        .map(aggregate -> new Statistic(one, aggregate, aggregate.estimate(one.scores())))
+        .toList();
   }
 
-  /** Side by side: an interval takes thousands of draws, and all of them seconds. */
-  private <T, R> List<R> all(List<T> of, Function<T, R> estimate) {
-    return Parallel.map(of, threads, estimate);
+  private static List<Point> points(PolicyScores one) {
+    Estimate[] shares = PerformanceProfile.of(one.scores()).shares();
+    return IntStream.range(0, shares.length)
+        .mapToObj(i -> new Point(one, PerformanceProfile.TAUS[i], shares[i]))
+        .toList();
   }
 
-  private void profiles(List<PolicyScores> policies) throws IOException {
-    try (CsvTable table = Table.PROFILE.create(folder)) {
-      List<PerformanceProfile> profiles = all(policies, one -> PerformanceProfile.of(one.scores()));
-      for (int policy = 0; policy < policies.size(); policy++) {
-        PolicyScores one = policies.get(policy);
-        Estimate[] shares = profiles.get(policy).shares();
-        for (int i = 0; i < shares.length; i++) {
-          table.row(
-              one.detection(),
-              one.policy(),
-              PerformanceProfile.TAUS[i],
-              shares[i].mean(),
-              shares[i].low(),
-              shares[i].high());
-        }
-      }
-    }
+  private static Against against(PolicyPair pair) {
+    return new Against(pair, Improvement.estimate(pair.one().scores(), pair.other().scores()));
   }
 
-  private void improvements(List<PolicyPair> pairs) throws IOException {
-    try (CsvTable table = Table.IMPROVEMENT.create(folder)) {
-      List<Estimate> estimates =
-          all(pairs, pair -> Improvement.estimate(pair.one().scores(), pair.other().scores()));
-      for (int i = 0; i < pairs.size(); i++) {
-        PolicyPair pair = pairs.get(i);
-        Estimate value = estimates.get(i);
-        table.row(
-            pair.one().detection(),
-            pair.one().policy(),
-            pair.other().policy(),
-            pair.one().scores().scenarios(),
-            value.mean(),
-            value.low(),
-            value.high());
-      }
-    }
-  }
-
-  /** One row per scenario, detection and pair; Holm's correction is over all rows. */
-  private void pairs(List<PolicyPair> pairs) throws IOException {
-    List<PolicyPair.InScenario> inScenarios = new ArrayList<>();
-    pairs.forEach(pair -> inScenarios.addAll(pair.inScenarios()));
+  /** Holm's correction is over all rows. */
+  private static Stream<Difference> differences(List<PolicyPair> pairs, int threads) {
+    List<PolicyPair.InScenario> all =
+        pairs.stream().flatMap(pair -> pair.inScenarios().stream()).toList();
     double[] p =
-        all(inScenarios, pair -> SignFlips.p(pair.differences().values())).stream()
+        Parallel.map(all, threads, pair -> SignFlips.p(pair.differences().values())).stream()
             .mapToDouble(Double::doubleValue)
             .toArray();
     double[] corrected = Holm.corrected(p);
-    try (CsvTable table = Table.PAIRS.create(folder)) {
-      for (int i = 0; i < inScenarios.size(); i++) {
-        PolicyPair.InScenario pair = inScenarios.get(i);
-        Estimate difference = pair.differences().mean();
-        table.row(
-            pair.one().plan().scenario().name(),
-            pair.one().plan().detection().name(),
-            pair.one().plan().policy(),
-            pair.other().plan().policy(),
-            PolicyPair.SCORE.label(),
-            pair.differences().size(),
-            difference.mean(),
-            difference.low(),
-            difference.high(),
-            p[i],
-            corrected[i]);
-      }
-    }
+    return IntStream.range(0, p.length)
+        .mapToObj(
+            i -> new Difference(all.get(i), all.get(i).differences().mean(), p[i], corrected[i]));
   }
 }

@@ -2,6 +2,7 @@ package org.hificamsim.runs.compare;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
@@ -29,16 +30,31 @@ public final class Bootstrap {
     if (known.length == 1) {
       return Estimate.single(mean);
     }
-    SplittableRandom random = new SplittableRandom(SEED);
-    double[] means = new double[RESAMPLES];
-    for (int i = 0; i < means.length; i++) {
-      double sum = 0;
-      for (int draw = 0; draw < known.length; draw++) {
-        sum += known[random.nextInt(known.length)];
-      }
-      means[i] = sum / known.length;
+    return Estimate.drawn(mean, drawn(known.length, RESAMPLES, seeds -> mean(known, seeds)));
+  }
+
+  private static double mean(double[] values, int[] seeds) {
+    double sum = 0;
+    for (int seed : seeds) {
+      sum += values[seed];
     }
-    return Estimate.drawn(mean, means);
+    return sum / seeds.length;
+  }
+
+  /**
+   * A figure of seeds that are drawn with replacement, again and again.
+   *
+   * @param seeds how many there are, and how many are drawn at a time
+   */
+  static double[] drawn(int seeds, int resamples, ToDoubleFunction<int[]> figure) {
+    SplittableRandom random = new SplittableRandom(SEED);
+    int[] drawn = new int[seeds];
+    double[] figures = new double[resamples];
+    for (int i = 0; i < resamples; i++) {
+      Arrays.setAll(drawn, draw -> random.nextInt(seeds));
+      figures[i] = figure.applyAsDouble(drawn);
+    }
+    return figures;
   }
 
   /** The mean difference of paired values with its interval. */

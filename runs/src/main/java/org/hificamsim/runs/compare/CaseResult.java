@@ -1,11 +1,12 @@
 package org.hificamsim.runs.compare;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.ScoredRun;
 
 /**
  * One plan with all its runs.
@@ -16,25 +17,17 @@ import org.hificamsim.runs.RunResult;
  *     intervals over time are made of
  */
 public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, double[][] levels) {
-  /** The figures that the case has. */
-  List<Score> scores() {
-    List<Score> scores = new ArrayList<>(Score.ALL);
-    if (runs.get(0).result().proof().isPresent()) {
-      scores.addAll(Score.ofProofs(plan.objective()));
-    }
-    Metric.measured(runs.get(0).result()).stream()
-        .filter(Metric::ofChance)
-        .map(Score::of)
-        .forEach(scores::add);
-    if (runs.get(0).bestFixed().isPresent()) {
-      scores.addAll(isOptimum() ? Score.OF_ADAPTING : List.of(Score.OVER_BEST_FIXED));
-    }
-    return scores;
+  /** The metrics that the case has, in the order of files. */
+  List<Metric> metrics() {
+    ScoredRun first = runs.get(0);
+    return Arrays.stream(Metric.values())
+        .filter(metric -> metric.appliesTo(first, isOptimum()))
+        .toList();
   }
 
   /** Whether this is the exact optimum that the others are measured by. */
   public boolean isOptimum() {
-    return plan.policy().equals(Yardsticks.OPTIMAL);
+    return plan.policy().equals(ReferencePolicies.OPTIMAL);
   }
 
   /** What is proven of all runs together. */
@@ -42,13 +35,13 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
     return RunResult.proofOf(runs.stream().map(ScoredRun::result).toList());
   }
 
-  /** What is known of a figure. */
-  public SeedValues values(Score score) {
-    return new SeedValues(figures(score));
+  /** What is known of a metric. */
+  public SeedValues values(Metric metric) {
+    return new SeedValues(figures(metric));
   }
 
-  /** One figure of every run, NaN where there is none. */
-  public double[] figures(Score score) {
-    return runs.stream().mapToDouble(score::of).toArray();
+  /** A metric's value of every run, NaN where there is none. */
+  public double[] figures(Metric metric) {
+    return runs.stream().mapToDouble(metric::of).toArray();
   }
 }

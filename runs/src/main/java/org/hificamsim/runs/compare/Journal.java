@@ -20,9 +20,9 @@ import org.hificamsim.core.file.OutputFolder;
  * it writes leaves a line without its end, which the next one drops; damaged lines are passed over.
  * Those runs are done again.
  */
-final class Journal implements Closeable {
-  /** The file's name in the output folder. */
-  static final String NAME = ".compare.journal";
+public final class Journal implements Closeable {
+  /** The file's name in the folder of a comparison. */
+  public static final String NAME = ".compare.journal";
 
   private static final int MAX_LINE = 1 << 28; // bytes
   private static final int CHUNK = 1 << 16; // bytes
@@ -46,7 +46,7 @@ final class Journal implements Closeable {
    * @param resume whether runs found there count; otherwise they are dropped
    * @throws InputException when the file is a link
    */
-  static Journal open(OutputFolder folder, String name, boolean resume) throws IOException {
+  public static Journal open(OutputFolder folder, String name, boolean resume) throws IOException {
     Path file = folder.path().resolve(name);
     if (Files.isSymbolicLink(file)) {
       throw new InputException("'" + file + "' is a link, expected a file or nothing");
@@ -90,7 +90,7 @@ final class Journal implements Closeable {
   private void index(long start, long end) throws IOException {
     if (end - start <= MAX_LINE) {
       Line line = new Line(start, (int) (end - start));
-      FinishedRun.parse(bytes(line)).ifPresent(run -> lines.put(run.key(), line));
+      JournalLine.parse(bytes(line)).ifPresent(run -> lines.put(run.key(), line));
     }
   }
 
@@ -104,7 +104,7 @@ final class Journal implements Closeable {
 
   /** Whether a run was finished before. */
   boolean has(String key, long seed) {
-    return lines.containsKey(FinishedRun.key(key, seed));
+    return lines.containsKey(JournalLine.key(key, seed));
   }
 
   /**
@@ -125,7 +125,7 @@ final class Journal implements Closeable {
   /** The input that has another content than for the runs here, if there is one. */
   Optional<String> changed(List<RunKey> keys) {
     return lines.keySet().stream()
-        .map(FinishedRun::plan)
+        .map(JournalLine::plan)
         .distinct()
         .map(RunKey::read)
         .flatMap(found -> keys.stream().flatMap(key -> key.changed(found).stream()))
@@ -133,23 +133,21 @@ final class Journal implements Closeable {
   }
 
   /** The result of a run that was finished before. */
-  synchronized Optional<Outcome> find(String key, long seed) throws IOException {
-    Line line = lines.get(FinishedRun.key(key, seed));
-    return line == null
-        ? Optional.empty()
-        : FinishedRun.parse(bytes(line)).map(FinishedRun::outcome);
+  synchronized Optional<FinishedRun> find(String key, long seed) throws IOException {
+    Line line = lines.get(JournalLine.key(key, seed));
+    return line == null ? Optional.empty() : JournalLine.parse(bytes(line)).map(JournalLine::run);
   }
 
   /** Appends a finished run, in one write. */
-  synchronized void add(String key, long seed, Outcome outcome) throws IOException {
-    ByteBuffer line = ByteBuffer.wrap(new FinishedRun(FinishedRun.key(key, seed), outcome).line());
+  synchronized void add(String key, long seed, FinishedRun run) throws IOException {
+    ByteBuffer line = ByteBuffer.wrap(new JournalLine(JournalLine.key(key, seed), run).line());
     while (line.hasRemaining()) {
       channel.write(line);
     }
   }
 
   /** Removes the journal, once the results are in their place. */
-  void finish() throws IOException {
+  public void finish() throws IOException {
     close();
     Files.deleteIfExists(file);
   }

@@ -45,7 +45,7 @@ public final class LocalEngine implements RunEngine {
 
   private RunTask run(List<RunPlan> plans, RunTask task, Finished finished) {
     try {
-      finished.take(task, Outcome.of(executor, plans.get(task.plan()), task.repeat()));
+      finished.take(task, FinishedRun.of(executor, plans.get(task.plan()), task.repeat()));
       return task;
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -23,7 +23,7 @@ public final class MergedShards implements RunEngine {
    * Checks that the shards are there, each once and complete.
    *
    * @param folders of {@code --shard} runs
-   * @param plans of the whole comparison, made by {@link Yardsticks#with}
+   * @param plans of the whole comparison, made by {@link ReferencePolicies#with}
    * @throws InputException naming what is missing, comes twice or belongs to another comparison
    */
   public MergedShards(List<Path> folders, List<RunPlan> plans) throws IOException {

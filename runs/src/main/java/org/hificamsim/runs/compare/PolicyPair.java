@@ -3,11 +3,12 @@ package org.hificamsim.runs.compare;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.hificamsim.runs.Metric;
 
 /** Two policies under one detection, over the same scenarios. */
 record PolicyPair(PolicyScores one, PolicyScores other) {
   /** The figure whose differences are looked at. */
-  static final Score SCORE = Score.PROPORTION_OF_OPTIMAL;
+  static final Metric SCORE = Metric.PROPORTION_OF_OPTIMAL;
 
   /** The two in one scenario. */
   record InScenario(CaseResult one, CaseResult other) {

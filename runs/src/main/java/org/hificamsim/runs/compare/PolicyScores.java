@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.statistics.Strata;
 
 /**
@@ -37,6 +38,7 @@ public record PolicyScores(List<CaseResult> cases) {
 
   /** The proportions of the optimum, by scenario. */
   public Strata scores() {
-    return new Strata(cases.stream().map(one -> one.figures(Score.PROPORTION_OF_OPTIMAL)).toList());
+    return new Strata(
+        cases.stream().map(one -> one.figures(Metric.PROPORTION_OF_OPTIMAL)).toList());
   }
 }

@@ -2,9 +2,11 @@ package org.hificamsim.runs.compare;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.ScoredRun;
 
 /**
  * The proportion of Table 8.1: the performance of several cases together over that of their optima,
@@ -16,7 +18,6 @@ import org.hificamsim.runs.Estimate;
  */
 public record Ratio(double[] performance, double[] optimum) {
   private static final int RESAMPLES = 1000;
-  private static final long SEED = 1993;
 
   /** Cases over their own optima. */
   public static Ratio of(List<CaseResult> cases) {
@@ -26,7 +27,8 @@ public record Ratio(double[] performance, double[] optimum) {
   /** Cases over the optima of other cases. */
   public static Ratio over(List<CaseResult> cases, List<CaseResult> others) {
     return new Ratio(
-        sums(cases, run -> run.result().performance()), sums(others, ScoredRun::optimum));
+        sums(cases, run -> run.result().value(Metric.PERFORMANCE)),
+        sums(others, ScoredRun::optimum));
   }
 
   private static double[] sums(List<CaseResult> cases, ToDoubleFunction<ScoredRun> figure) {
@@ -64,18 +66,11 @@ public record Ratio(double[] performance, double[] optimum) {
    * @param seeds how many there are
    */
   public static Estimate estimate(int seeds, ToDoubleFunction<int[]> figure) {
-    int[] drawn = new int[seeds];
-    Arrays.setAll(drawn, i -> i);
-    double value = figure.applyAsDouble(drawn);
+    double value = figure.applyAsDouble(IntStream.range(0, seeds).toArray());
     if (seeds == 1) {
       return Estimate.single(value);
     }
-    SplittableRandom random = new SplittableRandom(SEED);
-    double[] values = new double[RESAMPLES];
-    for (int i = 0; i < values.length; i++) {
-      Arrays.setAll(drawn, draw -> random.nextInt(seeds));
-      values[i] = figure.applyAsDouble(drawn);
-    }
+    double[] values = Bootstrap.drawn(seeds, RESAMPLES, figure);
     double[] known = Arrays.stream(values).filter(one -> !Double.isNaN(one)).toArray();
     if (Double.isNaN(value) || known.length == 0) {
       return Estimate.single(Double.NaN);

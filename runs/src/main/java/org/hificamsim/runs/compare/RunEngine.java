@@ -30,14 +30,14 @@ public interface RunEngine {
    *
    * @param plans what the tasks refer to
    * @param tasks may be empty
-   * @param finished takes each outcome once, as soon as it is there; called from any thread
+   * @param finished takes each finished run once, as soon as it is there; called from any thread
    */
   void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException;
 
-  /** Takes outcomes. */
+  /** Takes finished runs. */
   @FunctionalInterface
   interface Finished {
-    /** Takes one outcome; several threads may call at a time. */
-    void take(RunTask task, Outcome outcome) throws IOException;
+    /** Takes one; several threads may call at a time. */
+    void take(RunTask task, FinishedRun run) throws IOException;
   }
 }

@@ -6,16 +6,18 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.output.ManifestFile;
 import org.hificamsim.runs.output.PolicyFiles;
 
@@ -25,12 +27,9 @@ import org.hificamsim.runs.output.PolicyFiles;
  *
  * @param inputs what has a name and a content: this program, the users' classes on the class path,
  *     the scenario, the detection, the files that a policy decides by
- * @param threshold of the detection
- * @param detect how a value becomes a detection
- * @param policy name and options
+ * @param settings each by its name, but for those that say which runs there are
  */
-public record RunKey(
-    List<Input> inputs, double threshold, String detect, String policy, int steps) {
+public record RunKey(List<Input> inputs, Map<String, String> settings) {
   /**
    * An input with a content.
    *
@@ -71,9 +70,17 @@ public record RunKey(
       inputs.add(
           new Input("file of policy", file.toString(), Sha256.of(PolicyFiles.content(file))));
     }
-    Detection detection = plan.detection();
-    return new RunKey(
-        inputs, detection.threshold(), detection.rule().text(), plan.policy(), plan.steps());
+    return new RunKey(inputs, settings(plan));
+  }
+
+  private static Map<String, String> settings(RunPlan plan) {
+    Map<String, String> settings = new TreeMap<>();
+    for (Setting setting : Setting.values()) {
+      if (!setting.countsRuns()) {
+        settings.put(setting.label(), setting.of(plan).orElse(""));
+      }
+    }
+    return settings;
   }
 
   /** A digest of the keys of all runs of a comparison. */
@@ -88,7 +95,7 @@ public record RunKey(
     try {
       return MAPPER.readValue(text, RunKey.class);
     } catch (JsonProcessingException e) {
-      return new RunKey(List.of(program("unknown")), 0, "", "", 0);
+      return new RunKey(List.of(program("unknown")), Map.of());
     }
   }
 

@@ -1,6 +1,6 @@
 package org.hificamsim.runs.compare;
 
-/** Hears how far a comparison is. */
+/** Receives how far a comparison is. */
 @FunctionalInterface
 public interface RunProgress {
   /** One more run is finished; called from any thread. */

@@ -44,7 +44,7 @@ public record Shard(int number, int of) {
    *
    * @param plans of the whole comparison
    */
-  List<RunTask> tasks(List<RunPlan> plans) {
+  public List<RunTask> tasks(List<RunPlan> plans) {
     List<RunTask> tasks = new ArrayList<>();
     long position = 0;
     for (int plan = 0; plan < plans.size(); plan++) {

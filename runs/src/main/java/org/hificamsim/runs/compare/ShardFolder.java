@@ -18,8 +18,8 @@ import org.hificamsim.runs.RunPlan;
  *
  * @param content of {@code shard.json}
  */
-record ShardFolder(Path path, Content content) {
-  static final String RUNS = "runs.jsonl";
+public record ShardFolder(Path path, Content content) {
+  private static final String RUNS = "runs.jsonl";
   private static final String NAME = "shard.json";
   private static final int MAX_BYTES = 1 << 16;
 
@@ -56,17 +56,34 @@ record ShardFolder(Path path, Content content) {
     throw new InputException(file + ": expected what --shard writes");
   }
 
-  /** Says in a folder what it will hold. */
-  static void write(OutputFolder folder, Shard shard, List<RunPlan> plans) throws IOException {
+  /**
+   * The journal of a folder for one part of a comparison; the folder says so from then on.
+   *
+   * @param plans of the whole comparison, made by {@link ReferencePolicies#with}
+   * @param resume whether runs that are in the folder already count
+   * @throws InputException when the folder holds another part
+   */
+  public static Journal open(OutputFolder folder, Shard shard, List<RunPlan> plans, boolean resume)
+      throws IOException {
+    Optional<ShardFolder> found = read(folder.path());
+    if (found.isPresent()) {
+      found.get().requireFor(shard, plans, resume);
+    }
+    Journal journal = Journal.open(folder, RUNS, resume);
     try (Writer out = folder.open(NAME)) {
       out.write(MAPPER.writeValueAsString(content(shard, plans)) + "\n");
     }
     folder.commit(List.of());
+    return journal;
   }
 
-  /** Whether it holds this part of this comparison. */
-  boolean isOf(Shard shard, List<RunPlan> plans) {
-    return content.equals(content(shard, plans));
+  private void requireFor(Shard shard, List<RunPlan> plans, boolean resume) throws IOException {
+    if (!content.equals(content(shard, plans)) && (isOf(plans) || resume)) {
+      String comparison = isOf(plans) ? "" : " of another comparison" + changed(plans);
+      throw new InputException(
+          "--out '%s' holds shard %s%s, expected a folder of its own for %s"
+              .formatted(path, shard(), comparison, shard));
+    }
   }
 
   /** Whether it holds a part of this comparison. */

@@ -2,6 +2,7 @@ package org.hificamsim.runs.heat;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
@@ -9,44 +10,21 @@ import org.hificamsim.runs.heat.HeatMap.Place;
  * What pictures and pages of a heat map show of each cell. NaN is nothing to show; 0 has a look of
  * its own.
  */
+@SuppressWarnings("ImmutableEnumChecker") // functions
 public enum HeatFigure {
-  MEAN_K("cameras that would detect there, mean", "no camera, at no step", Unit.CAMERAS) {
-    @Override
-    public double of(Place place) {
-      return place.meanK();
-    }
-  },
-  COVERED("steps with 1 or more cameras", "no camera, at no step", Unit.SHARE) {
-    @Override
-    public double of(Place place) {
-      return 1 - place.covered0();
-    }
-  },
-  COVERED_K("steps with 2 or more cameras", "never 2 cameras", Unit.SHARE) {
-    @Override
-    public double of(Place place) {
-      return place.coveredK();
-    }
-  },
-  VISITS("targets there, added up over the steps", "", Unit.COUNT) {
-    @Override
-    public double of(Place place) {
-      return place.visits() == 0 ? Double.NaN : place.visits();
-    }
-  },
+  MEAN_K("cameras that would detect there, mean", "no camera, at no step", Unit.CAMERAS,
+      Place::meanK),
+  COVERED("steps with 1 or more cameras", "no camera, at no step", Unit.SHARE,
+      place -> 1 - place.covered0()),
+  COVERED_K("steps with 2 or more cameras", "never 2 cameras", Unit.SHARE,
+      Place::coveredK),
+  VISITS("targets there, added up over the steps", "", Unit.COUNT,
+      place -> place.visits() == 0 ? Double.NaN : place.visits()),
   VISITS_MEAN_K(
-      "cameras that detected a target there, mean", "no camera, at no visit", Unit.CAMERAS) {
-    @Override
-    public double of(Place place) {
-      return place.visitsMeanK();
-    }
-  },
-  VISITS_COVERED("visits with 1 or more cameras", "no camera, at no visit", Unit.SHARE) {
-    @Override
-    public double of(Place place) {
-      return 1 - place.visitsCovered0();
-    }
-  };
+      "cameras that detected a target there, mean", "no camera, at no visit", Unit.CAMERAS,
+      Place::visitsMeanK),
+  VISITS_COVERED("visits with 1 or more cameras", "no camera, at no visit", Unit.SHARE,
+      place -> 1 - place.visitsCovered0());
 
   private enum Unit {
     CAMERAS,
@@ -59,15 +37,19 @@ public enum HeatFigure {
   private final String label;
   private final String never;
   private final Unit unit;
+  private final ToDoubleFunction<Place> figure;
 
-  HeatFigure(String label, String never, Unit unit) {
+  HeatFigure(String label, String never, Unit unit, ToDoubleFunction<Place> figure) {
     this.label = label;
     this.never = never;
     this.unit = unit;
+    this.figure = figure;
   }
 
   /** The figure of a cell; NaN for none. */
-  public abstract double of(Place place);
+  public double of(Place place) {
+    return figure.applyAsDouble(place);
+  }
 
   /** What it says, for a legend. */
   public String label() {

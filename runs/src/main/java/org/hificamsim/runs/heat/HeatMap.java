@@ -6,9 +6,9 @@ import java.util.function.ToDoubleFunction;
 /**
  * How each cell of a field was covered over the steps of one or more runs.
  *
- * @param places by cell, in the order of {@link Cells}
+ * @param places by cell, in the order of {@link FieldCells}
  */
-public record HeatMap(Cells cells, List<Place> places) {
+public record HeatMap(FieldCells cells, List<Place> places) {
   /**
    * One cell.
    *

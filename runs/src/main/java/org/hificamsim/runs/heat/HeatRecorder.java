@@ -20,7 +20,7 @@ import org.hificamsim.runs.heat.HeatMap.Place;
 public final class HeatRecorder implements StepListener {
   private static final int NO_VIEW = -1;
 
-  private final Cells cells;
+  private final FieldCells cells;
   private final Obstacles obstacles;
   private final ViewCells views;
   private final Covering covering;
@@ -35,7 +35,7 @@ public final class HeatRecorder implements StepListener {
    * @param most cells along the field's longer side
    */
   public HeatRecorder(World world, Detection detection, int most) {
-    this.cells = Cells.of(world.scenario().field(), most);
+    this.cells = FieldCells.of(world.scenario().field(), most);
     this.obstacles = new Obstacles(world.scenario().surroundings().obstacles());
     this.views = new ViewCells(cells, detection, obstacles, Reach.usualTarget(world));
     this.covering = new Covering(cells.count());

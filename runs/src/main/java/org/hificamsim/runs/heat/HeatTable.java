@@ -4,13 +4,16 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.runs.heat.HeatMap.Place;
-import org.hificamsim.runs.output.CsvTable;
+import org.hificamsim.runs.output.Column;
+import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
 
 /** A heat map as a table, a row per cell: written, and read again. */
@@ -18,33 +21,70 @@ public final class HeatTable {
   private static final double DIGITS = 1e6; // shares and metres to a millionth
   private static final double ROUNDING = 1e-5;
 
+  /** A cell, and how it was covered. */
+  record Row(FieldCells cells, int cell, Place place) {}
+
+  /** A row per cell of the field, over all steps of all repeats. */
+  public static final Table<Row> TABLE =
+      Table.<Row>of(ResultFolder.HEATMAP)
+          .with(
+              Column.ofInt(
+                  "column", "", "from the left, from 0", row -> row.cell % row.cells.columns()),
+              Column.ofInt("row", "", "from below, from 0", row -> row.cell / row.cells.columns()),
+              rounded("x", "m", "its middle", row -> row.cells.x(row.cell)),
+              rounded("y", "m", "its middle", row -> row.cells.y(row.cell)),
+              rounded("width", "m", "how wide it is", row -> row.cells.width()),
+              rounded("height", "m", "how high it is", row -> row.cells.height()),
+              rounded(
+                  "mean_k",
+                  "cameras",
+                  "that would detect a target of the usual size in the middle, mean; empty, as the"
+                      + " next three, where a solid obstacle stands",
+                  row -> row.place.meanK()),
+              rounded(
+                  "covered_0",
+                  "share of steps",
+                  "in which no camera would",
+                  row -> row.place.covered0()),
+              rounded(
+                  "covered_1",
+                  "share of steps",
+                  "in which exactly one camera would",
+                  row -> row.place.covered1()),
+              rounded(
+                  "covered_k",
+                  "share of steps",
+                  "in which two or more cameras would",
+                  row -> row.place.coveredK()),
+              Column.ofLong(
+                  "visits",
+                  "targets",
+                  "in the cell, summed over the steps",
+                  row -> row.place.visits()),
+              rounded(
+                  "visits_mean_k",
+                  "cameras",
+                  "that detected these targets, mean; empty without a visit",
+                  row -> row.place.visitsMeanK()),
+              rounded(
+                  "visits_covered_0",
+                  "share of visits",
+                  "that no camera detected; empty without a visit",
+                  row -> row.place.visitsCovered0()));
+
   private HeatTable() {}
 
   /** Adds {@code heatmap.csv}. */
   public static void write(OutputFolder folder, HeatMap map) throws IOException {
-    try (CsvTable table = Table.HEATMAP.create(folder)) {
-      for (int cell = 0; cell < map.cells().count(); cell++) {
-        table.row(row(map.cells(), cell, map.places().get(cell)));
-      }
-    }
+    TABLE.write(
+        folder,
+        IntStream.range(0, map.places().size())
+            .mapToObj(cell -> new Row(map.cells(), cell, map.places().get(cell))));
   }
 
-  private static Object[] row(Cells cells, int cell, Place place) {
-    return new Object[] {
-      cell % cells.columns(),
-      cell / cells.columns(),
-      rounded(cells.x(cell)),
-      rounded(cells.y(cell)),
-      rounded(cells.width()),
-      rounded(cells.height()),
-      rounded(place.meanK()),
-      rounded(place.covered0()),
-      rounded(place.covered1()),
-      rounded(place.coveredK()),
-      place.visits(),
-      rounded(place.visitsMeanK()),
-      rounded(place.visitsCovered0())
-    };
+  private static Column<Row> rounded(
+      String name, String unit, String meaning, ToDoubleFunction<Row> value) {
+    return Column.ofDouble(name, unit, meaning, row -> rounded(value.applyAsDouble(row)));
   }
 
   private static double rounded(double number) {
@@ -58,8 +98,8 @@ public final class HeatTable {
    * @throws InputException when it is broken, or of another field
    */
   public static HeatMap read(Path folder, Field field) throws IOException {
-    CsvRows table = Table.HEATMAP.read(folder);
-    Cells cells = cells(table, field);
+    CsvRows table = TABLE.read(folder);
+    FieldCells cells = cells(table, field);
     List<Place> places = new ArrayList<>();
     for (CsvRow row : table.rows()) {
       check(row, "x", cells.x(places.size()), cells.field().width());
@@ -69,17 +109,17 @@ public final class HeatTable {
     return new HeatMap(cells, places);
   }
 
-  private static Cells cells(CsvRows table, Field field) {
+  private static FieldCells cells(CsvRows table, Field field) {
     int count = table.rows().size();
     int columns = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("column");
     int rows = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("row");
-    boolean whole = columns > 0 && rows > 0 && columns <= Cells.MAX && rows <= Cells.MAX;
+    boolean whole = columns > 0 && rows > 0 && columns <= FieldCells.MAX && rows <= FieldCells.MAX;
     if (!whole || (long) columns * rows != count) {
       throw new InputException(
           "%s:%s:1: %s rows, expected one for each cell of a rectangle"
               .formatted(table.file(), count + 1, count));
     }
-    return new Cells(field, columns, rows);
+    return new FieldCells(field, columns, rows);
   }
 
   private static void check(CsvRow row, String column, double expected, double side) {

@@ -23,7 +23,7 @@ record SeenCells(int[] cells, double[] chances) {
    * @param size of the target, metres
    */
   static SeenCells of(
-      Cells cells,
+      FieldCells cells,
       Visibility visibility,
       Pose pose,
       ZoomLevel zoom,

@@ -16,7 +16,7 @@ final class ViewCells {
   /** Cells that are kept of all views together: 50 MB. */
   private static final int MAX_KEPT = 1 << 22;
 
-  private final Cells cells;
+  private final FieldCells cells;
   private final Visibility visibility;
   private final Obstacles obstacles;
   private final double size;
@@ -25,7 +25,7 @@ final class ViewCells {
   private double[][] pans = {};
   private long kept;
 
-  ViewCells(Cells cells, Detection detection, Obstacles obstacles, double size) {
+  ViewCells(FieldCells cells, Detection detection, Obstacles obstacles, double size) {
     this.cells = cells;
     this.visibility = Visibility.of(detection);
     this.obstacles = obstacles;

@@ -4,12 +4,12 @@ import org.hificamsim.core.policy.NetworkView;
 
 /** Where targets were, and how many cameras detected them there. */
 final class Visits {
-  private final Cells cells;
+  private final FieldCells cells;
   private final long[] count;
   private final long[] detections;
   private final long[] uncovered;
 
-  Visits(Cells cells) {
+  Visits(FieldCells cells) {
     this.cells = cells;
     this.count = new long[cells.count()];
     this.detections = new long[cells.count()];

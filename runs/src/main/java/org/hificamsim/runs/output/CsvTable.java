@@ -6,6 +6,7 @@ import com.fasterxml.jackson.dataformat.csv.CsvSchema;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.io.Writer;
+import java.util.List;
 
 /** A CSV file under way: a header, then one row after the other, each value in its column. */
 public final class CsvTable implements TableRows {
@@ -13,7 +14,7 @@ public final class CsvTable implements TableRows {
   private boolean inRow;
 
   /** Starts a table with these columns. */
-  public CsvTable(Writer writer, String... columns) throws IOException {
+  public CsvTable(Writer writer, List<String> columns) throws IOException {
     CsvSchema.Builder schema = CsvSchema.builder();
     for (String column : columns) {
       schema.addColumn(column);
@@ -21,20 +22,6 @@ public final class CsvTable implements TableRows {
     out = new CsvFactory().createGenerator(writer);
     out.enable(CsvGenerator.Feature.STRICT_CHECK_FOR_QUOTING);
     out.setSchema(schema.build().withHeader());
-  }
-
-  /** Writes one row of numbers (whole or floating) and texts. */
-  public void row(Object... values) {
-    for (Object value : values) {
-      if (value instanceof Integer || value instanceof Long) {
-        add(((Number) value).longValue());
-      } else if (value instanceof Double number) {
-        add(number.doubleValue());
-      } else {
-        add(value.toString());
-      }
-    }
-    end();
   }
 
   @Override

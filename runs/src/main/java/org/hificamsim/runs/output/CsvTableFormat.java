@@ -16,13 +16,8 @@ public final class CsvTableFormat implements TableFormat {
   }
 
   @Override
-  public TableRows create(Table table, OutputFolder folder) throws IOException {
+  public Rows create(Table<?> table, OutputFolder folder) throws IOException {
     return table.create(folder);
-  }
-
-  @Override
-  public Rows createNumbers(Table table, OutputFolder folder) throws IOException {
-    return table.createRows(folder);
   }
 
   @Override

@@ -1,27 +1,35 @@
 package org.hificamsim.runs.output;
 
-import com.fasterxml.jackson.core.JsonFactory;
-import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.NumericNode;
 import java.io.IOException;
+import java.io.Writer;
 import org.hificamsim.core.file.OutputFolder;
 
-/** Writes a JSON file, indented, with a line end after it. */
+/** Writes JSON files, indented, with a line end after them. */
 public final class JsonOutput {
+  private static final double WHOLE = 1L << 53;
+
   private JsonOutput() {}
 
-  /** What the file holds. */
-  @FunctionalInterface
-  public interface Content {
-    /** Writes it. */
-    void write(JsonGenerator json) throws IOException;
+  /** Adds a file to a folder's. */
+  public static void write(OutputFolder folder, String name, JsonNode content) throws IOException {
+    try (Writer out = folder.open(name)) {
+      out.write(text(content));
+    }
   }
 
-  /** Writes one. */
-  public static void write(OutputFolder folder, String name, Content content) throws IOException {
-    try (JsonGenerator json = new JsonFactory().createGenerator(folder.open(name))) {
-      json.useDefaultPrettyPrinter();
-      content.write(json);
-      json.writeRaw('\n');
-    }
+  /** The text of a file. */
+  static String text(JsonNode content) {
+    return content.toPrettyString() + "\n";
+  }
+
+  /** A number, without a fraction where it is whole. */
+  static NumericNode number(double value) {
+    boolean whole = value == Math.rint(value) && Math.abs(value) < WHOLE;
+    return whole
+        ? JsonNodeFactory.instance.numberNode((long) value)
+        : JsonNodeFactory.instance.numberNode(value);
   }
 }

@@ -1,10 +1,12 @@
 package org.hificamsim.runs.output;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.List;
-import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
@@ -24,30 +26,17 @@ public final class ManifestFile {
   static void write(
       OutputFolder folder, List<String> command, Instant started, long steps, SourceCommit asked)
       throws IOException {
-    double seconds = Duration.between(started, Instant.now()).toMillis() / 1000.0;
-    Optional<String> commit = asked.name();
-    JsonOutput.write(
-        folder,
-        ResultFolder.MANIFEST,
-        json -> {
-          json.writeStartObject();
-          json.writeArrayFieldStart("command");
-          for (String word : command) {
-            json.writeString(word);
-          }
-          json.writeEndArray();
-          json.writeStringField("started", started.toString());
-          json.writeNumberField("seconds", seconds);
-          json.writeNumberField("steps", steps);
-          json.writeStringField("hificamsim", version());
-          if (commit.isPresent()) {
-            json.writeStringField("commit", commit.get());
-          }
-          json.writeStringField("java", System.getProperty("java.vm.version"));
-          json.writeStringField(
-              "system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
-          json.writeEndObject();
-        });
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    ArrayNode words = json.putArray("command");
+    command.forEach(words::add);
+    json.put("started", started.toString());
+    json.put("seconds", Duration.between(started, Instant.now()).toMillis() / 1000.0);
+    json.put("steps", steps);
+    json.put("hificamsim", version());
+    asked.name().ifPresent(commit -> json.put("commit", commit));
+    json.put("java", System.getProperty("java.vm.version"));
+    json.put("system", System.getProperty("os.name") + " " + System.getProperty("os.arch"));
+    JsonOutput.write(folder, ResultFolder.MANIFEST, json);
   }
 
   /** The version in this jar's manifest. */

@@ -19,6 +19,7 @@ public record ResultFolder(Path path) {
   public static final String MANIFEST = "manifest.json";
   public static final String CRATE = "ro-crate-metadata.json";
   public static final String REPLAY = "replay.json";
+  public static final String HEATMAP = "heatmap.csv";
   public static final String REPORT = "report.html";
 
   /**

@@ -12,34 +12,32 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
-import org.hificamsim.core.metrics.StepCoverage;
-import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
 /** The folder of a run under way: its tables row by row, and the files beside them at its end. */
 public final class RunFolder implements Closeable {
   /** What not every run writes; of an earlier run it would be another run's. */
-  private static final List<String> BESIDE =
-      Stream.of(
-              TableFormats.files(Table.RUN_STEPS),
-              TableFormats.files(Table.RUN_ZOOMS),
-              TableFormats.files(Table.RUN_TARGETS),
-              List.of(
-                  Table.HEATMAP.file(),
+  private static final List<String> NOT_ALWAYS =
+      Stream.concat(
+              Stream.of(RunTables.STEPS, RunTables.ZOOMS, RunTables.TARGETS)
+                  .flatMap(table -> TableFormats.files(table).stream()),
+              Stream.of(
+                  ResultFolder.HEATMAP,
                   ResultFolder.MANIFEST,
                   ResultFolder.CRATE,
                   ResultFolder.REPLAY,
                   ResultFolder.REPORT))
-          .flatMap(List::stream)
           .toList();
 
   private final SourceCommit commit = SourceCommit.asked();
   private final OutputFolder folder;
-  private final Detail detail;
+  private final Table<StepCursor> stepTable;
+  private final Table<StepCursor> cameraTable;
+  private final Table<StepCursor> targetTable;
   private final Rows steps;
-  private final TableRows zooms;
-  private final TableRows targets;
+  private final Rows zooms;
+  private final Rows targets;
 
   /**
    * Starts the tables.
@@ -50,17 +48,15 @@ public final class RunFolder implements Closeable {
    */
   public RunFolder(Path path, Detection detection, Detail detail, TableFormat format)
       throws IOException {
-    boolean certain = detection.certain();
     boolean record = detail != Detail.STEPS;
-    this.detail = detail;
+    stepTable = RunTables.steps(!detection.certain());
+    cameraTable = detail == Detail.VIEWS ? RunTables.VIEWS : RunTables.ZOOMS;
+    targetTable = detection.certain() ? RunTables.TARGETS : RunTables.TARGETS_BY_CHANCE;
     folder = new OutputFolder(path);
     try {
-      Table ofCameras = detail == Detail.VIEWS ? Table.RUN_VIEWS : Table.RUN_ZOOMS;
-      zooms = record ? format.create(ofCameras, folder) : null;
-      Table ofTargets = certain ? Table.RUN_TARGETS : Table.RUN_TARGETS_BY_CHANCE;
-      targets = record ? format.create(ofTargets, folder) : null;
-      Table ofSteps = certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE;
-      steps = format.createNumbers(ofSteps, folder);
+      zooms = record ? format.create(cameraTable, folder) : null;
+      targets = record ? format.create(targetTable, folder) : null;
+      steps = format.create(stepTable, folder);
     } catch (IOException | RuntimeException e) {
       folder.close(); // and its lock, for whoever tries again
       throw e;
@@ -69,66 +65,31 @@ public final class RunFolder implements Closeable {
 
   /** The listener that writes one repeat. */
   public StepListener listener(int run) {
+    StepCursor at = new StepCursor();
     return (network, coverage) -> {
-      step(run, network.step(), coverage);
+      at.network = network;
+      stepTable.add(at.at(run, network.step(), coverage), steps);
       if (zooms != null) {
-        zooms(run, network);
-        targets(run, network, coverage);
+        zooms(at);
+        targets(at);
       }
     };
   }
 
-  private void step(int run, long step, StepCoverage coverage) {
-    steps.add(run);
-    steps.add(step);
-    StepRow.addMeasures(steps, coverage);
-    steps.end();
-  }
-
-  private void zooms(int run, NetworkView network) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      if (network.online(camera)) {
-        camera(run, network, camera);
+  private void zooms(StepCursor at) {
+    for (at.camera = 0; at.camera < at.network.cameras(); at.camera++) {
+      if (at.network.online(at.camera)) {
+        cameraTable.add(at, zooms);
       }
     }
   }
 
-  private void camera(int run, NetworkView network, int camera) {
-    int view = network.view(camera);
-    zooms.add(run);
-    zooms.add(network.step());
-    zooms.add(network.cameraName(camera));
-    zooms.add(view % network.zooms(camera));
-    zooms.add(network.zoom(camera, view).radius());
-    zooms.add(network.detected(camera));
-    if (detail == Detail.VIEWS) {
-      zooms.add(Math.toDegrees(network.pan(camera, view)));
-      zooms.add(Math.toDegrees(network.zoom(camera, view).viewingAngle()));
-      zooms.add(network.moving(camera) ? 1 : 0);
-    }
-    zooms.end();
-  }
-
-  private void targets(int run, NetworkView network, StepCoverage coverage) {
-    for (int target = 0; target < network.targets(); target++) {
-      if (network.present(target)) {
-        target(run, network, coverage, target);
+  private void targets(StepCursor at) {
+    for (at.target = 0; at.target < at.network.targets(); at.target++) {
+      if (at.network.present(at.target)) {
+        targetTable.add(at, targets);
       }
     }
-  }
-
-  private void target(int run, NetworkView network, StepCoverage coverage, int target) {
-    targets.add(run);
-    targets.add(network.step());
-    targets.add(network.targetName(target));
-    targets.add(network.oracle().targetX(target));
-    targets.add(network.oracle().targetY(target));
-    if (coverage.byChance()) {
-      targets.add(network.coverage(target));
-      targets.add(coverage.expected().chanceOfOne(target));
-      targets.add(coverage.expected().chanceOfMore(target));
-    }
-    targets.end();
   }
 
   /** Adds {@code manifest.json}. */
@@ -166,7 +127,7 @@ public final class RunFolder implements Closeable {
   public void commit(RunPlan plan, List<RunResult> results) throws IOException {
     closeTables();
     SummaryFile.write(folder, plan, results);
-    ResultFolder.commit(folder, BESIDE);
+    ResultFolder.commit(folder, NOT_ALWAYS);
   }
 
   @Override

@@ -1,15 +1,20 @@
 package org.hificamsim.runs.output;
 
-import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.runs.Lens;
+import org.hificamsim.runs.ModelLens;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Setting;
 
 /** Every setting of a plan, as result files name them. */
 public final class SettingsFile {
@@ -17,62 +22,74 @@ public final class SettingsFile {
 
   /** Adds {@code settings.json}, one object per plan, to a folder's files. */
   public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
-    JsonOutput.write(
-        folder,
-        ResultFolder.SETTINGS,
-        json -> {
-          json.writeStartArray();
-          for (RunPlan plan : plans) {
-            json.writeStartObject();
-            write(json, plan);
-            json.writeEndObject();
-          }
-          json.writeEndArray();
-        });
+    ArrayNode all = JsonNodeFactory.instance.arrayNode();
+    plans.forEach(plan -> all.add(of(plan)));
+    JsonOutput.write(folder, ResultFolder.SETTINGS, all);
   }
 
-  /** Writes the settings as fields of the object under way. */
-  static void write(JsonGenerator json, RunPlan plan) throws IOException {
+  /** The settings of a plan. */
+  static ObjectNode of(RunPlan plan) {
     Scenario scenario = plan.scenario();
-    json.writeStringField("scenario", scenario.name());
-    json.writeStringField("detection", plan.detection().name());
-    json.writeNumberField("threshold", plan.detection().threshold());
-    if (!plan.detection().certain()) {
-      json.writeStringField("detect", plan.detection().rule().text());
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("scenario", scenario.name());
+    for (Setting setting : Setting.values()) {
+      setting.of(plan).ifPresent(value -> put(json, setting, value));
     }
-    json.writeStringField("policy", plan.policy());
-    json.writeStringField("objective", plan.objective().text());
-    json.writeNumberField("steps", plan.steps());
-    json.writeNumberField("seed", plan.seed());
-    json.writeNumberField("repeat", plan.repeats());
-    json.writeStringField("order", Spelling.of(scenario.order()));
-    json.writeStringField("headings", Spelling.of(scenario.headings()));
-    json.writeArrayFieldStart("zooms");
-    for (double radius : scenario.zooms()) {
-      json.writeNumber(radius);
-    }
-    json.writeEndArray();
-    json.writeNumberField("cameras", scenario.cameras().size());
-    OpticsFields.write(json, scenario);
+    numbers(json, "zooms", scenario.zooms());
+    json.put("cameras", scenario.cameras().size());
+    optics(json, scenario);
     lens(json, plan);
+    return json;
+  }
+
+  private static void put(ObjectNode json, Setting setting, String value) {
+    switch (setting.kind()) {
+      case TEXT -> json.put(setting.label(), value);
+      case INT, LONG -> json.put(setting.label(), Long.parseLong(value));
+      case NUMBER -> json.put(setting.label(), Double.parseDouble(value));
+    }
+  }
+
+  /** Each kind of optics once; nothing where no camera has any. */
+  private static void optics(ObjectNode json, Scenario scenario) {
+    scenario
+        .everyCamera()
+        .map(CameraSpec::optics)
+        .flatMap(Optional::stream)
+        .distinct()
+        .forEach(optics -> json.withArray("optics").add(of(optics)));
+  }
+
+  /** Optics in the words of scenario files. */
+  private static ObjectNode of(OpticsSpec optics) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("name", optics.name());
+    json.put("law", Spelling.of(optics.law()));
+    optics.pixels().ifPresent(pixels -> json.put("pixels", pixels));
+    numbers(json, "hfov", optics.anglesOfView());
+    optics.reach().ifPresent(reach -> json.put("reach", reach));
+    numbers(json, "pan", optics.pans());
+    if (optics.takesTime()) {
+      optics.panSpeed().ifPresent(speed -> json.put("pan_speed", speed));
+      json.put("zoom_time", optics.zoomTime());
+      json.put("moving", Spelling.of(optics.moving()));
+    }
+    return json;
   }
 
   /**
    * What the model looks through, metres: a focal length for each of the zooms, none for a model
    * without optics.
    */
-  private static void lens(JsonGenerator json, RunPlan plan) throws IOException {
-    Optional<Lens> lens = Lens.of(plan.detection(), plan.scenario());
-    OptionalDouble height = lens.map(Lens::mountHeight).orElse(plan.scenario().mountHeight());
-    if (height.isPresent()) {
-      json.writeNumberField("mount_height", height.getAsDouble());
-    } else {
-      json.writeNullField("mount_height");
-    }
-    json.writeArrayFieldStart("focal_lengths");
-    for (double focalLength : lens.map(Lens::focalLengths).orElse(List.of())) {
-      json.writeNumber(focalLength);
-    }
-    json.writeEndArray();
+  private static void lens(ObjectNode json, RunPlan plan) {
+    Optional<ModelLens> lens = ModelLens.of(plan.detection(), plan.scenario());
+    OptionalDouble height = lens.map(ModelLens::mountHeight).orElse(plan.scenario().mountHeight());
+    json.put("mount_height", height.isPresent() ? (Double) height.getAsDouble() : null);
+    numbers(json, "focal_lengths", lens.map(ModelLens::focalLengths).orElse(List.of()));
+  }
+
+  private static void numbers(ObjectNode json, String name, List<Double> values) {
+    ArrayNode array = json.putArray(name);
+    values.forEach(array::add);
   }
 }

@@ -10,6 +10,7 @@ import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.runs.Measured;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
@@ -58,7 +59,8 @@ public final class SingleRun implements StepListener, Closeable {
    * @param proof what the policy proved; empty under one that does not claim to be the best
    */
   public void commit(RunPlan plan, long messages, Optional<Proof> proof) throws IOException {
-    folder.commit(plan, List.of(RunResult.of(run, plan.seed(), sums, messages, proof)));
+    Measured measured = new Measured(sums, plan.objective(), messages, proof);
+    folder.commit(plan, List.of(RunResult.of(run, plan.seed(), measured)));
   }
 
   @Override

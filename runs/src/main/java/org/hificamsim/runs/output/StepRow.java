@@ -4,40 +4,14 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.file.Rows;
-import org.hificamsim.core.metrics.ExpectedCoverage;
-import org.hificamsim.core.metrics.StepCoverage;
 
 /**
  * A row of {@code steps.csv} as it was read, or of the same table in another format.
  *
  * @param line in the file, from 1
- * @param measures the columns of {@link #addMeasures}
+ * @param measures the other columns
  */
 public record StepRow(Path file, int line, String run, String step, String measures) {
-  /** Adds what is measured in a step, column by column; what is expected follows by chance. */
-  public static void addMeasures(Rows row, StepCoverage coverage) {
-    row.add(coverage.kMin());
-    row.add(coverage.targets());
-    row.add(coverage.covered0());
-    row.add(coverage.covered1());
-    row.add(coverage.coveredK());
-    row.add(coverage.meanK());
-    if (coverage.byChance()) {
-      addExpected(row, coverage.expected());
-    }
-  }
-
-  private static void addExpected(Rows row, ExpectedCoverage expected) {
-    row.add(expected.kMin());
-    row.add(expected.covered0());
-    row.add(expected.covered1());
-    row.add(expected.coveredK());
-    row.add(expected.meanK());
-    row.add(expected.leastK());
-    row.add(expected.leastChance());
-  }
-
   /**
    * Reads the table of a run's folder, row by row.
    *
@@ -45,8 +19,8 @@ public record StepRow(Path file, int line, String run, String step, String measu
    * @throws InputException when it is missing or a row is too short
    */
   public static Path each(Path folder, Consumer<StepRow> taker) throws IOException {
-    TableFormat format = TableFormats.of(folder, Table.RUN_STEPS);
-    Path file = new ResultFolder(folder).file(Table.RUN_STEPS.file(format.name()));
+    TableFormat format = TableFormats.of(folder, RunTables.STEPS);
+    Path file = new ResultFolder(folder).file(RunTables.STEPS.file(format.name()));
     int[] line = {1};
     format.each(file, row -> taker.accept(of(file, ++line[0], row)));
     return file;

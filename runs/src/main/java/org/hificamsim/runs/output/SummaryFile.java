@@ -1,97 +1,50 @@
 package org.hificamsim.runs.output;
 
-import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
-import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
-import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
-/** Writes {@code summary.json}: every setting, and the coverage of the run or of its repeats. */
-public final class SummaryFile {
-  private static final double WHOLE = 1L << 53;
-
-  private final JsonGenerator json;
-  private final Objective objective;
-
-  private SummaryFile(JsonGenerator json, Objective objective) {
-    this.json = json;
-    this.objective = objective;
-  }
+/** Writes {@code summary.json}: every setting, and the metrics of the run or of its repeats. */
+final class SummaryFile {
+  private SummaryFile() {}
 
   /** Adds the file to a folder's. */
-  public static void write(OutputFolder folder, RunPlan plan, List<RunResult> results)
-      throws IOException {
-    JsonOutput.write(
-        folder,
-        ResultFolder.SUMMARY,
-        json -> {
-          json.writeStartObject();
-          SummaryFile file = new SummaryFile(json, plan.objective());
-          SettingsFile.write(json, plan);
-          List<Metric> metrics = Metric.measured(results.get(0));
-          file.figures(metrics, results);
-          file.runs(metrics, results);
-          json.writeEndObject();
-        });
-  }
-
-  private void figures(List<Metric> metrics, List<RunResult> results) throws IOException {
-    for (Metric metric : metrics) {
-      if (results.size() == 1 && (metric == Metric.PERFORMANCE || metric == Metric.SCORE)) {
-        json.writeFieldName(metric.label());
-        number(metric.of(results.get(0)));
-      } else {
-        json.writeNumberField(metric.label(), Estimate.of(results, metric).mean());
-      }
-    }
+  static void write(OutputFolder folder, RunPlan plan, List<RunResult> results) throws IOException {
+    ObjectNode json = SettingsFile.of(plan);
+    List<Metric> metrics = Metric.ofRuns().stream().filter(results.get(0)::has).toList();
+    metrics.forEach(metric -> mean(json, metric, results));
     if (results.size() > 1) {
-      json.writeObjectFieldStart("interval_95");
+      ObjectNode intervals = json.putObject("interval_95");
       for (Metric metric : metrics) {
         Estimate estimate = Estimate.of(results, metric);
-        json.writeArrayFieldStart(metric.label());
-        json.writeNumber(estimate.low());
-        json.writeNumber(estimate.high());
-        json.writeEndArray();
+        intervals.putArray(metric.label()).add(estimate.low()).add(estimate.high());
       }
-      json.writeEndObject();
     }
-  }
-
-  private void runs(List<Metric> metrics, List<RunResult> results) throws IOException {
-    json.writeArrayFieldStart("runs");
+    ArrayNode runs = json.putArray("runs");
     for (RunResult result : results) {
-      json.writeStartObject();
-      json.writeNumberField("run", result.run());
-      json.writeNumberField("seed", result.seed());
-      for (Metric metric : metrics) {
-        json.writeFieldName(metric.label());
-        number(metric.of(result));
-      }
-      if (result.proof().isPresent()) {
-        proof(result.score(), result.proof().get());
-      }
-      json.writeEndObject();
+      ObjectNode run = runs.addObject().put("run", result.run()).put("seed", result.seed());
+      metrics.forEach(metric -> run.set(metric.label(), JsonOutput.number(result.value(metric))));
+      Arrays.stream(Metric.values())
+          .filter(metric -> metric.isClaim() && result.has(metric))
+          .forEach(metric -> run.set(metric.label(), JsonOutput.number(result.value(metric))));
     }
-    json.writeEndArray();
+    JsonOutput.write(folder, ResultFolder.SUMMARY, json);
   }
 
-  private void proof(double score, Proof proof) throws IOException {
-    json.writeNumberField("unproven_steps", proof.unprovenSteps());
-    json.writeFieldName(Proof.boundLabel(objective));
-    number(proof.bound(score));
-  }
-
-  /** Whole numbers without a fraction. */
-  private void number(double value) throws IOException {
-    if (value == Math.rint(value) && Math.abs(value) < WHOLE) {
-      json.writeNumber((long) value);
+  /** Of a single run, what is a sum over its steps is written as in the list of runs. */
+  private static void mean(ObjectNode json, Metric metric, List<RunResult> results) {
+    double mean = Estimate.of(results, metric).mean();
+    if (results.size() == 1 && (metric == Metric.PERFORMANCE || metric == Metric.SCORE)) {
+      json.set(metric.label(), JsonOutput.number(mean));
     } else {
-      json.writeNumber(value);
+      json.put(metric.label(), mean);
     }
   }
 }

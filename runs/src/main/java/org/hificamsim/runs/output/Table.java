@@ -3,86 +3,51 @@ package org.hificamsim.runs.output;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.stream.Stream;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.file.Rows;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 
-/** Every table of results: its file, and its columns, which {@code docs/data.md} explains. */
-public enum Table {
-  RUN_STEPS("steps.csv", "run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k"),
-  RUN_STEPS_BY_CHANCE(
-      RUN_STEPS.file,
-      RUN_STEPS.columns
-          + ",expected_k_min,expected_covered_0,expected_covered_1,expected_covered_k,"
-          + "expected_mean_k,least_expected_k,least_chance"),
-  RUN_ZOOMS("zooms.csv", "run,step,camera,level,radius,detected"),
-  RUN_VIEWS(RUN_ZOOMS.file, RUN_ZOOMS.columns + ",pan,viewing_angle,moving"),
-  RUN_TARGETS("targets.csv", "run,step,target,x,y"),
-  RUN_TARGETS_BY_CHANCE(RUN_TARGETS.file, RUN_TARGETS.columns + ",k,chance_1,chance_k"),
-  HEATMAP(
-      "heatmap.csv",
-      "column,row,x,y,width,height,mean_k,covered_0,covered_1,covered_k,"
-          + "visits,visits_mean_k,visits_covered_0"),
-  RESULTS(
-      "results.csv",
-      "scenario,detection,policy,seed,performance,proportion_of_optimal,"
-          + "covered_0,covered_1,covered_k",
-      "optimum,objective,score"),
-  METRICS("metrics.csv", "scenario,detection,policy,seed,metric,value"),
-  SUMMARY(
-      "summary.csv",
-      "scenario,detection,policy,metric,runs,mean,low,high,"
-          + "difference_to,difference,difference_low,difference_high"),
-  AGGREGATE("aggregate.csv", "detection,policy,statistic,scenarios,runs,value,low,high"),
-  PROFILE("profile.csv", "detection,policy,tau,share,low,high"),
-  PAIRS(
-      "pairs.csv",
-      "scenario,detection,policy,other,metric,runs,difference,low,high,p_value,p_holm"),
-  IMPROVEMENT("improvement.csv", "detection,policy,other,scenarios,probability,low,high"),
-  STEPS("steps.csv.gz", "scenario,detection,policy,step,k_min"),
-  VERDICTS(
-      "verdicts.csv",
-      "kind,id,source,claim,published,value,low,high,checks,checks_held,verdict,why",
-      "role"),
-  TABLE_8_1(
-      "table-8.1.csv",
-      "layout,policy,detection,published,proportion,low,high,difference,verdict,"
-          + "over_hifi_optimum,over_hifi_optimum_at_0.45,explore_any,cluster_script_at_origin",
-      "eq_6.2,role"),
-  ADAPTING("adapting.csv", "scenario,detection,optimum,fixed,value_of_adapting,same_every_step"),
-  SENSITIVITY(
-      "sensitivity.csv",
-      "parameter,value,default,layout,policy,proportion_hifi,proportion_camsim,"
-          + "difference,low,high,finding"),
-  FIT("fit.csv", "parameter,value,default,error_hifi,error_camsim"),
-  LADDER("ladder.csv", "scenario,rung,policy,mean_k_min,low,high,rank"),
-  RUNGS(
-      "rungs.csv",
-      "scenario,rung,optimum,tau,tau_low,tau_high,chosen,regret,regret_low,regret_high,"
-          + "share,share_low,share_high");
-
+/**
+ * A table of results: its file, and its columns.
+ *
+ * @param <R> what a row is about
+ */
+public final class Table<R> {
   private final String file;
-  private final String first;
-  private final String columns;
+  private final List<Column<R>> columns;
 
-  Table(String file, String columns) {
-    this(file, columns, "");
+  private Table(String file, List<Column<R>> columns) {
+    this.file = file;
+    this.columns = columns;
   }
 
-  /**
-   * @param first the columns of every version, which come first
-   * @param added those that older files lack
-   */
-  Table(String file, String first, String added) {
-    this.file = file;
-    this.first = first;
-    this.columns = added.isEmpty() ? first : first + "," + added;
+  /** A table without columns. */
+  public static <R> Table<R> of(String file) {
+    return new Table<>(file, List.of());
+  }
+
+  /** The same table with further columns. */
+  @SafeVarargs
+  @SuppressWarnings("varargs") // only read
+  public final Table<R> with(Column<R>... further) {
+    return with(List.of(further));
+  }
+
+  /** The same table with further columns. */
+  public Table<R> with(List<Column<R>> further) {
+    return new Table<>(file, Stream.concat(columns.stream(), further.stream()).toList());
+  }
+
+  /** The same table with further columns, which are about a part of a row. */
+  public <P> Table<R> with(List<Column<P>> further, Function<R, P> part) {
+    return with(further.stream().map(column -> column.of(part)).toList());
   }
 
   /** The file's name. */
@@ -95,21 +60,31 @@ public enum Table {
     return file.replace(".csv", "." + format);
   }
 
-  /** The columns of a table with a row for each step, camera or target of a run. */
-  public List<StepColumn> stepColumns() {
-    return Arrays.stream(columns.toUpperCase(Locale.ROOT).split(","))
-        .map(StepColumn::valueOf)
-        .toList();
+  /** The columns, in order. */
+  public List<Column<R>> columns() {
+    return columns;
   }
 
-  /** Starts the table in a folder. */
-  public CsvTable create(OutputFolder folder) throws IOException {
-    return new CsvTable(folder.open(file), columns.split(","));
+  /** Adds a row. */
+  public void add(R row, Rows to) {
+    for (int i = 0; i < columns.size(); i++) { // without an iterator for each row
+      columns.get(i).add(row, to);
+    }
+    to.end();
   }
 
-  /** Starts the table in a folder, for numbers alone. */
-  public NumberRows createRows(OutputFolder folder) throws IOException {
-    return new NumberRows(folder.open(file), columns, ',', "\n");
+  /** Adds the whole table to a folder's files. */
+  public void write(OutputFolder folder, Stream<R> rows) throws IOException {
+    try (Rows out = create(folder)) {
+      rows.forEach(row -> add(row, out));
+    }
+  }
+
+  /** Starts the table in a folder, as CSV. */
+  Rows create(OutputFolder folder) throws IOException {
+    return columns.stream().anyMatch(column -> column.kind() == Column.Kind.TEXT)
+        ? new CsvTable(folder.open(file), names())
+        : new NumberRows(folder.open(file), String.join(",", names()), ',', "\n");
   }
 
   /** Whether a folder has it. */
@@ -144,8 +119,12 @@ public enum Table {
         new ResultFolder(folder).file(file), "a table that 'hificamsim' writes");
   }
 
+  private List<String> names() {
+    return columns.stream().map(Column::name).toList();
+  }
+
   private List<String> required() {
-    return List.of(first.split(","));
+    return columns.stream().filter(column -> !column.isLater()).map(Column::name).toList();
   }
 
   /** The scenario, detection and policy of a row. */

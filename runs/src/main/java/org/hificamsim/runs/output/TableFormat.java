@@ -11,17 +11,8 @@ public interface TableFormat {
   /** Its name, which files end in. */
   String name();
 
-  /**
-   * Starts a table in a folder.
-   *
-   * @param table whose columns are {@link StepColumn}s
-   */
-  TableRows create(Table table, OutputFolder folder) throws IOException;
-
-  /** The same, of numbers alone. */
-  default Rows createNumbers(Table table, OutputFolder folder) throws IOException {
-    return create(table, folder);
-  }
+  /** Starts a table in a folder: {@link TableRows} if it has columns of texts. */
+  Rows create(Table<?> table, OutputFolder folder) throws IOException;
 
   /**
    * Reads a table of numbers, row by row as CSV has it, without the header.

@@ -35,7 +35,7 @@ public final class TableFormats {
   }
 
   /** What wrote a table of a folder; CSV where there is none. */
-  static TableFormat of(Path folder, Table table) {
+  static TableFormat of(Path folder, Table<?> table) {
     return NAMES.stream()
         .filter(name -> Files.isRegularFile(folder.resolve(table.file(name))))
         .findFirst()
@@ -53,7 +53,7 @@ public final class TableFormats {
   }
 
   /** The files that a table may be in. */
-  static List<String> files(Table table) {
+  static List<String> files(Table<?> table) {
     return NAMES.stream().map(table::file).toList();
   }
 

@@ -13,8 +13,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunResult;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
@@ -25,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 class JournalTest {
   private static final RunResult RESULT =
-      new RunResult(2, 7, 11, 1.1, 0.25, 0.5, 0.25, 1.25, 50, 6, 4);
+      RunResult.of(2, 7, Map.of(Metric.PERFORMANCE, 11.0, Metric.MEAN_K_MIN, 1.1));
 
   @TempDir Path folder;
   private OutputFolder output;
@@ -34,7 +36,7 @@ class JournalTest {
   void leaveTheJournalOfAKilledComparison() throws IOException {
     output = new OutputFolder(folder);
     try (Journal journal = open(false)) {
-      journal.add("case", 7, new Outcome(RESULT, new int[] {3, 0, 8}));
+      journal.add("case", 7, new FinishedRun(RESULT, new int[] {3, 0, 8}));
     }
   }
 
@@ -46,7 +48,7 @@ class JournalTest {
   @Test
   void resumingFindsWhatWasFinishedBitByBit() throws IOException {
     try (Journal journal = open(true)) {
-      Outcome found = journal.find("case", 7).orElseThrow();
+      FinishedRun found = journal.find("case", 7).orElseThrow();
       assertEquals(RESULT, found.result());
       assertArrayEquals(new int[] {3, 0, 8}, found.kMin());
       assertTrue(journal.find("case", 8).isEmpty());
@@ -129,7 +131,7 @@ class JournalTest {
 
   private void addTheNext() throws IOException {
     try (Journal journal = open(true)) {
-      journal.add("next", 1, new Outcome(RESULT, new int[] {5}));
+      journal.add("next", 1, new FinishedRun(RESULT, new int[] {5}));
     }
   }
 

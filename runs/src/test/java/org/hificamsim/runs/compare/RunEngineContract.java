@@ -101,7 +101,7 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
     }
     Files.delete(model);
     assertSameAsAlone(plans, all(plans));
-    Map<RunTask, Outcome> outcomes = run(plans, all(plans));
+    Map<RunTask, FinishedRun> outcomes = run(plans, all(plans));
     assertNotEquals(
         outcomes.get(new RunTask(0, 0)).result(), outcomes.get(new RunTask(1, 0)).result());
   }
@@ -145,17 +145,19 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
   }
 
   private void assertSameAsAlone(List<RunPlan> plans, List<RunTask> tasks) throws IOException {
-    Map<RunTask, Outcome> outcomes = run(plans, tasks);
+    Map<RunTask, FinishedRun> outcomes = run(plans, tasks);
     assertEquals(tasks.size(), outcomes.size());
     for (RunTask task : tasks) {
-      Outcome alone = Outcome.of(new RunExecutor(CATALOGUE), plans.get(task.plan()), task.repeat());
+      FinishedRun alone =
+          FinishedRun.of(new RunExecutor(CATALOGUE), plans.get(task.plan()), task.repeat());
       assertEquals(alone.result(), outcomes.get(task).result());
       assertArrayEquals(alone.kMin(), outcomes.get(task).kMin());
     }
   }
 
-  private Map<RunTask, Outcome> run(List<RunPlan> plans, List<RunTask> tasks) throws IOException {
-    Map<RunTask, Outcome> outcomes = new ConcurrentHashMap<>();
+  private Map<RunTask, FinishedRun> run(List<RunPlan> plans, List<RunTask> tasks)
+      throws IOException {
+    Map<RunTask, FinishedRun> outcomes = new ConcurrentHashMap<>();
     engines.get().run(plans, tasks, outcomes::put);
     return outcomes;
   }

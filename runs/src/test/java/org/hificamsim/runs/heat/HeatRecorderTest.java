@@ -20,9 +20,9 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.heat.HeatMap.Place;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -67,12 +67,12 @@ class HeatRecorderTest {
 
   /** Adds up how the targets, one a free cell, are covered. */
   private static final class Lattice implements StepListener {
-    private final Cells cells;
+    private final FieldCells cells;
     private final double[] k;
     private final double[] none;
     private final double[] more;
 
-    Lattice(Cells cells) {
+    Lattice(FieldCells cells) {
       this.cells = cells;
       k = new double[cells.count()];
       none = new double[cells.count()];
@@ -111,7 +111,7 @@ class HeatRecorderTest {
         "hifi:orb-lin@chance"
       })
   void aCellIsCoveredAsATargetInItsMiddle(String model) throws IOException {
-    Cells cells = new Cells(new Field(0, 12, 0, 8), 24, 16);
+    FieldCells cells = new FieldCells(new Field(0, 12, 0, 8), 24, 16);
     Scenario scenario = scenario("lattice", lattice(cells));
     Lattice lattice = new Lattice(cells);
     HeatMap map = map(scenario, detection(model, scenario), 1, lattice);
@@ -152,7 +152,7 @@ class HeatRecorderTest {
 
   @Test
   void theAreaIsMeasuredWhereTargetsCanStand() {
-    Cells cells = new Cells(new Field(0, 4, 0, 1), 4, 1);
+    FieldCells cells = new FieldCells(new Field(0, 4, 0, 1), 4, 1);
     HeatMap map =
         new HeatMap(
             cells,
@@ -168,20 +168,20 @@ class HeatRecorderTest {
 
   @Test
   void cellsAreNearlySquareAndBounded() {
-    Cells wide = Cells.of(new Field(-5, 15, 0, 7), 50);
-    assertEquals(new Cells(new Field(-5, 15, 0, 7), 50, 18), wide);
+    FieldCells wide = FieldCells.of(new Field(-5, 15, 0, 7), 50);
+    assertEquals(new FieldCells(new Field(-5, 15, 0, 7), 50, 18), wide);
     assertEquals(0.4, wide.width(), 1e-12);
     assertEquals(-4.8, wide.x(0), 1e-12);
     assertEquals(wide.count() - 1, wide.at(15, 7), "the border belongs to the last cells");
     assertEquals(-1, wide.at(15.01, 7));
     assertEquals(-1, wide.at(Double.NaN, 7));
-    assertEquals(1, Cells.of(new Field(3, 3, 2, 2), 50).count(), "a field that is a point");
-    assertEquals(50, Cells.of(new Field(0, 9, 2, 2), 50).count(), "a field that is a line");
+    assertEquals(1, FieldCells.of(new Field(3, 3, 2, 2), 50).count(), "a field that is a point");
+    assertEquals(50, FieldCells.of(new Field(0, 9, 2, 2), 50).count(), "a field that is a line");
   }
 
   @Test
   void aTableIsReadAsItWasWrittenAndRefusedForAnotherField() throws IOException {
-    Scenario scenario = scenario("table", lattice(new Cells(new Field(0, 12, 0, 8), 6, 4)));
+    Scenario scenario = scenario("table", lattice(new FieldCells(new Field(0, 12, 0, 8), 6, 4)));
     HeatMap map = map(scenario, detection("geometric", scenario), 1, null);
     Path out = folder.resolve("written");
     try (OutputFolder files = new OutputFolder(out)) {
@@ -203,7 +203,7 @@ class HeatRecorderTest {
     assertThrows(InputException.class, () -> HeatTable.read(out, scenario.field()));
   }
 
-  private static String lattice(Cells cells) {
+  private static String lattice(FieldCells cells) {
     StringBuilder objects = new StringBuilder();
     for (int cell = 0; cell < cells.count(); cell++) {
       double x = cells.x(cell);
@@ -224,7 +224,7 @@ class HeatRecorderTest {
   }
 
   private Detection detection(String model, Scenario scenario) {
-    return Overrides.NONE.detection(DetectionSpec.parse(model, catalogue::detection), scenario);
+    return DetectionSpec.parse(model, catalogue::detection).detection(Settings.NONE, scenario);
   }
 
   private HeatMap map(Scenario scenario, Detection detection, int repeats, StepListener beside) {

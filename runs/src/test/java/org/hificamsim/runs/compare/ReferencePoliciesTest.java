@@ -12,7 +12,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;
 
-class YardsticksTest {
+class ReferencePoliciesTest {
   private static final Path SHIPPED =
       Path.of(System.getProperty("hificamsim.root", "."), "scenarios", "ring-random.xml");
 
@@ -20,30 +20,30 @@ class YardsticksTest {
   void theOptimumAndTheBestFixedComeAfterWhatIsAskedFor() {
     assertEquals(
         List.of("sarsa", "random", "optimal", "best-fixed"),
-        policies(Yardsticks.OPTIMUM_AND_BEST_FIXED, 100, "sarsa", "random"));
+        policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 100, "sarsa", "random"));
     assertEquals(
         List.of("sarsa", "random", "optimal"),
-        policies(Yardsticks.OPTIMUM, 100, "sarsa", "random"));
+        policies(ReferencePolicies.OPTIMUM, 100, "sarsa", "random"));
   }
 
   @Test
   void nothingIsRunTwice() {
     assertEquals(
         List.of("best-fixed", "optimal"),
-        policies(Yardsticks.OPTIMUM_AND_BEST_FIXED, 100, "best-fixed", "optimal"));
+        policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 100, "best-fixed", "optimal"));
   }
 
   @Test
   void theBestFixedIsLeftOutWhereItsSearchNeedsTooMuchMemory() {
     assertEquals(
         List.of("sarsa", "optimal"),
-        policies(Yardsticks.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "sarsa"));
+        policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "sarsa"));
     assertEquals(
         List.of("best-fixed", "optimal"),
-        policies(Yardsticks.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "best-fixed"));
+        policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "best-fixed"));
   }
 
-  private static List<String> policies(Yardsticks yardsticks, int steps, String... asked) {
+  private static List<String> policies(ReferencePolicies yardsticks, int steps, String... asked) {
     Catalogue catalogue = Catalogue.load();
     Scenario scenario = ScenarioReader.read(SHIPPED, name -> true, warning -> {});
     DetectionModel model = catalogue.detection("geometric");

@@ -11,7 +11,7 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
 
 /** The policies that a comparison runs beside those asked for, to score all others by. */
-public enum Yardsticks {
+public enum ReferencePolicies {
   /** The exact optimum of every scenario and detection. */
   OPTIMUM(false),
   /** That, and the best configuration that never changes, where it can be found in memory. */
@@ -25,7 +25,7 @@ public enum Yardsticks {
 
   private final boolean bestFixed;
 
-  Yardsticks(boolean bestFixed) {
+  ReferencePolicies(boolean bestFixed) {
     this.bestFixed = bestFixed;
   }
 
@@ -40,7 +40,7 @@ public enum Yardsticks {
   public List<RunPlan> with(List<RunPlan> plans) {
     List<RunPlan> all = new ArrayList<>(withOptimum(plans));
     if (bestFixed) {
-      all.addAll(missing(plans, BEST_FIXED).stream().filter(Yardsticks::fits).toList());
+      all.addAll(missing(plans, BEST_FIXED).stream().filter(ReferencePolicies::fits).toList());
     }
     return all;
   }

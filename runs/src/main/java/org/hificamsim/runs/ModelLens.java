@@ -14,11 +14,11 @@ import org.hificamsim.hifi.optics.Optics;
  * The lens through which a detection model looks in a scenario: what the scenario leaves open, the
  * model's optics decide (Eqs 3.1 and 3.2).
  */
-public record Lens(Optics optics, Scenario scenario) {
+public record ModelLens(Optics optics, Scenario scenario) {
   /** The lens of a model; empty for models that have none. */
-  public static Optional<Lens> of(Detection detection, Scenario scenario) {
+  public static Optional<ModelLens> of(Detection detection, Scenario scenario) {
     return detection.model() instanceof OpticalDetection model
-        ? Optional.of(new Lens(model.optics(), scenario))
+        ? Optional.of(new ModelLens(model.optics(), scenario))
         : Optional.empty();
   }
 

@@ -9,7 +9,7 @@ import org.hificamsim.core.scenario.Field;
  * @param columns 1 or more
  * @param rows 1 or more
  */
-public record Cells(Field field, int columns, int rows) {
+public record FieldCells(Field field, int columns, int rows) {
   /** The most cells along a side. */
   public static final int MAX = 200;
 
@@ -21,9 +21,9 @@ public record Cells(Field field, int columns, int rows) {
    *
    * @param most along its longer side, 1 to {@link #MAX}
    */
-  public static Cells of(Field field, int most) {
+  public static FieldCells of(Field field, int most) {
     double edge = Math.max(field.width(), field.height()) / most;
-    return new Cells(field, along(field.width(), edge), along(field.height(), edge));
+    return new FieldCells(field, along(field.width(), edge), along(field.height(), edge));
   }
 
   private static int along(double side, double edge) {

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** What is asked for, what the scenario says, and the model's default, in this order. */
-class OverridesTest {
+class DetectionSpecTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
 
   @ParameterizedTest
@@ -64,19 +64,24 @@ class OverridesTest {
   @Test
   void refusesToAskForAThresholdThatIsNone() {
     for (double threshold : new double[] {-0.1, 1.1, Double.NaN}) {
-      assertThrows(
-          InputException.class,
-          () -> Overrides.ofDetection(Optional.of(threshold), Optional.empty()),
-          "no fault");
+      assertThrows(InputException.class, () -> asked(threshold, null), "no fault");
     }
   }
 
   private static Detection detection(String text, Double asked, Double ofScenario) {
-    return Overrides.ofDetection(Optional.ofNullable(asked), Optional.empty())
+    return DetectionSpec.parse(text, CATALOGUE::detection)
         .detection(
-            DetectionSpec.parse(text, CATALOGUE::detection),
+            asked(asked, null),
             ofScenario == null ? OptionalDouble.empty() : OptionalDouble.of(ofScenario),
             Optional.empty());
+  }
+
+  private static Settings asked(Double threshold, String rule) {
+    Settings asked = Settings.NONE;
+    if (threshold != null) {
+      asked = asked.with(Setting.THRESHOLD, threshold.toString());
+    }
+    return rule == null ? asked : asked.with(Setting.DETECT, rule);
   }
 
   @ParameterizedTest
@@ -96,11 +101,8 @@ class OverridesTest {
   void theFirstRuleThatThereIsCounts(
       String detection, String asked, String ofScenario, String rule, String name) {
     Detection made =
-        Overrides.ofDetection(Optional.empty(), rule(asked))
-            .detection(
-                DetectionSpec.parse(detection, CATALOGUE::detection),
-                OptionalDouble.empty(),
-                rule(ofScenario));
+        DetectionSpec.parse(detection, CATALOGUE::detection)
+            .detection(asked(null, asked), OptionalDouble.empty(), rule(ofScenario));
     assertEquals(rule, made.rule().text());
     assertEquals(name, made.name());
   }
@@ -115,11 +117,8 @@ class OverridesTest {
   void aThresholdThatIsNearerThanARuleGoesBeforeIt(
       String detection, Double asked, String rule, String ofScenario, double expected) {
     Detection made =
-        Overrides.ofDetection(Optional.ofNullable(asked), rule(rule))
-            .detection(
-                DetectionSpec.parse(detection, CATALOGUE::detection),
-                OptionalDouble.empty(),
-                rule(ofScenario));
+        DetectionSpec.parse(detection, CATALOGUE::detection)
+            .detection(asked(asked, rule), OptionalDouble.empty(), rule(ofScenario));
     assertTrue(made.certain());
     assertEquals(expected, made.threshold());
   }
@@ -138,8 +137,8 @@ class OverridesTest {
         assertThrows(
             InputException.class,
             () ->
-                Overrides.ofDetection(Optional.ofNullable(threshold), rule("chance"))
-                    .detection(DetectionSpec.parse(detection, CATALOGUE::detection)));
+                DetectionSpec.parse(detection, CATALOGUE::detection)
+                    .detection(asked(threshold, "chance")));
     assertTrue(fault.getMessage().startsWith(expected), fault.getMessage());
   }
 

@@ -3,9 +3,10 @@ package org.hificamsim.reproduction.ladder;
 import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.ScoredRun;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.compare.ScoredRun;
 
 /**
  * What one rung says of the policies in one scenario: their mean score by the scenario's objective.
@@ -15,10 +16,10 @@ import org.hificamsim.runs.compare.ScoredRun;
  * @param score by policy, then by seed
  * @param optimum the mean score of the exact optimum, by seed; by chance it knows the luck
  */
-record PolicyScores(double[][] score, double[] optimum) {
-  static PolicyScores of(List<CaseResult> cases) {
-    return new PolicyScores(
-        cases.stream().map(PolicyScores::score).toArray(double[][]::new),
+record RungScores(double[][] score, double[] optimum) {
+  static RungScores of(List<CaseResult> cases) {
+    return new RungScores(
+        cases.stream().map(RungScores::score).toArray(double[][]::new),
         cases.get(0).runs().stream()
             .mapToDouble(run -> run.optimum() / cases.get(0).plan().steps())
             .toArray());
@@ -34,8 +35,8 @@ record PolicyScores(double[][] score, double[] optimum) {
 
   private static double kMin(RunPlan plan, ScoredRun run) {
     return plan.detection().certain()
-        ? run.result().meanKMin()
-        : run.result().expected().performance() / plan.steps();
+        ? run.result().value(Metric.MEAN_K_MIN)
+        : run.result().value(Metric.EXPECTED_PERFORMANCE) / plan.steps();
   }
 
   int seeds() {

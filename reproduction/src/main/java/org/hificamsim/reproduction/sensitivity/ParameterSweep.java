@@ -8,7 +8,7 @@ import java.util.List;
  * @param parameter name in files
  * @param meaning for people
  */
-record Sweep(String parameter, String meaning, List<Variant> variants) {
+record ParameterSweep(String parameter, String meaning, List<Variant> variants) {
   /** The policies that the parameter can change. */
   List<String> policies() {
     return List.copyOf(variants.get(0).policies().keySet());

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -21,7 +22,7 @@ import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class ComparisonRunTest {
+class ComparisonTest {
   private static final Catalogue CATALOGUE = Catalogue.load();
 
   @TempDir Path folder;
@@ -29,39 +30,32 @@ class ComparisonRunTest {
   /** Otherwise a second one could begin on a journal that the first one then deletes. */
   @Test
   void theFolderIsHeldUntilTheJournalIsGone() throws IOException {
-    Path journal = folder.resolve(Journal.NAME);
-    try (OutputFolder output = new OutputFolder(folder)) {
-      List<CaseResult> results =
-          comparison(false, () -> assertTrue(Files.exists(journal)))
-              .executeWithoutTables(
-                  List.of(plan()),
-                  output,
-                  (files, cases) -> {
-                    assertTrue(Files.exists(journal));
-                    assertHeld();
-                  });
+    Path file = folder.resolve(Journal.NAME);
+    try (OutputFolder output = new OutputFolder(folder);
+        Journal journal = Journal.open(output, Journal.NAME, false)) {
+      List<CaseResult> results = compare(journal, () -> {});
       assertEquals(2, results.size(), "the plan and its optimum");
-      assertFalse(Files.exists(journal));
+      assertTrue(Files.exists(file));
+      assertHeld();
+      journal.finish();
+      assertFalse(Files.exists(file));
       assertHeld();
     }
     new OutputFolder(folder).close();
   }
 
-  /** So that what the page could not hold need not be computed again. */
+  /** So that what could not be written need not be computed again. */
   @Test
-  void allRunsAreInTheJournalUntilTheEndingIsWritten() throws IOException {
+  void runsThatAreInTheJournalAreNotComputedAgain() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
-      ComparisonRun failing =
-          comparison(
-              false,
-              () -> {
-                throw new IOException("no space left");
-              });
-      assertThrows(
-          IOException.class,
-          () -> failing.executeWithoutTables(List.of(plan()), output, (files, cases) -> {}));
+      try (Journal journal = Journal.open(output, Journal.NAME, false)) {
+        compare(journal, () -> {});
+      }
       assertEquals(2, Files.readAllLines(folder.resolve(Journal.NAME)).size());
-      comparison(true, () -> {}).executeWithoutTables(List.of(plan()), output, (files, all) -> {});
+      try (Journal journal = Journal.open(output, Journal.NAME, true)) {
+        compare(journal, () -> fail("computed again"));
+        journal.finish();
+      }
     }
     assertFalse(Files.exists(folder.resolve(Journal.NAME)));
   }
@@ -70,10 +64,14 @@ class ComparisonRunTest {
     assertThrows(InputException.class, () -> new OutputFolder(folder));
   }
 
-  private static ComparisonRun comparison(boolean resume, ComparisonRun.Ending ending) {
+  private static List<CaseResult> compare(Journal journal, RunProgress progress)
+      throws IOException {
     RunEngine engine = Engines.registry().create("local");
     engine.configure(new EngineSettings(CATALOGUE, 1, Optional.empty()));
-    return new ComparisonRun(new Comparison(engine, () -> {}), Yardsticks.OPTIMUM, resume, ending);
+    return Comparison.run(
+        List.of(plan()),
+        ReferencePolicies.OPTIMUM,
+        new JournalledEngine(engine, journal, progress));
   }
 
   private static RunPlan plan() {

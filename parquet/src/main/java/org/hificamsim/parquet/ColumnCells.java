@@ -4,18 +4,18 @@ import java.util.HashMap;
 import java.util.Map;
 import org.apache.parquet.column.ColumnWriter;
 import org.apache.parquet.io.api.Binary;
-import org.hificamsim.runs.output.StepColumn;
+import org.hificamsim.runs.output.Column;
 
 /** The cells of a column that have been gathered, each kind in an array of its own. */
-abstract class Cells {
-  private final StepColumn column;
+abstract class ColumnCells {
+  private final Column<?> column;
 
-  private Cells(StepColumn column) {
+  private ColumnCells(Column<?> column) {
     this.column = column;
   }
 
   /** No cells yet. */
-  static Cells of(StepColumn column) {
+  static ColumnCells of(Column<?> column) {
     return switch (column.kind()) {
       case INT -> new Ints(column);
       case LONG -> new Longs(column);
@@ -40,13 +40,14 @@ abstract class Cells {
   abstract void write(ColumnWriter out, int rows);
 
   private IllegalStateException another(String kind) {
-    return new IllegalStateException(column + " is " + column.kind() + ", but a cell is a " + kind);
+    return new IllegalStateException(
+        column.name() + " is " + column.kind() + ", but a cell is a " + kind);
   }
 
-  private static final class Ints extends Cells {
+  private static final class Ints extends ColumnCells {
     private final int[] cells = new int[ParquetRows.BATCH];
 
-    Ints(StepColumn column) {
+    Ints(Column<?> column) {
       super(column);
     }
 
@@ -63,10 +64,10 @@ abstract class Cells {
     }
   }
 
-  private static final class Longs extends Cells {
+  private static final class Longs extends ColumnCells {
     private final long[] cells = new long[ParquetRows.BATCH];
 
-    Longs(StepColumn column) {
+    Longs(Column<?> column) {
       super(column);
     }
 
@@ -84,12 +85,12 @@ abstract class Cells {
   }
 
   /** NaN is null. */
-  private static final class Doubles extends Cells {
+  private static final class Doubles extends ColumnCells {
     private static final int PRESENT = 1; // Parquet's level of definition
 
     private final double[] cells = new double[ParquetRows.BATCH];
 
-    Doubles(StepColumn column) {
+    Doubles(Column<?> column) {
       super(column);
     }
 
@@ -111,11 +112,11 @@ abstract class Cells {
   }
 
   /** Names, which come again in every step. */
-  private static final class Texts extends Cells {
+  private static final class Texts extends ColumnCells {
     private final Binary[] cells = new Binary[ParquetRows.BATCH];
     private final Map<String, Binary> known = new HashMap<>();
 
-    Texts(StepColumn column) {
+    Texts(Column<?> column) {
       super(column);
     }
 

@@ -11,10 +11,10 @@ import java.util.function.ToLongFunction;
  * <p>{@link #of} gives the order of columns in {@code replay.json}, which {@code docs/report.md}
  * and the page's {@code recording.js} follow.
  */
-record Column(ToLongFunction<Frame> pack, ObjLongConsumer<Frame> unpack) {
+record FrameColumn(ToLongFunction<Frame> pack, ObjLongConsumer<Frame> unpack) {
   /** The columns of all frames, in the order in which they are stored. */
-  static List<Column> of(Setup setup, Scale place, Scale estimate, boolean estimated) {
-    List<Column> columns = new ArrayList<>();
+  static List<FrameColumn> of(Setup setup, Scale place, Scale estimate, boolean estimated) {
+    List<FrameColumn> columns = new ArrayList<>();
     for (int camera = 0; camera < setup.cameras().size(); camera++) {
       addCamera(columns, camera);
     }
@@ -33,30 +33,30 @@ record Column(ToLongFunction<Frame> pack, ObjLongConsumer<Frame> unpack) {
     return columns;
   }
 
-  private static void addCamera(List<Column> columns, int c) {
-    columns.add(new Column(f -> bit(f.online()[c]), (f, v) -> f.online()[c] = v != 0));
-    columns.add(new Column(f -> f.level()[c], (f, v) -> f.level()[c] = (int) v));
-    columns.add(new Column(f -> f.detected()[c], (f, v) -> f.detected()[c] = (int) v));
+  private static void addCamera(List<FrameColumn> columns, int c) {
+    columns.add(new FrameColumn(f -> bit(f.online()[c]), (f, v) -> f.online()[c] = v != 0));
+    columns.add(new FrameColumn(f -> f.level()[c], (f, v) -> f.level()[c] = (int) v));
+    columns.add(new FrameColumn(f -> f.detected()[c], (f, v) -> f.detected()[c] = (int) v));
   }
 
-  private static void addTarget(List<Column> columns, int t, Scale s) {
-    columns.add(new Column(f -> bit(f.present()[t]), (f, v) -> f.present()[t] = v != 0));
-    columns.add(new Column(f -> s.pack(f.x()[t]), (f, v) -> f.x()[t] = s.unpack(v)));
-    columns.add(new Column(f -> s.pack(f.y()[t]), (f, v) -> f.y()[t] = s.unpack(v)));
-    columns.add(new Column(f -> f.coverage()[t], (f, v) -> f.coverage()[t] = (int) v));
+  private static void addTarget(List<FrameColumn> columns, int t, Scale s) {
+    columns.add(new FrameColumn(f -> bit(f.present()[t]), (f, v) -> f.present()[t] = v != 0));
+    columns.add(new FrameColumn(f -> s.pack(f.x()[t]), (f, v) -> f.x()[t] = s.unpack(v)));
+    columns.add(new FrameColumn(f -> s.pack(f.y()[t]), (f, v) -> f.y()[t] = s.unpack(v)));
+    columns.add(new FrameColumn(f -> f.coverage()[t], (f, v) -> f.coverage()[t] = (int) v));
   }
 
-  private static void addSeeing(List<Column> columns, int c) {
-    columns.add(new Column(f -> f.seeing()[c], (f, v) -> f.seeing()[c] = (int) v));
+  private static void addSeeing(List<FrameColumn> columns, int c) {
+    columns.add(new FrameColumn(f -> f.seeing()[c], (f, v) -> f.seeing()[c] = (int) v));
   }
 
-  private static void addEstimate(List<Column> columns, int c, int l, Scale s) {
+  private static void addEstimate(List<FrameColumn> columns, int c, int l, Scale s) {
     columns.add(
-        new Column(
+        new FrameColumn(
             f -> s.packOptional(f.estimates()[c][l]),
             (f, v) -> f.estimates()[c][l] = s.unpackOptional(v)));
     columns.add(
-        new Column(
+        new FrameColumn(
             f -> COUNT.packOptional(f.counts()[c][l]),
             (f, v) -> f.counts()[c][l] = COUNT.unpackOptional(v)));
   }

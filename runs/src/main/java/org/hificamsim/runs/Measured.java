@@ -1,0 +1,50 @@
+package org.hificamsim.runs;
+
+import java.util.Optional;
+import org.hificamsim.core.engine.RunCoverage;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.policy.ExpectationProvingZoomPolicy;
+import org.hificamsim.core.policy.ZoomPolicy;
+
+/**
+ * A repeat whose steps have been added up, with what its policy says of it: what {@link Metric
+ * metrics} are computed from.
+ *
+ * @param messages sent between cameras
+ * @param proof what the policy proved; empty under one that does not claim to be the best
+ * @param expectedGap what the least expected coverage might gain, over all steps; NaN where none is
+ *     known
+ */
+public record Measured(
+    RunCoverage coverage,
+    Objective objective,
+    long messages,
+    Optional<Proof> proof,
+    double expectedGap) {
+  /** A repeat under a policy. */
+  static Measured of(RunCoverage coverage, Objective objective, ZoomPolicy policy) {
+    double gap =
+        policy instanceof ExpectationProvingZoomPolicy proving ? proving.gap() : Double.NaN;
+    return new Measured(coverage, objective, policy.messages(), Proof.of(policy), gap);
+  }
+
+  /** A repeat that others ran. */
+  public Measured(RunCoverage coverage, Objective objective, long messages, Optional<Proof> proof) {
+    this(coverage, objective, messages, proof, Double.NaN);
+  }
+
+  /** The number of steps that are not proven; NaN without a claim. */
+  double unprovenSteps() {
+    return proof.isPresent() ? proof.get().unprovenSteps() : Double.NaN;
+  }
+
+  /** What the score could have been at most; NaN without a claim. */
+  double bound() {
+    return proof.isPresent() ? coverage.score() + proof.get().gap() : Double.NaN;
+  }
+
+  /** What the least expected coverage could have been at most; NaN without a claim. */
+  double leastExpectedKBound() {
+    return coverage.leastExpectedK() + expectedGap / Math.max(1, coverage.steps());
+  }
+}

@@ -1,0 +1,226 @@
+package org.hificamsim.runs;
+
+import java.util.Arrays;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.StepOrder;
+
+/**
+ * The settings of a run, in the order of files. A setting is declared here alone: its form and
+ * meaning, its default, and where a plan has it. The options of commands, keyword arguments of
+ * Python, the key of a run's results, {@code settings.json} and the plans that Spark sends follow.
+ *
+ * <p>What is asked for goes before what the scenario file says, and the file before the default.
+ */
+@SuppressWarnings("ImmutableEnumChecker") // functions
+public enum Setting {
+  DETECTION(
+      Kind.TEXT,
+      "NAME|FILE.json[@T|@RULE]",
+      "hifi:orb-lin",
+      ofPlan(plan -> plan.detection().name(), (name, text) -> {}),
+      "The detection model, perhaps with its threshold or rule (--detect); see 'list detections'."),
+  THRESHOLD(
+      Kind.NUMBER,
+      "T",
+      null,
+      ofPlan(
+          plan -> Double.toString(plan.detection().threshold()),
+          (name, text) -> DetectionSpec.threshold(text)),
+      "Detection threshold, 0 to 1; default: that of NAME@T, the scenario's, else the model's."),
+  DETECT(
+      Kind.TEXT,
+      "RULE",
+      null,
+      new Holder(
+          plan -> plan.detection().certain() ? null : plan.detection().rule().text(),
+          (name, text) -> DetectionRule.parse(text),
+          (scenario, text) -> scenario.withDetect(DetectionRule.parse(text))),
+      "How a confidence becomes a detection: threshold; chance, drawn from the scatter of the"
+          + " model's fit; or probability, the value itself.",
+      "With options: chance:alpha=0.05,memory=N,phantoms=on. Default: the scenario's, else"
+          + " threshold."),
+  POLICY(
+      Kind.TEXT,
+      "NAME[:key=value,...]",
+      "epsilon-greedy",
+      own((name, text) -> {}),
+      "The zoom policy; see 'list policies'."),
+  OBJECTIVE(
+      Kind.TEXT,
+      "kmin|covered:k=1|lexicographic|sum:cap=3",
+      null,
+      new Holder(
+          plan -> plan.objective().text(),
+          (name, text) -> Objective.parse(text),
+          (scenario, text) -> scenario.withObjective(Objective.parse(text))),
+      "What a step is scored by, and optimal, one-hop and best-fixed maximise; before the"
+          + " scenario's own. See docs/objectives.md."),
+  STEPS(Kind.INT, "N", "1000", own(range(1, RunPlan.MAX_STEPS)), "Steps, 1 to 1,000,000,000."),
+  SEED(
+      Kind.LONG,
+      "N",
+      "0",
+      own(range(Long.MIN_VALUE, Long.MAX_VALUE)),
+      "Seed of all chance; where there are repeats, i uses seed + i."),
+  REPEAT(Kind.INT, "N", "1", own(range(1, 1_000_000)), "Repeats, 1 to 1,000,000."),
+  ORDER(
+      Kind.TEXT,
+      "coverage|camsim",
+      null,
+      choice(StepOrder.class, Scenario::order, Scenario::withOrder),
+      "Whether targets move after (coverage) or before (camsim) the observation."),
+  HEADINGS(
+      Kind.TEXT,
+      "degrees|as-radians",
+      null,
+      choice(Headings.class, Scenario::headings, Scenario::withHeadings),
+      "How targets' headings are read; as-radians is the coverage study's way.");
+
+  /** What the values are. */
+  public enum Kind {
+    TEXT(String.class),
+    INT(Integer.class),
+    LONG(Long.class),
+    NUMBER(Double.class);
+
+    private final Class<?> type;
+
+    Kind(Class<?> type) {
+      this.type = type;
+    }
+
+    /** The type that holds such a value. */
+    public Class<?> type() {
+      return type;
+    }
+  }
+
+  /** Refuses a text that is no value. */
+  @FunctionalInterface
+  private interface Check {
+    void check(String name, String text);
+  }
+
+  /**
+   * Where a plan has a setting.
+   *
+   * @param of its value, perhaps null; null where the plan itself keeps it
+   * @param check of a value that is asked for
+   * @param into changes what a scenario file says
+   */
+  private record Holder(
+      Function<RunPlan, String> of, Check check, BiFunction<Scenario, String, Scenario> into) {}
+
+  private final Kind kind;
+  private final String form;
+  private final String fallback;
+  private final Holder holder;
+  private final String[] meaning;
+
+  Setting(Kind kind, String form, String fallback, Holder holder, String... meaning) {
+    this.kind = kind;
+    this.form = form;
+    this.fallback = fallback;
+    this.holder = holder;
+    this.meaning = meaning;
+  }
+
+  private static Holder own(Check check) {
+    return new Holder(null, check, (scenario, text) -> scenario);
+  }
+
+  private static Holder ofPlan(Function<RunPlan, String> of, Check check) {
+    return new Holder(of, check, (scenario, text) -> scenario);
+  }
+
+  private static <E extends Enum<E>> Holder choice(
+      Class<E> type, Function<Scenario, E> of, BiFunction<Scenario, E, Scenario> with) {
+    return new Holder(
+        plan -> Spelling.of(of.apply(plan.scenario())),
+        (name, text) -> Spelling.require(type, name, text),
+        (scenario, text) -> with.apply(scenario, Spelling.require(type, "", text)));
+  }
+
+  private static Check range(long min, long max) {
+    return (name, text) -> {
+      try {
+        long number = Long.parseLong(text);
+        if (number >= min && number <= max) {
+          return;
+        }
+      } catch (NumberFormatException e) {
+        // as one that is out of range
+      }
+      throw new InputException(
+          "%s is %s, expected a whole number from %s to %s".formatted(name, text, min, max));
+    };
+  }
+
+  /** The setting of a name in files, if there is one. */
+  public static Optional<Setting> named(String label) {
+    return Arrays.stream(values()).filter(one -> one.label().equals(label)).findFirst();
+  }
+
+  /** The name in files, of the option and of the argument in Python. */
+  public String label() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+
+  /** What the values are. */
+  public Kind kind() {
+    return kind;
+  }
+
+  /** What a value looks like, for people. */
+  public String form() {
+    return form;
+  }
+
+  /** What it says, in paragraphs. */
+  public String[] meaning() {
+    return meaning.clone();
+  }
+
+  /** Its default; null where the scenario or the model decides. */
+  public String fallback() {
+    return fallback;
+  }
+
+  /** Whether it says which runs there are, and nothing of what each computes. */
+  public boolean countsRuns() {
+    return this == SEED || this == REPEAT;
+  }
+
+  /** Whether plans keep it: neither the scenario nor the detection has it. */
+  boolean isOwn() {
+    return holder.of == null;
+  }
+
+  /** The value in a plan; empty where it does not apply. */
+  public Optional<String> of(RunPlan plan) {
+    return isOwn() ? Optional.of(plan.own().get(this)) : Optional.ofNullable(holder.of.apply(plan));
+  }
+
+  /**
+   * Checks a value.
+   *
+   * @param name that errors give the setting
+   * @throws InputException when it is none
+   */
+  void check(String name, String text) {
+    holder.check.check(name, text);
+  }
+
+  Scenario into(Scenario scenario, String text) {
+    return holder.into.apply(scenario, text);
+  }
+}

@@ -1,0 +1,191 @@
+package org.hificamsim.runs.compare;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.ScoredRun;
+import org.hificamsim.runs.output.Column;
+import org.hificamsim.runs.output.SettingsFile;
+import org.hificamsim.runs.output.Table;
+
+/** The tables of all cases of a comparison: what {@code compare} and others like it write. */
+public final class ComparisonFiles {
+  /** Which case a row is about. */
+  static final List<Column<RunPlan>> CASE =
+      List.of(
+          Column.ofText(
+              "scenario",
+              "the scenario file's name without its ending",
+              plan -> plan.scenario().name()),
+          Column.ofText("detection", "the detection's name", plan -> plan.detection().name()),
+          Column.ofText("policy", "the zoom policy with its options", RunPlan::policy));
+
+  /** One run of a case. */
+  record Run(CaseResult of, ScoredRun run) {
+    RunPlan plan() {
+      return of.plan();
+    }
+
+    double value(Metric metric) {
+      return metric.of(run);
+    }
+  }
+
+  /** One metric of a run. */
+  record RunMetric(Run run, Metric metric) {}
+
+  /**
+   * One metric of a case.
+   *
+   * @param reference the same under the first detection model; empty for itself
+   */
+  record CaseMetric(
+      CaseResult of,
+      Metric metric,
+      SeedValues values,
+      Estimate mean,
+      Optional<CaseResult> reference,
+      Estimate difference) {
+    static CaseMetric of(CaseResult one, Metric metric, List<CaseResult> cases) {
+      SeedValues values = one.values(metric);
+      Optional<CaseResult> reference = firstDetection(one, cases);
+      Estimate difference =
+          reference
+              .map(other -> SeedValues.ofDifferences(one.figures(metric), other.figures(metric)))
+              .map(SeedValues::mean)
+              .orElse(Estimate.single(Double.NaN));
+      return new CaseMetric(one, metric, values, values.mean(), reference, difference);
+    }
+  }
+
+  /** One step of a case. */
+  record CaseStep(CaseResult of, int step) {}
+
+  /** A row per run that was asked for. */
+  public static final Table<Run> RESULTS =
+      Table.<Run>of("results.csv")
+          .with(CASE, Run::plan)
+          .with(seed(), ofMetric(Metric.PERFORMANCE), ofMetric(Metric.PROPORTION_OF_OPTIMAL))
+          .with(ofMetric(Metric.COVERED_0), ofMetric(Metric.COVERED_1), ofMetric(Metric.COVERED_K))
+          .with(
+              Column.<Run>ofPlain(
+                      "optimum",
+                      "that of `score`",
+                      "the optimum's score, which the proportion is of",
+                      run -> run.run.optimum())
+                  .later(),
+              Column.<Run>ofText(
+                      "objective",
+                      "what a step is scored by ([objectives](objectives.md))",
+                      run -> run.plan().objective().text())
+                  .later(),
+              ofMetric(Metric.SCORE).later());
+
+  /** A row per run and metric, the optima's included. */
+  public static final Table<RunMetric> METRICS =
+      Table.<RunMetric>of("metrics.csv")
+          .with(CASE, row -> row.run.plan())
+          .with(List.of(seed()), RunMetric::run)
+          .with(
+              Column.ofText("metric", "its name, see below", row -> row.metric.label()),
+              Column.ofDouble("value", "", "its value", row -> row.run.value(row.metric)));
+
+  /** A row per case and metric. */
+  public static final Table<CaseMetric> SUMMARY =
+      Table.<CaseMetric>of("summary.csv")
+          .with(CASE, row -> row.of.plan())
+          .with(
+              Column.ofText("metric", "its name", row -> row.metric.label()),
+              Column.ofInt("runs", "", "how many have a value", row -> row.values.size()))
+          .with(
+              Column.ofEstimate(
+                  "mean", "low", "high", "", "the mean over the seeds", row -> row.mean))
+          .with(
+              Column.ofText(
+                  "difference_to",
+                  "the first detection that was asked for; empty in its own rows",
+                  row -> row.reference.map(one -> one.plan().detection().name()).orElse("")))
+          .with(
+              Column.ofEstimate(
+                  "difference",
+                  "difference_low",
+                  "difference_high",
+                  "",
+                  "the mean difference to it, paired by seed",
+                  row -> row.difference));
+
+  /** A row per case and step. */
+  public static final Table<CaseStep> STEPS =
+      Table.<CaseStep>of("steps.csv.gz")
+          .with(CASE, row -> row.of.plan())
+          .with(
+              Column.ofInt("step", "steps", "from 0", CaseStep::step),
+              Column.ofDouble(
+                  "k_min",
+                  "cameras",
+                  "the least number of cameras that cover a target (Eq 7.1), the mean over the"
+                      + " seeds",
+                  row -> row.of.meanKMin()[row.step]));
+
+  private ComparisonFiles() {}
+
+  /**
+   * Adds {@code settings.json} and all tables of cases to a folder's files.
+   *
+   * @param asked the cases that were asked for
+   * @param all those, and the optima that they are compared with
+   */
+  public static void write(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
+      throws IOException {
+    SettingsFile.write(folder, all.stream().map(CaseResult::plan).toList());
+    RESULTS.write(folder, runs(asked));
+    METRICS.write(
+        folder,
+        runs(all).flatMap(run -> run.of.metrics().stream().map(one -> new RunMetric(run, one))));
+    SUMMARY.write(
+        folder,
+        all.stream()
+            .flatMap(one -> one.metrics().stream().map(metric -> CaseMetric.of(one, metric, all))));
+    STEPS.write(
+        folder,
+        all.stream()
+            .flatMap(
+                one ->
+                    IntStream.range(0, one.meanKMin().length)
+                        .mapToObj(step -> new CaseStep(one, step))));
+  }
+
+  private static Stream<Run> runs(List<CaseResult> cases) {
+    return cases.stream().flatMap(one -> one.runs().stream().map(run -> new Run(one, run)));
+  }
+
+  private static Column<Run> seed() {
+    return Column.ofLong(
+        "seed", "", "the run's seed: first seed + repeat", run -> run.run.result().seed());
+  }
+
+  /** A metric as a column, in which whole performances and scores have no fraction. */
+  private static Column<Run> ofMetric(Metric metric) {
+    return metric == Metric.PERFORMANCE || metric == Metric.SCORE
+        ? Column.ofPlain(metric.label(), metric.unit(), metric.meaning(), run -> run.value(metric))
+        : Column.ofDouble(
+            metric.label(), metric.unit(), metric.meaning(), run -> run.value(metric));
+  }
+
+  /** The case of the same scenario and policy under the first detection, if another. */
+  private static Optional<CaseResult> firstDetection(CaseResult one, List<CaseResult> cases) {
+    return cases.stream()
+        .filter(
+            other ->
+                other.plan().scenario().equals(one.plan().scenario())
+                    && other.plan().policy().equals(one.plan().policy()))
+        .findFirst()
+        .filter(other -> !other.plan().equals(one.plan()));
+  }
+}

@@ -1,0 +1,57 @@
+package org.hificamsim.runs.compare;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.hificamsim.runs.RunPlan;
+
+/**
+ * An engine whose finished runs are kept in a journal: those that are there already are not
+ * computed again.
+ *
+ * @param engine where the others are computed, configured
+ * @param progress is notified of each run
+ */
+public record JournalledEngine(RunEngine engine, Journal journal, RunProgress progress)
+    implements RunEngine {
+  @Override
+  public String name() {
+    return engine.name();
+  }
+
+  /**
+   * {@inheritDoc}
+   *
+   * @throws org.hificamsim.core.InputException when the journal has runs of other inputs that have
+   *     the names of these
+   */
+  @Override
+  public void run(List<RunPlan> plans, List<RunTask> tasks, Finished finished) throws IOException {
+    List<RunKey> keys = RunKey.of(plans);
+    journal.requireUnchanged(keys);
+    List<String> lines = keys.stream().map(RunKey::text).toList();
+    List<RunTask> missing = new ArrayList<>();
+    for (RunTask task : tasks) {
+      Optional<FinishedRun> found = journal.find(lines.get(task.plan()), seed(plans, task));
+      if (found.isPresent()) {
+        finished.take(task, found.get());
+      } else {
+        missing.add(task);
+      }
+    }
+    progress.resume(tasks.size() - missing.size());
+    engine.run(
+        plans,
+        missing,
+        (task, run) -> {
+          journal.add(lines.get(task.plan()), seed(plans, task), run);
+          finished.take(task, run);
+          progress.advance();
+        });
+  }
+
+  private static long seed(List<RunPlan> plans, RunTask task) {
+    return plans.get(task.plan()).seed(task.repeat());
+  }
+}

@@ -1,0 +1,137 @@
+package org.hificamsim.runs.compare;
+
+import java.io.IOException;
+import java.io.Writer;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.output.TextTable;
+import org.hificamsim.runs.statistics.Aggregate;
+
+/**
+ * What a comparison says in short: the tables that it prints, and {@code summary.tex} for papers.
+ */
+public final class SummaryTables {
+  private static final String LATEX = "summary.tex";
+
+  /** A column of figures. */
+  private record Figure(String title, String format, Metric metric) {}
+
+  private static final Figure PERFORMANCE = new Figure("performance", "%.0f", Metric.PERFORMANCE);
+  private static final Figure SCORE = new Figure("score", "%.2f", Metric.SCORE);
+  private static final Figure PROPORTION =
+      new Figure("of the optimum", "%.3f", Metric.PROPORTION_OF_OPTIMAL);
+
+  /** Of the optimum it is what adapting is worth. */
+  private static final Figure OVER_FIXED =
+      new Figure("over best-fixed", "%.3f", Metric.VALUE_OF_LEARNING);
+
+  private SummaryTables() {}
+
+  /** One row per case, its score compared with the yardsticks. */
+  public static TextTable cases(List<CaseResult> cases) {
+    return table(cases, shown(cases, PERFORMANCE, SCORE, PROPORTION, OVER_FIXED), true);
+  }
+
+  /** One row per case: what is covered, for cases whose score says nothing. */
+  public static TextTable coverage(List<CaseResult> cases) {
+    List<Figure> figures =
+        Stream.of(Metric.COVERED_0, Metric.COVERED_1, Metric.COVERED_K, Metric.MEAN_K)
+            .map(metric -> new Figure(metric.title(), metric.format(), metric))
+            .toList();
+    return table(cases, figures, true);
+  }
+
+  /** One row per detection and policy, over all scenarios. */
+  public static TextTable aggregates(List<PolicyScores> policies) {
+    TextTable table =
+        new TextTable(2, List.of("detection", "policy", "interquartile mean", "optimality gap"));
+    for (PolicyScores one : policies) {
+      table.row(
+          List.of(
+              one.detection(),
+              one.policy(),
+              Aggregate.IQM.estimate(one.scores()).text("%.3f"),
+              Aggregate.OPTIMALITY_GAP.estimate(one.scores()).text("%.3f")));
+    }
+    return table;
+  }
+
+  /**
+   * Adds {@code summary.tex} to a folder's files.
+   *
+   * @param asked the cases that were asked for: every policy under every detection in every
+   *     scenario
+   * @param all those, and the optima that they are compared with
+   */
+  public static void writeLatex(OutputFolder folder, List<CaseResult> asked, List<CaseResult> all)
+      throws IOException {
+    CaseResult first = all.get(0);
+    String ofCases =
+        "Means over %s seeds with 95%% bootstrap intervals. Performance is k_min summed over %s steps."
+            .formatted(first.runs().size(), first.plan().steps());
+    String ofAggregates =
+        "All scenarios together, proportions of the optimum: interquartile mean and optimality"
+            + " gap with 95% stratified bootstrap intervals.";
+    List<Figure> figures = shown(all, PERFORMANCE, PROPORTION, OVER_FIXED, SCORE);
+    try (Writer out = folder.open(LATEX)) {
+      out.write("% \\usepackage{booktabs}\n");
+      out.write(table(byScenario(all), figures, false).latex(ofCases, "tab:hificamsim"));
+      TextTable aggregates = aggregates(PolicyScores.of(asked));
+      out.write("\n" + aggregates.latex(ofAggregates, "tab:hificamsim-aggregate"));
+    }
+  }
+
+  /** The figures that say something of these cases. */
+  private static List<Figure> shown(List<CaseResult> cases, Figure... figures) {
+    List<Figure> shown = new ArrayList<>(Arrays.asList(figures));
+    if (cases.stream().allMatch(one -> one.plan().objective().isKMin())) {
+      shown.remove(SCORE);
+    }
+    if (cases.stream().allMatch(one -> Double.isNaN(one.runs().get(0).bestFixed()))) {
+      shown.remove(OVER_FIXED);
+    }
+    return shown;
+  }
+
+  private static TextTable table(List<CaseResult> cases, List<Figure> figures, boolean counted) {
+    List<String> header = new ArrayList<>(List.of("scenario", "detection", "policy"));
+    figures.forEach(figure -> header.add(figure.title));
+    TextTable table = new TextTable(3, header);
+    for (CaseResult one : cases) {
+      List<String> row = new ArrayList<>();
+      row.add(one.plan().scenario().name());
+      row.add(one.plan().detection().name());
+      row.add(one.plan().policy());
+      figures.forEach(figure -> row.add(text(one, figure, counted)));
+      table.row(row);
+    }
+    return table;
+  }
+
+  /**
+   * A figure's mean.
+   *
+   * @param counted whether the number of runs that have it stands before it, if not all do
+   */
+  private static String text(CaseResult one, Figure figure, boolean counted) {
+    SeedValues values = one.values(figure.metric);
+    int runs = one.runs().size();
+    boolean some = values.size() > 0 && values.size() < runs;
+    Estimate mean = values.mean();
+    return (counted && some ? values.size() + "/" + runs + ": " : "") + mean.text(figure.format);
+  }
+
+  /** The cases of each scenario together: the optima come last otherwise. */
+  private static List<CaseResult> byScenario(List<CaseResult> cases) {
+    return cases.stream()
+        .map(one -> one.plan().scenario().name())
+        .distinct()
+        .flatMap(name -> cases.stream().filter(one -> one.plan().scenario().name().equals(name)))
+        .toList();
+  }
+}
