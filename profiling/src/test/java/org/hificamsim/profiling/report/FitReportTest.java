@@ -178,6 +178,14 @@ class FitReportTest {
     assertEquals("0 lenses", org.hificamsim.profiling.fit.Counted.of(0, "lens"));
   }
 
+  @Test
+  void aFigureIsTheSameWhateverWasDrawnBeforeIt() {
+    ReportFigures figures = new ReportFigures(result);
+    byte[] residuals = figures.residuals(List.of("lin"));
+    figures.transformation();
+    assertArrayEquals(residuals, figures.residuals(List.of("lin")));
+  }
+
   /** By hand: 3 detected, of which 2 are told; 2 not, of which 1 is. */
   @Test
   void decisionsAreJudgedAlikeForBothKinds() {
