@@ -109,12 +109,10 @@ public final class Sightings {
   }
 
   private double confidence(long step, int camera, Pose pose, ZoomLevel zoom, int target) {
-    return visibility.confidence(
+    return visibility.at(zoom, targets.size(target)).confidence(
         pose,
-        zoom,
         targets.x(target),
         targets.y(target),
-        targets.size(target),
         visibility.luck(step, camera, target),
         lines.transmittance(camera, target));
   }
