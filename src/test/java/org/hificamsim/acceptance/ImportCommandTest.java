@@ -132,7 +132,7 @@ class ImportCommandTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"validate", "odd", "camsim"})
+  @ValueSource(strings = {"validate", "camsim"})
   void otherCommandsTakeIt(String command) {
     imported();
     Path file = out.resolve("people.xml");

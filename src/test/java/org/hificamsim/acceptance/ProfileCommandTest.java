@@ -157,35 +157,8 @@ class ProfileCommandTest {
 
   @Test
   void confidencesOfAnyDetectorBecomeModelsWithoutAPhoto() throws IOException {
-    Files.writeString(
-        folder.resolve("camera.json"),
-        "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.015, \"width\": 1296, \"height\": 864}");
-    StringBuilder table = new StringBuilder("image,q,d,z,confidence,object\n");
-    for (double q : new double[] {0.2, 0.4, 0.8}) {
-      for (double z : new double[] {0.01, 0.035, 0.085}) {
-        for (double d = 1; d < 40; d *= 1.5) {
-          double pip = Math.pow(q * z / d, 2) / (0.0224 * 0.015);
-          double confidence = 0.9 * (1 - Math.exp(-Math.min(1, pip) / 0.01));
-          table.append("photo,%s,%s,%s,%s,thing of %s\n".formatted(q, d, z, confidence, q));
-        }
-      }
-    }
-    Path file = folder.resolve("yolo.csv");
-    Files.writeString(file, table);
-    Cli fit =
-        assertDone(
-            Cli.run(
-                "profile",
-                "fit",
-                folder,
-                "--confidences",
-                file,
-                "--population",
-                100,
-                "--generations",
-                3,
-                "--restarts",
-                1));
+    Path file = confidences("yolo");
+    Cli fit = assertDone(fitted(file));
     Path model = folder.resolve("models/yolo-pinhole.json");
     assertTrue(Files.exists(model), fit.out());
     assertTrue(Files.exists(folder.resolve("report.html")));
@@ -199,6 +172,60 @@ class ProfileCommandTest {
             model,
             "--out",
             folder.resolve("out")));
+  }
+
+  /** The name of the detector is that of the table. */
+  @Test
+  void columnsOfTheTableAreAlignedWhateverTheNames() throws IOException {
+    Cli fit = assertDone(fitted(confidences("a-detector-with-a-long-name")));
+    List<String> lines = fit.out().lines().limit(6).toList();
+    int end = lines.get(0).indexOf(" RMSE") + 5;
+    lines.forEach(line -> assertTrue(line.startsWith("  ", end), fit.out()));
+  }
+
+  @Test
+  void modelsThatDependOnConditionsAreRefused() throws IOException {
+    assertDone(fitted(confidences("yolo")));
+    Path model = folder.resolve("models/yolo-pinhole.json");
+    String lit = Files.readString(model).replace("\"units\"", "\"covariates\": {},\n  \"units\"");
+    Files.writeString(model, lit);
+    Cli run = Cli.run("run", Cli.scenario("lattice-random"), "--steps", 5, "--detection", model);
+    assertEquals(2, run.exit());
+    assertEquals(1, run.err().lines().count(), run.err());
+    assertTrue(run.err().contains("covariates is an object, expected none"), run.err());
+  }
+
+  /** Confidences of a detector that are a curve of the share of the image. */
+  private Path confidences(String detector) throws IOException {
+    Files.writeString(
+        folder.resolve("camera.json"),
+        "{\"sensorWidth\": 0.0224, \"sensorHeight\": 0.015, \"width\": 1296, \"height\": 864}");
+    StringBuilder table = new StringBuilder("image,q,d,z,confidence,object,light\n");
+    for (double q : new double[] {0.2, 0.4, 0.8}) {
+      for (double z : new double[] {0.01, 0.035, 0.085}) {
+        for (double d = 1; d < 40; d *= 1.5) {
+          double pip = Math.pow(q * z / d, 2) / (0.0224 * 0.015);
+          double confidence = 0.9 * (1 - Math.exp(-Math.min(1, pip) / 0.01));
+          table.append("photo,%s,%s,%s,%s,thing of %s,dim\n".formatted(q, d, z, confidence, q));
+        }
+      }
+    }
+    return Files.writeString(folder.resolve(detector + ".csv"), table);
+  }
+
+  private Cli fitted(Path confidences) {
+    return Cli.run(
+        "profile",
+        "fit",
+        folder,
+        "--confidences",
+        confidences,
+        "--population",
+        100,
+        "--generations",
+        3,
+        "--restarts",
+        1);
   }
 
   @Test

@@ -35,7 +35,7 @@ class ScenarioSchemaTest {
       """
 <root>
   <simulation min_x="-10" max_x="10" min_y="-5" max_y="5" order="coverage" threshold="0.5"
-      step="0.5" occlusion="targets" objective="covered:k=2" light="0.8">
+      step="0.5" occlusion="targets" objective="covered:k=2">
     <obstacles>
       <wall x1="-1" y1="4" x2="1" y2="4"/>
       <polygon points="5,1 6,1 6,2" transmittance="0.5"/>
@@ -45,7 +45,7 @@ class ScenarioSchemaTest {
       <optics name="ptz" law="pinhole" pixels="1920" hfov="60 30" pan="-60:60:30" moving="sees"/>
       <zoom>2.5 5.0</zoom>
       <camera name="A" x="0" y="0" heading="90" viewing_angle="360" range="5" comm="0"/>
-      <camera name="B" x="1" y="0" heading="90" viewing_angle="70" range="0" aperture="2.8" distortion="-0.1"/>
+      <camera name="B" x="1" y="0" heading="90" viewing_angle="70" range="0"/>
       <camera name="C" x="1" y="2" heading="90" optics="ptz"/>
     </cameras>
     <objects>
@@ -133,10 +133,6 @@ class ScenarioSchemaTest {
         "-60:60:30                  | -60:60",
         "moving=\"sees\"            | moving=\"yes\"",
         "height=\"1.75\"            | height=\"0\"",
-        "light=\"0.8\"             | light=\"0\"",
-        "aperture=\"2.8\"          | aperture=\"-1\"",
-        "aperture=\"2.8\"          | aperture=\"f2\"",
-        "distortion=\"-0.1\"       | distortion=\"-1.1\"",
         "static=\"false\"           | static=\"perhaps\"",
         "<objects>                  | <objects><tracks files=\"a.tracks\"/>",
         "<events>                   | <events><waypoint x=\"0\" y=\"0\"/>",

@@ -44,7 +44,6 @@ public final class StandingObjects {
         range(camera, scenario),
         camera.agent(),
         Optional.empty(),
-        camera.conditions(),
         camera.extras());
   }
 

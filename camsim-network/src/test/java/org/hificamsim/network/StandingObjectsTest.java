@@ -8,7 +8,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Moving;
@@ -41,8 +40,7 @@ class StandingObjectsTest {
   }
 
   private static CameraSpec camera(String name, Optional<OpticsSpec> optics) {
-    Conditions dusk = new Conditions(2.8, Double.NaN, 0.5);
-    return new CameraSpec(name, 1, 2, 30, 60, 25, AgentSpec.NONE, optics, dusk, Map.of());
+    return new CameraSpec(name, 1, 2, 30, 60, 25, AgentSpec.NONE, optics, Map.of());
   }
 
   private static ScenarioEvent widened(int step, String name) {

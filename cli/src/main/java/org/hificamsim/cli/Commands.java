@@ -24,7 +24,6 @@ final class Commands {
           ReportCommand.class,
           ViewCommand.class,
           ValidateCommand.class,
-          OddCommand.class,
           ListCommand.class,
           CamSimCommand.class,
           ProfileCommand.class,

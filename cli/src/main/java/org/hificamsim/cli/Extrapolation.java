@@ -5,8 +5,6 @@ import java.math.MathContext;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.Function;
-import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
@@ -15,7 +13,6 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.World;
-import org.hificamsim.hifi.CovariateTerm;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
@@ -25,59 +22,26 @@ final class Extrapolation {
   private Extrapolation() {}
 
   /**
-   * A warning where sizes of targets, focal lengths, radii of fields of view or conditions lie
-   * outside what the model was fitted on; none where that is not known.
+   * A warning where sizes of targets, focal lengths or radii of fields of view lie outside what the
+   * model was fitted on; none where that is not known.
    */
   static Optional<String> warning(Scenario scenario, Detection detection) {
     return detection.model() instanceof HiFiDetection model
-        ? warning(scenario, detection.name(), model)
+        ? model.fitted().flatMap(on -> warning(scenario, detection.name(), model, on))
         : Optional.empty();
   }
 
-  /** A warning where a scenario does not say the conditions on which the model depends. */
-  static Optional<String> unsaid(Scenario scenario, Detection detection) {
-    return detection.model() instanceof HiFiDetection model
-        ? unsaid(scenario, detection.name(), model)
-        : Optional.empty();
-  }
-
-  private static Optional<String> unsaid(Scenario scenario, String name, HiFiDetection model) {
-    List<ZoomLevel> zooms = World.zoomLevels(scenario);
-    List<CovariateTerm> open =
-        model.covariates().stream()
-            .filter(
-                term ->
-                    zooms.stream()
-                        .anyMatch(zoom -> Double.isNaN(zoom.conditions().value(term.condition()))))
-            .toList();
-    return open.isEmpty()
-        ? Optional.empty()
-        : Optional.of(
-            "'%s' depends on %s, which the scenario does not say of every camera: the mean of its photos counts, %s; expected %s of simulation or camera"
-                .formatted(
-                    name,
-                    listed(open, term -> term.condition().key(), " and "),
-                    listed(open, term -> plain(term.mean()), " and "),
-                    listed(open, term -> term.condition().key() + "=\"...\"", " ")));
-  }
-
-  private static String listed(
-      List<CovariateTerm> terms, Function<CovariateTerm, String> part, String between) {
-    return terms.stream().map(part).collect(Collectors.joining(between));
-  }
-
-  private static Optional<String> warning(Scenario scenario, String name, HiFiDetection model) {
+  private static Optional<String> warning(
+      Scenario scenario, String name, HiFiDetection model, FittedOn on) {
     List<ZoomLevel> zooms = World.zoomLevels(scenario);
     List<String> outside = new ArrayList<>();
-    model.fitted().ifPresent(on -> addLengths(outside, scenario, model, on));
-    for (CovariateTerm term : model.covariates()) {
-      add(
-          outside,
-          term.condition().key(),
-          "",
-          term.photographed(),
-          zooms.stream().mapToDouble(zoom -> zoom.conditions().value(term.condition())));
-    }
+    add(outside, "sizes", on.size(), sizes(scenario));
+    add(
+        outside,
+        "focal lengths",
+        on.focalLength(),
+        zooms.stream().mapToDouble(model.optics()::focalLength));
+    add(outside, "distances", upTo(on.distance()), zooms.stream().mapToDouble(ZoomLevel::radius));
     return outside.isEmpty()
         ? Optional.empty()
         : Optional.of(
@@ -88,36 +52,17 @@ final class Extrapolation {
                 + "; expected photos of these, or a model whose f is the pinhole camera's");
   }
 
-  private static void addLengths(
-      List<String> outside, Scenario scenario, HiFiDetection model, FittedOn on) {
-    List<ZoomLevel> zooms = World.zoomLevels(scenario);
-    add(outside, "sizes", " m", on.size(), sizes(scenario));
-    add(
-        outside,
-        "focal lengths",
-        " m",
-        on.focalLength(),
-        zooms.stream().mapToDouble(model.optics()::focalLength));
-    add(
-        outside,
-        "distances",
-        " m",
-        upTo(on.distance()),
-        zooms.stream().mapToDouble(ZoomLevel::radius));
-  }
-
   /** What is nearer than any photo fills the image, and is detected. */
   private static Span upTo(Span distances) {
     return new Span(0, distances.most());
   }
 
-  private static void add(
-      List<String> outside, String what, String unit, Span fitted, DoubleStream asked) {
+  private static void add(List<String> outside, String what, Span fitted, DoubleStream asked) {
     double[] values = asked.filter(Double::isFinite).toArray();
     if (values.length > 0) {
       Span span = Span.of(values);
       if (!fitted.contains(span.least()) || !fitted.contains(span.most())) {
-        outside.add(what + " " + shown(span) + unit + " (fitted on " + shown(fitted) + ")");
+        outside.add(what + " " + shown(span) + " m (fitted on " + shown(fitted) + ")");
       }
     }
   }

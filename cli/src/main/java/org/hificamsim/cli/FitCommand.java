@@ -11,7 +11,6 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.Counted;
-import org.hificamsim.profiling.fit.CovariateChoice;
 import org.hificamsim.profiling.fit.DetectorShapes;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
@@ -54,8 +53,7 @@ final class FitCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "Confidences of your own instead of measurements.csv:"
-              + " image,q,d,z,confidence[,object][,pip][,aperture][,distortion][,light],"
-              + " q, d and z in metres.")
+              + " image,q,d,z,confidence[,object][,pip], q, d and z in metres.")
   private Path confidences;
 
   @Option(
@@ -92,15 +90,6 @@ final class FitCommand implements Callable<Integer> {
           "Shape of g: best, line (the thesis's), logistic, saturating-exponential, hill,"
               + " isotonic.")
   private String shape;
-
-  @Option(
-      names = "--covariates",
-      paramLabel = "A,B",
-      split = ",",
-      description =
-          "What else the models depend on: none, best (what helps on unseen objects), or some of"
-              + " aperture, distortion, light.")
-  private List<String> covariates;
 
   @Option(
       names = "--parsimony",
@@ -162,9 +151,6 @@ final class FitCommand implements Callable<Integer> {
     all.stream()
         .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
         .forEach(model -> out.println(row(column, model)));
-    result.detectors().stream()
-        .flatMap(detector -> result.shifts(detector).sentence(detector).stream())
-        .forEach(out::println);
     Recommendation.all(result).forEach(one -> out.println(one.sentence()));
     trials.forEach(one -> out.println(one.sentence()));
     out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve("models"));
@@ -210,7 +196,6 @@ final class FitCommand implements Callable<Integer> {
         new SymbolicSettings(population, generations, parsimony, seed.value(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
         shape(),
-        CovariateChoice.of(covariates),
         ThresholdsFile.read(folder));
   }
 }

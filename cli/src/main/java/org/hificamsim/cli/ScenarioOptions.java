@@ -64,13 +64,10 @@ final class ScenarioOptions {
 
   /**
    * Warns where the cameras' viewing angles and focal lengths contradict each other, or a model is
-   * asked for what it was not fitted on, or depends on what the scenario does not say.
+   * asked for what it was not fitted on.
    */
   void warnAboutLens(Path file, Scenario scenario, Detection detection, PrintWriter err) {
-    Stream.of(
-            DetectionHints.lens(scenario, detection),
-            Extrapolation.warning(scenario, detection),
-            Extrapolation.unsaid(scenario, detection))
+    Stream.of(DetectionHints.lens(scenario, detection), Extrapolation.warning(scenario, detection))
         .flatMap(Optional::stream)
         .forEach(line -> warnings.on(err).accept(file + ": " + line));
   }

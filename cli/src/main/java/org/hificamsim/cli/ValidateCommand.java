@@ -86,8 +86,7 @@ final class ValidateCommand implements Callable<Integer> {
     Stream.of(
             DetectionHints.smallReach(scenario, used),
             DetectionHints.lens(scenario, used),
-            Extrapolation.warning(scenario, used),
-            Extrapolation.unsaid(scenario, used))
+            Extrapolation.warning(scenario, used))
         .forEach(hint -> hint.ifPresent(line -> warned.add(file + ": " + line)));
   }
 

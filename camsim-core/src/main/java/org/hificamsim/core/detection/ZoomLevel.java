@@ -12,7 +12,6 @@ package org.hificamsim.core.detection;
  * @param angleOfView what the lens has in its picture from side to side, radians, (0, pi]; NaN
  *     where the scenario names no lens, and each model has to find its own (Eqs 3.1 and 3.2)
  * @param pixels the picture's width; 0 where the scenario does not say
- * @param conditions under which the camera sees
  */
 public record ZoomLevel(
     double radius,
@@ -21,28 +20,7 @@ public record ZoomLevel(
     double mountHeight,
     double viewingAngle,
     double angleOfView,
-    int pixels,
-    Conditions conditions) {
-  /** A level of a camera of whose conditions nothing is known. */
-  public ZoomLevel(
-      double radius,
-      double narrowestRadius,
-      double widestRadius,
-      double mountHeight,
-      double viewingAngle,
-      double angleOfView,
-      int pixels) {
-    this(
-        radius,
-        narrowestRadius,
-        widestRadius,
-        mountHeight,
-        viewingAngle,
-        angleOfView,
-        pixels,
-        Conditions.UNKNOWN);
-  }
-
+    int pixels) {
   /** A level of a camera whose lens is not known. */
   public ZoomLevel(
       double radius,
@@ -51,19 +29,6 @@ public record ZoomLevel(
       double mountHeight,
       double viewingAngle) {
     this(radius, narrowestRadius, widestRadius, mountHeight, viewingAngle, Double.NaN, 0);
-  }
-
-  /** The same level under other conditions. */
-  public ZoomLevel under(Conditions others) {
-    return new ZoomLevel(
-        radius,
-        narrowestRadius,
-        widestRadius,
-        mountHeight,
-        viewingAngle,
-        angleOfView,
-        pixels,
-        others);
   }
 
   /** Whether the camera sees all round. */

@@ -63,7 +63,6 @@ final class CameraReader {
         range,
         agent,
         itsOptics,
-        ConditionsReader.of(attributes),
         attributes.leftOver(warnings, "min_zoom", "max_zoom", "zoom_steps"));
   }
 

@@ -2,7 +2,6 @@ package org.hificamsim.core.scenario;
 
 import java.util.Map;
 import java.util.Optional;
-import org.hificamsim.core.detection.Conditions;
 
 /**
  * A camera as the scenario gives it.
@@ -14,7 +13,6 @@ import org.hificamsim.core.detection.Conditions;
  * @param range radius of the field of view, metres, 0 or more; not used where the scenario has a
  *     zoom list
  * @param optics what views it can choose; without, those of its angle and range
- * @param conditions its own; what it leaves open, the scenario says for all
  * @param extras attributes that nothing here reads, kept for the writer
  */
 public record CameraSpec(
@@ -26,25 +24,10 @@ public record CameraSpec(
     double range,
     AgentSpec agent,
     Optional<OpticsSpec> optics,
-    Conditions conditions,
     Map<String, String> extras) {
   /** Copies what could change. */
   public CameraSpec {
     extras = Map.copyOf(extras);
-  }
-
-  /** A camera without conditions of its own. */
-  public CameraSpec(
-      String name,
-      double x,
-      double y,
-      double heading,
-      double viewingAngle,
-      double range,
-      AgentSpec agent,
-      Optional<OpticsSpec> optics,
-      Map<String, String> extras) {
-    this(name, x, y, heading, viewingAngle, range, agent, optics, Conditions.UNKNOWN, extras);
   }
 
   /** A camera without optics. */
@@ -62,19 +45,16 @@ public record CameraSpec(
 
   /** The same camera elsewhere; metres and degrees. */
   public CameraSpec standing(double newX, double newY, double newHeading) {
-    return new CameraSpec(
-        name, newX, newY, newHeading, viewingAngle, range, agent, optics, conditions, extras);
+    return new CameraSpec(name, newX, newY, newHeading, viewingAngle, range, agent, optics, extras);
   }
 
   /** The same camera with other optics and another opening angle, degrees. */
   public CameraSpec through(OpticsSpec newOptics, double angle) {
-    return new CameraSpec(
-        name, x, y, heading, angle, range, agent, Optional.of(newOptics), conditions, extras);
+    return new CameraSpec(name, x, y, heading, angle, range, agent, Optional.of(newOptics), extras);
   }
 
   /** The same camera under another name. */
   public CameraSpec named(String newName) {
-    return new CameraSpec(
-        newName, x, y, heading, viewingAngle, range, agent, optics, conditions, extras);
+    return new CameraSpec(newName, x, y, heading, viewingAngle, range, agent, optics, extras);
   }
 }

@@ -8,8 +8,6 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.Spelling;
-import org.hificamsim.core.detection.Condition;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.obstacle.Obstacle;
 
 /**
@@ -97,15 +95,6 @@ public final class ScenarioWriter {
     xml.close();
   }
 
-  private static void conditions(Map<String, Object> attributes, Conditions conditions) {
-    for (Condition condition : Condition.values()) {
-      double value = conditions.value(condition);
-      if (!Double.isNaN(value)) {
-        attributes.put(condition.key(), value);
-      }
-    }
-  }
-
   private static void surroundings(Map<String, Object> attributes, Surroundings surroundings) {
     if (surroundings.occlusion() != Occlusion.NONE) {
       attributes.put("occlusion", Spelling.of(surroundings.occlusion()));
@@ -120,7 +109,6 @@ public final class ScenarioWriter {
               attributes.put("floorplan_min_y", floorplan.area().minY());
               attributes.put("floorplan_max_y", floorplan.area().maxY());
             });
-    conditions(attributes, surroundings.conditions());
   }
 
   private void obstacles(List<Obstacle> obstacles) {
@@ -185,7 +173,6 @@ public final class ScenarioWriter {
     attributes.put("viewing_angle", camera.viewingAngle());
     attributes.put("range", camera.range());
     camera.optics().ifPresent(optics -> attributes.put("optics", optics.name()));
-    conditions(attributes, camera.conditions());
     AgentSpec agent = camera.agent();
     agent.algorithm().ifPresent(value -> attributes.put("ai_algorithm", value));
     agent.comm().ifPresent(value -> attributes.put("comm", value));

@@ -6,11 +6,10 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 
-/** Reads obstacles, occlusion, the floorplan and the conditions. */
+/** Reads obstacles, occlusion and the floorplan. */
 final class SurroundingsReader {
   private static final Set<String> OBSTACLES = Set.of("wall", "polygon", "pillar");
 
@@ -40,10 +39,7 @@ final class SurroundingsReader {
     Occlusion occlusion =
         faults.of(() -> simulation.choice("occlusion", Occlusion.NONE)).orElse(Occlusion.NONE);
     Optional<Floorplan> floorplan = faults.of(() -> floorplan(simulation)).orElse(Optional.empty());
-    Conditions conditions =
-        faults.of(() -> ConditionsReader.of(simulation)).orElse(Conditions.UNKNOWN);
-    return new Surroundings(
-        faults.each(elements, this::obstacle), occlusion, floorplan, conditions);
+    return new Surroundings(faults.each(elements, this::obstacle), occlusion, floorplan);
   }
 
   private Obstacle obstacle(XmlElement element) {

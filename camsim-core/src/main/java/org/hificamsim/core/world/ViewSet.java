@@ -3,7 +3,6 @@ package org.hificamsim.core.world;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Moving;
 import org.hificamsim.core.scenario.OpticsLaw;
@@ -60,16 +59,6 @@ public record ViewSet(
       zooms.add(new ZoomLevel(radii.get(i), least, most, mountHeight, angle, angle, pixels));
     }
     return of(optics, zooms);
-  }
-
-  /** The same views under other conditions. */
-  ViewSet under(Conditions conditions) {
-    return new ViewSet(
-        pans,
-        zooms.stream().map(zoom -> zoom.under(conditions)).toList(),
-        panSpeed,
-        zoomSpeed,
-        moving);
   }
 
   /** Copies what could change. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsLaw;
@@ -23,8 +22,7 @@ final class Views {
 
   private static final double CLAMPED = MAX_RANGE - MAX_RANGE * 0.2;
 
-  private record Kind(
-      double range, double viewingAngle, Optional<OpticsSpec> optics, Conditions conditions) {}
+  private record Kind(double range, double viewingAngle, Optional<OpticsSpec> optics) {}
 
   private final Scenario scenario;
   private final Map<Kind, ViewSet> made = new ConcurrentHashMap<>();
@@ -54,9 +52,7 @@ final class Views {
    */
   ViewSet of(double range, double viewingAngle, CameraSpec camera) {
     double own = scenario.inCoverageDialect() ? 0 : range;
-    Conditions conditions = camera.conditions().or(scenario.surroundings().conditions());
-    Kind kind = new Kind(own, viewingAngle, camera.optics(), conditions);
-    return made.computeIfAbsent(kind, one -> make(one).under(one.conditions));
+    return made.computeIfAbsent(new Kind(own, viewingAngle, camera.optics()), this::make);
   }
 
   /** A camera with these views. */

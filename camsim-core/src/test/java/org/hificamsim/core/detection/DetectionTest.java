@@ -102,23 +102,4 @@ class DetectionTest {
     assertFalse(ZOOM.hasLens());
     assertTrue(new ZoomLevel(8, 2, 8, 3, 1, 0.5, 640).hasLens());
   }
-
-  @Test
-  void conditionsThatAreNotKnownAreTakenFromOthers() {
-    Conditions own = new Conditions(2.8, Double.NaN, 0.5);
-    Conditions all = own.or(new Conditions(8, 0.1, 1));
-    assertEquals(new Conditions(2.8, 0.1, 0.5), all);
-    assertEquals(all, ZOOM.under(all).conditions());
-    assertEquals(2.8, all.value(Condition.APERTURE));
-    assertEquals(0.1, all.value(Condition.DISTORTION));
-    assertEquals(0.5, all.value(Condition.LIGHT));
-  }
-
-  @Test
-  void aConditionSaysWhatItCanBe() {
-    assertEquals("distortion", Condition.DISTORTION.key());
-    assertEquals(-1, Condition.DISTORTION.least());
-    assertEquals(1, Condition.DISTORTION.most());
-    assertEquals("an f-number from 0 to 1000", Condition.APERTURE.expected());
-  }
 }

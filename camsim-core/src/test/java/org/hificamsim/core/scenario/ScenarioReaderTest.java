@@ -17,7 +17,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
 import org.junit.jupiter.api.Test;
@@ -45,7 +44,6 @@ class ScenarioReaderTest {
     assertEquals(Optional.of(new DetectionRule.Threshold()), scenario.detect());
     assertEquals(new Objective.Covered(2), scenario.objective());
     assertEquals(OptionalDouble.of(3.5), scenario.mountHeight());
-    assertEquals(new Conditions(5.6, -0.05, 0.75), scenario.surroundings().conditions());
     assertEquals(List.of(2.0, 3.5, 5.0), scenario.zooms());
     assertEquals(Map.of("note", "kept & quoted <>\"'"), scenario.extras());
     assertEquals(
@@ -64,7 +62,6 @@ class ScenarioReaderTest {
                     2,
                     Optional.of("epics.bandits.UCB1")),
                 Optional.empty(),
-                new Conditions(2.8, 0.1, 0.3),
                 Map.of("min_zoom", "2.0", "max_zoom", "5.0", "zoom_steps", "2", "colour", "red")),
             new CameraSpec("", 15, 10.25, 1000, 0.5, 19.9, AgentSpec.NONE, Map.of())),
         scenario.cameras());
@@ -132,7 +129,6 @@ class ScenarioReaderTest {
                     new AgentSpec(
                         Optional.of("a"), OptionalInt.of(0), Optional.of("c"), 1, Optional.of("b")),
                     Optional.empty(),
-                    new Conditions(Double.NaN, Double.NaN, 2.5),
                     Map.of("colour", "blue"))),
             new ScenarioEvent.ChangeCamera(3, "Late", -1, 1, -1, -1, 30),
             new ScenarioEvent.FailCamera(4, "Late", -1),
@@ -161,8 +157,6 @@ class ScenarioReaderTest {
     assertEquals(Objective.kMin(), scenario.objective());
     assertEquals(OptionalDouble.empty(), scenario.mountHeight());
     assertEquals(List.of(), scenario.zooms());
-    assertEquals(Conditions.UNKNOWN, scenario.surroundings().conditions());
-    assertEquals(Conditions.UNKNOWN, scenario.cameras().get(0).conditions());
     assertEquals(AgentSpec.NONE, scenario.cameras().get(0).agent());
     assertEquals(0.66, scenario.targets().get(0).size());
     assertEquals("Straight", scenario.targets().get(0).movement().shortName());

@@ -183,20 +183,6 @@ class WorldElementsTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "light='0'|<camera> light is '0', expected a brightness above 0",
-        "light='NaN'|<camera> light is 'NaN', expected a brightness above 0",
-        "aperture='-1'|<camera> aperture is '-1', expected an f-number from 0 to 1000",
-        "distortion='2'|<camera> distortion is '2', expected k of radial distortion, from -1 to 1",
-      })
-  void conditionsThatCannotBeAreRefused(String attribute, String message) {
-    String camera = "<camera name='a' x='1' y='2' heading='3' viewing_angle='9' range='5' ";
-    assertRefused("<cameras>" + camera + attribute + "/></cameras>" + OBJECT, message);
-  }
-
-  @ParameterizedTest
-  @CsvSource(
-      delimiter = '|',
-      value = {
         "<wall x1='1' y1='5' x2='1' y2='5'/>|expected two points",
         "<wall x1='1' y1='5' x2='1'/>|<wall> has no y2, expected",
         "<wall x1='1' y1='5' x2='1' y2='6' transmittance='2'/>|transmittance is '2', expected a"

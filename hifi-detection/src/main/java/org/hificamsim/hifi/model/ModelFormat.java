@@ -4,7 +4,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
-import org.hificamsim.hifi.CovariateTerm;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
@@ -35,6 +34,7 @@ final class ModelFormat {
 
   private static HiFiDetection model(JsonObject json) {
     int version = version(json, SCHEMA, LINES_ALONE, NEWEST);
+    refuseCovariates(json);
     String name = name(json);
     FeatureAbstraction f = FeatureFormats.read(json.object("f"));
     Fitted g = json.object("g").whole(one -> fitted(one, version));
@@ -44,18 +44,19 @@ final class ModelFormat {
     checkUnits(json);
     boolean newer = version > LINES_ALONE;
     Optional<FittedOn> on = newer ? FittedOnFormat.read(json) : Optional.empty();
-    List<CovariateTerm> covariates = newer ? CovariatesFormat.read(json) : List.of();
-    return new HiFiDetection(
-        name, f, g.model(), covariates, optics, threshold, g.rmse(), on, provenance(json));
+    return new HiFiDetection(name, f, g.model(), optics, threshold, g.rmse(), on, provenance(json));
+  }
+
+  /** Earlier versions of the simulator had models whose confidence depends on conditions. */
+  private static void refuseCovariates(JsonObject json) {
+    if (json.has("covariates")) {
+      throw json.error("covariates", "expected none: such models are no longer supported");
+    }
   }
 
   /** The oldest version that can hold a model: what needs no newer one keeps its bytes. */
   static int version(HiFiDetection model) {
-    return model.g() instanceof DetectorLine
-            && model.fitted().isEmpty()
-            && model.covariates().isEmpty()
-        ? LINES_ALONE
-        : NEWEST;
+    return model.g() instanceof DetectorLine && model.fitted().isEmpty() ? LINES_ALONE : NEWEST;
   }
 
   static int version(JsonObject json, String schema, int... versions) {

@@ -36,7 +36,6 @@ final class ModelWriter {
     json.putPOJO("optics", model.optics());
     json.put("threshold", model.defaultThreshold());
     model.fitted().ifPresent(on -> json.putPOJO("fitted", on));
-    CovariatesFormat.write(json, model.covariates());
     ObjectNode units = json.putObject("units");
     ModelFormat.LENGTHS.forEach(length -> units.put(length, "m"));
     return json.putPOJO("provenance", model.provenance().remarks());

@@ -7,17 +7,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.nio.charset.StandardCharsets;
-import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.detection.Condition;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.hifi.CovariateTerm;
 import org.hificamsim.hifi.DetectionModelContract;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
@@ -38,12 +34,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Model files of version 2: every shape of g, what a model was fitted on, and covariates. */
+/** Model files of version 2: every shape of g, and what a model was fitted on. */
 class NewerModelFilesTest {
   private static final FittedOn ON =
       new FittedOn(new Span(0.1, 0.66), new Span(1, 10), new Span(0.01, 0.085), 8, 0.02, 1.0 / 3);
-
-  private static final ZoomLevel ZOOM = new ZoomLevel(20, 10, 20, Double.NaN, 2 * Math.PI);
 
   private static final String MODEL =
       """
@@ -57,10 +51,7 @@ class NewerModelFilesTest {
           "q": {"least": 0.1, "most": 0.66},
           "d": {"least": 1, "most": 10},
           "z": {"least": 0.01, "most": 0.085},
-          "objects": 8, "betweenObjects": 0.02, "withinObjects": 0.05},
-        "covariates": {
-          "aperture": {"weight": -0.1, "mean": 5, "least": 2.8, "most": 11},
-          "light": {"weight": 2, "mean": 1, "least": 0.5, "most": 1.5}}
+          "objects": 8, "betweenObjects": 0.02, "withinObjects": 0.05}
       }
       """;
 
@@ -110,73 +101,6 @@ class NewerModelFilesTest {
     double far = chance.chance(model.confidence(0.66, 1e9, 0, zoom));
     assertEquals(0.05, far, 1e-9, g.toString());
     assertTrue(near > 0.9, g + ": " + near);
-  }
-
-  @ParameterizedTest
-  @MethodSource("shapes")
-  void covariatesSurviveTheRoundTrip(DetectorModel g) {
-    HiFiDetection model = lit(g);
-    assertEquals(model, ModelFiles.parse("mine", ModelFiles.bytes(model)));
-    assertTrue(text(model).contains("\"covariates\": {\n    \"aperture\": {"), text(model));
-    assertFalse(text(model("mine", g, Optional.empty())).contains("covariates"));
-  }
-
-  @TestFactory
-  Stream<DynamicContainer> everyShapeKeepsTheContractWithCovariates() {
-    return shapes().map(g -> DetectionModelContract.of("mine", () -> lit(g)));
-  }
-
-  @ParameterizedTest
-  @MethodSource("shapes")
-  void lightCountsAsALargerTarget(DetectorModel g) {
-    HiFiDetection model = lit(g);
-    HiFiDetection plain = model("mine", g, Optional.empty());
-    assertEquals(plain.confidence(0.66, 5, 0, ZOOM), model.confidence(0.66, 5, 0, ZOOM));
-    double bright = model.confidence(0.66, 5, 0, under(5, 1.25));
-    assertEquals(plain.confidence(0.66 * Math.exp(0.25), 5, 0, ZOOM), bright, 1e-12);
-    double open = model.confidence(0.66, 5, 0, under(2.8, 1));
-    assertEquals(plain.confidence(0.66 * Math.exp(0.11), 5, 0, ZOOM), open, 1e-12);
-  }
-
-  @Test
-  void beyondThePhotosTheNearestOfThemCounts() {
-    HiFiDetection model = lit(new DetectorLine(0.6, 0.02));
-    assertEquals(model.factor(new Conditions(5, 0, 1.5)), model.factor(new Conditions(5, 0, 1e9)));
-    assertEquals(
-        model.factor(new Conditions(11, 0, 0.5)), model.factor(new Conditions(1000, 0, 1e-300)));
-    assertEquals(1, model.factor(Conditions.UNKNOWN));
-  }
-
-  @Test
-  void lightMovesTheDistanceOfDetection() {
-    HiFiDetection model = lit(new HillCurve(0.01, 0.6, 0.04, 1.5));
-    Detection detection = new Detection(model, model.g().confidence(0.02));
-    double limit = 0.66 * 0.085 * 0.5 / Math.sqrt(0.02 * 0.0224 * 0.015);
-    for (double light : new double[] {0.5, 1, 1.5}) {
-      double squared = limit * limit * Math.exp(2 * (light - 1));
-      assertTrue(detection.distances(0.66, under(5, light)).contains(squared * (1 - 1e-9)));
-      assertFalse(detection.distances(0.66, under(5, light)).contains(squared * (1 + 1e-9)));
-    }
-  }
-
-  private static ZoomLevel under(double aperture, double light) {
-    return ZOOM.under(new Conditions(aperture, Double.NaN, light));
-  }
-
-  private static HiFiDetection lit(DetectorModel g) {
-    HiFiDetection plain = model("mine", g, Optional.of(ON));
-    return new HiFiDetection(
-        plain.name(),
-        plain.f(),
-        g,
-        List.of(
-            new CovariateTerm(Condition.LIGHT, 2, 1, new Span(0.5, 1.5)),
-            new CovariateTerm(Condition.APERTURE, -0.1, 5, new Span(2.8, 11))),
-        plain.optics(),
-        plain.defaultThreshold(),
-        plain.rmse(),
-        plain.fitted(),
-        plain.provenance());
   }
 
   @Test
@@ -250,15 +174,13 @@ class NewerModelFilesTest {
         arguments("\"most\": 0.66", "\"most\": 0.06", "most is 0.06, expected 0.1 or more"),
         arguments("\"objects\": 8", "\"objects\": 2.5", "objects is 2.5, expected a whole number"),
         arguments("\"objects\": 8", "\"objects\": 0", "objects is 0"),
+        arguments(", \"most\": 10", "", "9:10: property 'most' is missing"),
+        arguments("\"least\": 0.01", "\"least\": -1", "least is -1, expected a number from 0"),
+        arguments("\"objects\": 8", "\"objects\": \"8\"", "objects is '8', expected a number"),
         arguments(
-            "\"light\"",
-            "\"weather\"",
-            "14:5: unknown property 'weather', expected one of aperture, distortion, light"),
-        arguments(", \"most\": 11", "", "13:17: property 'most' is missing"),
-        arguments("\"mean\": 5", "\"mean\": 12", "mean is 12, expected a number from 2.8 to 11"),
-        arguments("\"least\": 0.5", "\"least\": 0", "least is 0, expected a number from 2.2"),
-        arguments("\"weight\": 2", "\"weight\": 101", "weight is 101, expected at most 100.0"),
-        arguments("\"weight\": 2", "\"weight\": \"2\"", "14:25: weight is '2', expected a number"),
+            "\"version\": 2",
+            "\"version\": 2, \"covariates\": {\"light\": {\"weight\": 2}}",
+            "3:31: covariates is an object, expected none: such models are no longer supported"),
         arguments(
             "\"version\": 2", "\"version\": 2, \"fited\": 1", "3:17: unknown property 'fited'"),
         arguments("\"d\": {", "\"y\": {", "'d' is missing"),

@@ -1,9 +1,6 @@
 package org.hificamsim.profiling.dataset;
 
 import java.nio.file.Path;
-import java.util.Collections;
-import java.util.EnumMap;
-import java.util.Map;
 import java.util.Optional;
 
 /**
@@ -17,7 +14,6 @@ import java.util.Optional;
  * @param focalLength z, metres
  * @param patch where the object is
  * @param mask a picture that is not 0 where the object is
- * @param covariates what else is known of the photo
  */
 public record Sample(
     String image,
@@ -27,17 +23,9 @@ public record Sample(
     double distance,
     double focalLength,
     Patch patch,
-    Optional<Path> mask,
-    Map<Covariate, Double> covariates) {
-  public Sample {
-    Map<Covariate, Double> sorted = new EnumMap<>(Covariate.class);
-    sorted.putAll(covariates);
-    covariates = Collections.unmodifiableMap(sorted);
-  }
-
+    Optional<Path> mask) {
   /** The same without a mask. */
   public Sample unmasked() {
-    return new Sample(
-        image, file, object, size, distance, focalLength, patch, Optional.empty(), covariates);
+    return new Sample(image, file, object, size, distance, focalLength, patch, Optional.empty());
   }
 }

@@ -51,7 +51,6 @@ final class SampleReader {
     ImageHeader frame = image == null ? level() : image.header();
     Patch patch = object == null ? null : check(() -> patch(object, frame));
     Optional<Path> mask = Optional.ofNullable(check(() -> mask(frame)));
-    Map<Covariate, Double> covariates = check(() -> Covariate.given(row));
     return problems.size() > before
         ? Optional.empty()
         : Optional.of(
@@ -63,8 +62,7 @@ final class SampleReader {
                 distance,
                 focalLength,
                 patch,
-                mask,
-                covariates));
+                mask));
   }
 
   /** What is supposed of a photo that cannot be read. */

@@ -28,7 +28,7 @@ public record CurveBand(double[] pip, double[] low, double[] high) {
       int[] rows = drawn(result.unseen(), random);
       curves.add(
           shape.fit(
-              Groups.at(rows, result.measuredPip(detector)),
+              Groups.at(rows, result.measuredPip()),
               Groups.at(rows, result.confidences(detector))));
     }
     return new CurveBand(pip, ends(curves, pip, 2.5), ends(curves, pip, 97.5));

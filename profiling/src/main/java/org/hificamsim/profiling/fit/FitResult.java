@@ -13,7 +13,6 @@ import org.hificamsim.profiling.measure.Measurement;
  * @param unseen what was left out together to see how g does on what it has not seen: objects, or
  *     folds where there is one object
  * @param thresholds by detector, from which confidence on it detects, where that is known
- * @param shifts by detector, what they do to the share that its g are asked at
  * @param lines the thesis's g: by detector, then by the name of what it was fitted on, an f, {@link
  *     #GROUND_TRUTH} or {@link #CAMSIM}
  * @param models every g: by detector, then by the name of what it was fitted on, an f or {@link
@@ -26,7 +25,6 @@ public record FitResult(
     List<FeatureResult> features,
     Groups unseen,
     Map<String, Double> thresholds,
-    Map<String, Shifts> shifts,
     Map<String, Map<String, LineFit>> lines,
     Map<String, Map<String, DetectorFit>> models) {
   /** On measured PIP. */
@@ -37,19 +35,10 @@ public record FitResult(
 
   /** The same with every g. */
   FitResult with(
-      Map<String, Shifts> everyShift,
       Map<String, Map<String, LineFit>> everyLine,
       Map<String, Map<String, DetectorFit>> everyModel) {
     return new FitResult(
-        camera,
-        measurements,
-        detectors,
-        features,
-        unseen,
-        thresholds,
-        everyShift,
-        everyLine,
-        everyModel);
+        camera, measurements, detectors, features, unseen, thresholds, everyLine, everyModel);
   }
 
   /** One f. */
@@ -60,16 +49,6 @@ public record FitResult(
   /** One g. */
   public DetectorFit model(String detector, String on) {
     return models.get(detector).get(on);
-  }
-
-  /** What covariates do to the share that a detector's g are asked at. */
-  public Shifts shifts(String detector) {
-    return shifts.get(detector);
-  }
-
-  /** The shares at which a detector's g on measured PIP is asked. */
-  public double[] measuredPip(String detector) {
-    return shifts(detector).all().applied(measuredPip(), measurements);
   }
 
   /** One of the thesis's lines. */

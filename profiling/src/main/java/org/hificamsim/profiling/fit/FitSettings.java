@@ -11,7 +11,6 @@ import java.util.Optional;
  * @param symbolic how symbolic regression runs
  * @param vectors how support vectors are trained
  * @param shape the name of the shape of g that is taken; without one it is chosen
- * @param covariates which ones the models have
  * @param thresholds by detector, from which measured confidence on it detects, where that is known
  */
 public record FitSettings(
@@ -20,17 +19,11 @@ public record FitSettings(
     SymbolicSettings symbolic,
     SupportVectorSettings vectors,
     Optional<String> shape,
-    CovariateChoice covariates,
     Map<String, Double> thresholds) {
   /** With the shape of g that does best on objects that it has not seen. */
   public FitSettings(
       int folds, long seed, SymbolicSettings symbolic, SupportVectorSettings vectors) {
-    this(folds, seed, symbolic, vectors, Optional.empty(), CovariateChoice.NONE, Map.of());
-  }
-
-  /** The same with covariates. */
-  public FitSettings with(CovariateChoice others) {
-    return new FitSettings(folds, seed, symbolic, vectors, shape, others, thresholds);
+    this(folds, seed, symbolic, vectors, Optional.empty(), Map.of());
   }
 
   /** The thesis's: five folds (thesis 4.4). */

@@ -6,7 +6,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
-import org.hificamsim.hifi.CovariateTerm;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
@@ -61,7 +60,6 @@ public record FittedModel(
         prefix + ":" + name,
         f.fit().f(),
         g,
-        terms(result.shifts(detector).all()),
         new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
         result.thresholds().getOrDefault(detector, PublishedModels.published().threshold(g)),
         rmse > NO_SCATTER ? OptionalDouble.of(rmse) : OptionalDouble.empty(),
@@ -79,24 +77,11 @@ public record FittedModel(
         all.name(),
         f.unseen().fits().get(group).f(),
         fit.chosen().fits().get(group),
-        terms(result.shifts(detector).unseen().get(group)),
         all.optics(),
         all.defaultThreshold(),
         all.rmse(),
         all.fitted(),
         all.provenance());
-  }
-
-  private List<CovariateTerm> terms(Shift shift) {
-    return shift.terms().stream().map(this::term).toList();
-  }
-
-  private CovariateTerm term(Shift.Term term) {
-    return new CovariateTerm(
-        term.covariate().condition().orElseThrow(),
-        term.weight(),
-        term.mean(),
-        Span.of(ShiftFitting.values(term.covariate(), result.measurements())));
   }
 
   /** Why there is no file of it. */

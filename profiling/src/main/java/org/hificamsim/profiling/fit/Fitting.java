@@ -2,7 +2,6 @@ package org.hificamsim.profiling.fit;
 
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,7 +23,6 @@ public final class Fitting {
    * @throws org.hificamsim.core.InputException when the measurements do not determine a fit
    */
   public FitResult fit(PhotoCamera camera, List<Measurement> measurements, int threads) {
-    settings.covariates().requireKnown(measurements);
     Groups objects = Groups.byObject(measurements);
     Groups folds = CrossValidation.folds(measurements.size(), settings.folds(), settings.seed());
     Groups unseen = objects.count() > 1 ? objects : folds;
@@ -42,14 +40,12 @@ public final class Fitting {
             unseen,
             settings.thresholds(),
             Map.of(),
-            Map.of(),
             Map.of());
     Map<String, Map<String, LineFit>> lines = new LinkedHashMap<>();
     detectors.forEach(detector -> lines.put(detector, lines(plain, detector)));
     DetectorFitting fitting =
         new DetectorFitting(objects, unseen, settings.shape(), settings.seed());
-    FitResult shifted = plain.with(shifts(plain, fitting, threads), lines, Map.of());
-    return shifted.with(shifted.shifts(), lines, models(shifted, fitting, threads));
+    return plain.with(lines, models(plain, fitting, threads));
   }
 
   /** Every way to fit f, the simplest first. */
@@ -72,29 +68,6 @@ public final class Fitting {
     }
     lines.put(FitResult.CAMSIM, LineFit.of(CamSimConfidence.of(result.measurements()), y));
     return lines;
-  }
-
-  private Map<String, Shifts> shifts(FitResult result, DetectorFitting fitting, int threads) {
-    List<Shifts> fits =
-        Parallel.map(
-            result.detectors(),
-            threads,
-            detector ->
-                settings.covariates().any()
-                    ? shifts(result, fitting, result.confidences(detector))
-                    : Shifts.none(result.unseen()));
-    Map<String, Shifts> shifts = new LinkedHashMap<>();
-    for (int i = 0; i < fits.size(); i++) {
-      shifts.put(result.detectors().get(i), fits.get(i));
-    }
-    return shifts;
-  }
-
-  private Shifts shifts(FitResult result, DetectorFitting fitting, double[] y) {
-    double[][] same = new double[result.unseen().count()][];
-    Arrays.fill(same, result.measuredPip());
-    ShapeFit alone = fitting.fit(result.measuredPip(), same, y).chosen();
-    return settings.covariates().of(alone, result.measurements(), y, result.unseen()).shifts();
   }
 
   /** One g that has to be fitted. */
@@ -120,23 +93,15 @@ public final class Fitting {
 
   private static List<Job> jobs(FitResult result, String detector) {
     List<Job> jobs = new ArrayList<>();
-    List<double[]> measured = Collections.nCopies(result.unseen().count(), result.measuredPip());
-    jobs.add(job(result, detector, FitResult.GROUND_TRUTH, result.measuredPip(), measured));
+    double[] measured = result.measuredPip();
+    double[][] unseen = new double[result.unseen().count()][];
+    Arrays.fill(unseen, measured);
+    jobs.add(new Job(detector, FitResult.GROUND_TRUTH, measured, unseen));
     for (FeatureResult f : result.features()) {
-      List<double[]> unseen = f.unseen().fits().stream().map(result::predictedPip).toList();
-      jobs.add(job(result, detector, f.name(), result.predictedPip(f.name()), unseen));
+      double[][] unseenF =
+          f.unseen().fits().stream().map(result::predictedPip).toArray(double[][]::new);
+      jobs.add(new Job(detector, f.name(), result.predictedPip(f.name()), unseenF));
     }
     return jobs;
-  }
-
-  /** Each share as the covariates have it, unseen ones as those that have not seen them. */
-  private static Job job(
-      FitResult result, String detector, String on, double[] pip, List<double[]> unseenPip) {
-    Shifts shifts = result.shifts(detector);
-    double[][] unseen = new double[unseenPip.size()][];
-    Arrays.setAll(
-        unseen,
-        group -> shifts.unseen().get(group).applied(unseenPip.get(group), result.measurements()));
-    return new Job(detector, on, shifts.all().applied(pip, result.measurements()), unseen);
   }
 }

@@ -1,10 +1,8 @@
 package org.hificamsim.profiling.measure;
 
 import java.util.Collections;
-import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.hificamsim.profiling.dataset.Covariate;
 
 /**
  * One photo measured.
@@ -16,7 +14,6 @@ import org.hificamsim.profiling.dataset.Covariate;
  * @param focalLength z, metres
  * @param pip ground truth: the share of the image's pixels that the object fills, (0, 1]
  * @param confidences by detector, each in [0, 1] (Eq 5.1)
- * @param covariates what else is known, where it is
  */
 public record Measurement(
     String image,
@@ -25,25 +22,9 @@ public record Measurement(
     double distance,
     double focalLength,
     double pip,
-    Map<String, Double> confidences,
-    Map<Covariate, Double> covariates) {
+    Map<String, Double> confidences) {
   public Measurement {
     confidences = Collections.unmodifiableMap(new LinkedHashMap<>(confidences));
-    Map<Covariate, Double> copy = new EnumMap<>(Covariate.class);
-    copy.putAll(covariates);
-    covariates = Collections.unmodifiableMap(copy);
-  }
-
-  /** One of which nothing else is known. */
-  public Measurement(
-      String image,
-      String object,
-      double size,
-      double distance,
-      double focalLength,
-      double pip,
-      Map<String, Double> confidences) {
-    this(image, object, size, distance, focalLength, pip, confidences, Map.of());
   }
 
   /** The response of the regressions, {@code -log10(PIP)} (thesis 4.3). */
@@ -60,6 +41,6 @@ public record Measurement(
   public Measurement with(String detector, double confidence) {
     Map<String, Double> more = new LinkedHashMap<>(confidences);
     more.put(detector, confidence);
-    return new Measurement(image, object, size, distance, focalLength, pip, more, covariates);
+    return new Measurement(image, object, size, distance, focalLength, pip, more);
   }
 }

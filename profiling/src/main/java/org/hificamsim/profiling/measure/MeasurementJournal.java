@@ -9,7 +9,6 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,7 +16,6 @@ import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.Sha256;
-import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.Sample;
 import org.hificamsim.profiling.detector.Detectors;
@@ -44,7 +42,7 @@ final class MeasurementJournal implements Closeable {
 
   static MeasurementJournal open(Dataset dataset, MeasureSettings settings) throws IOException {
     Path file = dataset.folder().resolve(".measurements-" + key(dataset, settings) + ".part");
-    Columns columns = columns(dataset, settings);
+    Columns columns = columns(settings);
     Map<Integer, Measurement> done = read(file, dataset);
     StringBuilder kept = new StringBuilder(columns.header());
     done.values().forEach(row -> kept.append(columns.line(row)));
@@ -56,17 +54,9 @@ final class MeasurementJournal implements Closeable {
   }
 
   /** The columns that are filled photo by photo. */
-  static Columns columns(Dataset dataset, MeasureSettings settings) {
-    List<Covariate> covariates =
-        Arrays.stream(Covariate.values())
-            .filter(c -> c == Covariate.DISTINCTIVENESS || isGiven(c, dataset.samples()))
-            .toList();
-    List<String> detectors = settings.detectors().stream().map(Detectors::column).toList();
-    return new Columns(settings.pip(), covariates, detectors);
-  }
-
-  private static boolean isGiven(Covariate covariate, List<Sample> samples) {
-    return samples.stream().anyMatch(sample -> sample.covariates().containsKey(covariate));
+  static Columns columns(MeasureSettings settings) {
+    return new Columns(
+        settings.pip(), settings.detectors().stream().map(Detectors::column).toList());
   }
 
   /** How many photos have been measured. */

@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,7 +11,6 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.dataset.CsvRows.Cell;
 
@@ -25,6 +23,11 @@ public final class MeasurementsFile {
 
   private static final Set<String> PIP =
       Arrays.stream(PipReading.values()).map(PipReading::column).collect(Collectors.toSet());
+
+  /** Columns of older tables that are no detector's, and are ignored. */
+  private static final Set<String> CONDITIONS =
+      Set.of("distinctiveness", "aperture", "distortion", "light");
+
   private static final double MAX = 1e5;
 
   private MeasurementsFile() {}
@@ -61,7 +64,7 @@ public final class MeasurementsFile {
   private static boolean isDetector(String column) {
     return !Columns.PHYSICAL.contains(column)
         && !PIP.contains(column)
-        && !Covariate.isColumn(column);
+        && !CONDITIONS.contains(column);
   }
 
   private static Measurement measurement(
@@ -78,19 +81,7 @@ public final class MeasurementsFile {
         length(row, "distance_m"),
         length(row, "focal_length_m"),
         row.get(pip).number(pip, Double.MIN_NORMAL, 1, "a share above 0, at most 1"),
-        confidences,
-        covariates(row));
-  }
-
-  private static Map<Covariate, Double> covariates(Map<String, Cell> row) {
-    Map<Covariate, Double> values = new EnumMap<>(Covariate.class);
-    for (Covariate covariate : Covariate.values()) {
-      Cell cell = row.get(covariate.column());
-      if (cell != null && !cell.text().isEmpty()) {
-        values.put(covariate, covariate.read(cell));
-      }
-    }
-    return values;
+        confidences);
   }
 
   private static double length(Map<String, Cell> row, String column) {

@@ -4,14 +4,12 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.parallel.Parallel;
-import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.Sample;
 import org.hificamsim.profiling.detector.ConfidenceSource.Look;
@@ -57,8 +55,7 @@ public final class Measurer {
                   done.get(i)
                       .orElseGet(
                           () -> {
-                            Measurement row =
-                                done.add(i, measured(i, new Gaze(toolboxes), templates));
+                            Measurement row = done.add(i, measured(i, new Gaze(toolboxes)));
                             watcher.measured();
                             return row;
                           }));
@@ -79,13 +76,10 @@ public final class Measurer {
         .threads(wanted, dataset.largestPicture(), Toolboxes.appetite(settings));
   }
 
-  private Measurement measured(int index, Gaze gaze, Templates templates) {
+  private Measurement measured(int index, Gaze gaze) {
     Sample sample = dataset.samples().get(index);
     List<Subject> subject = List.of(new Subject(sample.object(), sample.patch()));
     Map<String, Double> confidences = gaze.at(sample.file(), subject, Look::confidences).get(0);
-    Map<Covariate, Double> covariates = new EnumMap<>(Covariate.class);
-    covariates.putAll(sample.covariates());
-    covariates.put(Covariate.DISTINCTIVENESS, templates.distinctiveness(sample.object()));
     return new Measurement(
         sample.image(),
         sample.object(),
@@ -93,8 +87,7 @@ public final class Measurer {
         sample.distance(),
         sample.focalLength(),
         pip.of(sample),
-        MeasurementJournal.columns(dataset, settings).ordered(confidences),
-        covariates);
+        MeasurementJournal.columns(settings).ordered(confidences));
   }
 
   private void write(List<Measurement> rows) throws IOException {

@@ -4,15 +4,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.dataset.CsvRows.Cell;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 
 /**
  * Confidences of any detector, which a user has measured: a table {@code
- * image,q,d,z,confidence[,object][,pip]}, and the {@link Covariate}s that photos come with. Without
- * PIP, the pinhole camera's is taken.
+ * image,q,d,z,confidence[,object][,pip]}, Without PIP, the pinhole camera's is taken.
  */
 public final class OwnConfidences {
   private static final List<String> COLUMNS = List.of("image", "q", "d", "z", "confidence");
@@ -58,8 +56,8 @@ public final class OwnConfidences {
             ? Math.max(pinhole, Double.MIN_NORMAL)
             : pip.number("pip", Double.MIN_NORMAL, 1, "a share above 0, at most 1"),
         Map.of(
-            detector, row.get("confidence").number("confidence", 0, 1, "a confidence from 0 to 1")),
-        Covariate.given(row));
+            detector,
+            row.get("confidence").number("confidence", 0, 1, "a confidence from 0 to 1")));
   }
 
   private static double metres(Map<String, Cell> row, String column) {

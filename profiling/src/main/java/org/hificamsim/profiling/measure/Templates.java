@@ -13,11 +13,11 @@ import org.hificamsim.profiling.detector.Features;
 import org.hificamsim.profiling.detector.Photograph;
 import org.hificamsim.profiling.detector.TemplateFeatures;
 
-/** What is known of each object from its close-up: features, and how distinctive it is. */
+/** The features of each object, from its close-up. */
 final class Templates implements TemplateFeatures, AutoCloseable {
   private final Map<String, Known> objects = new LinkedHashMap<>();
 
-  private record Known(Path file, Map<String, Features> features, double distinctiveness) {}
+  private record Known(Path file, Map<String, Features> features) {}
 
   private Templates() {}
 
@@ -36,10 +36,6 @@ final class Templates implements TemplateFeatures, AutoCloseable {
   @Override
   public Features of(String object, String detector) {
     return objects.get(object).features().get(detector);
-  }
-
-  double distinctiveness(String object) {
-    return objects.get(object).distinctiveness();
   }
 
   /** A line for each template in which a detector finds nothing. */
@@ -69,7 +65,7 @@ final class Templates implements TemplateFeatures, AutoCloseable {
               extractor, Failures.named(file, extractor, () -> detector.detect(close.grey())));
         }
       }
-      return new Known(file, features, Distinctiveness.of(close.grey()));
+      return new Known(file, features);
     }
   }
 

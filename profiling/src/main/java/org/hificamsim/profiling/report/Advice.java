@@ -23,16 +23,6 @@ final class Advice {
       "How much more confident a detector is of an object than g says, on the mean of its photos:"
           + " texture counts, too. Their standard deviation is the SD between objects above.";
 
-  static final String COVARIATES =
-      "What else is known of every photo, each alone: g is asked at PIP exp(weight (x - mean)). It"
-          + " helps where the error on what was not seen is less by more than a standard error. A"
-          + " model has those that profile fit --covariates names, of aperture, distortion and"
-          + " light, and a scenario says their values; without them it holds at the mean.";
-
-  static final String NO_COVARIATES =
-      "Nothing else varies that is known of every photo: distinctiveness, aperture, distortion and"
-          + " light are columns of measurements.csv.";
-
   static final String FEATURES =
       "R2 of -log10(PIP); unseen objects and lenses: of photos whose object or focal length the fit"
           + " has not seen. The pinhole camera fits nothing. The power law keeps the pinhole's"

@@ -12,7 +12,6 @@ import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
 import org.hificamsim.profiling.fit.Observation;
-import org.hificamsim.profiling.fit.Shift;
 import org.hificamsim.profiling.measure.Measurement;
 import org.knowm.xchart.CategoryChart;
 import org.knowm.xchart.XYChart;
@@ -158,7 +157,6 @@ final class Figures {
     List<String> names =
         result.measurements().stream().map(Measurement::object).distinct().toList();
     chart.getStyler().setLegendVisible(names.size() <= MAX_NAMED);
-    Shift shift = result.shifts(detector).all();
     for (int i = 0; i < names.size(); i++) {
       String name = names.get(i);
       List<Measurement> own =
@@ -166,11 +164,11 @@ final class Figures {
       Charts.points(
           chart,
           name,
-          own.stream().mapToDouble(m -> m.pip() * shift.factor(m)).toArray(),
+          own.stream().mapToDouble(Measurement::pip).toArray(),
           own.stream().mapToDouble(m -> m.confidence(detector)).toArray(),
           Color.getHSBColor(i / (float) names.size(), 0.7f, 0.8f));
     }
-    double[] pip = logarithmic(ends(result.measuredPip(detector)));
+    double[] pip = logarithmic(ends(result.measuredPip()));
     DetectorModel g = result.model(detector, FitResult.GROUND_TRUTH).chosen().g();
     Charts.line(chart, "g", pip, Arrays.stream(pip).map(g::confidence).toArray(), Color.BLACK);
     CurveBand band = CurveBand.of(result, detector, pip, 0);

@@ -101,11 +101,6 @@ public final class FitReport {
     page.heading("Objects");
     own.objects(page);
     page.paragraph(Advice.OBJECTS);
-    page.heading("Covariates");
-    page.paragraph(own.covariates(page) ? Advice.COVARIATES : Advice.NO_COVARIATES);
-    result.detectors().stream()
-        .flatMap(detector -> result.shifts(detector).sentence(detector).stream())
-        .forEach(sentence -> page.paragraph("In the models: " + sentence + "."));
   }
 
   private void ownFeatures() {

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import org.hificamsim.profiling.fit.CovariateFit;
 import org.hificamsim.profiling.fit.CrossValidation;
 import org.hificamsim.profiling.fit.DetectorFit;
 import org.hificamsim.profiling.fit.DetectorShapes;
@@ -14,7 +13,6 @@ import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.fit.ShapeFit;
-import org.hificamsim.profiling.fit.Shift;
 import org.hificamsim.profiling.measure.Measurement;
 
 /** The tables of the data set's own numbers. */
@@ -173,47 +171,14 @@ final class OwnTables {
             List.of(name, Cells.significant(own.get(0).size()), String.valueOf(own.size())));
     for (String detector : result.detectors()) {
       ShapeFit g = result.model(detector, FitResult.GROUND_TRUTH).chosen();
-      Shift shift = result.shifts(detector).all();
       double above =
           own.stream()
-              .mapToDouble(
-                  m -> m.confidence(detector) - g.g().confidence(m.pip() * shift.factor(m)))
+              .mapToDouble(m -> m.confidence(detector) - g.g().confidence(m.pip()))
               .average()
               .orElseThrow();
       row.add(Cells.fixed(above, 3));
     }
     return row;
-  }
-
-  /** What else counts; false where nothing else is known of the photos. */
-  boolean covariates(HtmlPage page) {
-    List<List<String>> rows = new ArrayList<>();
-    for (String detector : result.detectors()) {
-      for (CovariateFit fit : CovariateFit.all(result, detector)) {
-        rows.add(
-            List.of(
-                detector,
-                fit.covariate().column(),
-                Cells.significant(fit.weight().slope()),
-                Cells.span(fit.weight().low(), fit.weight().high()),
-                Cells.fixed(fit.without(), 3),
-                Cells.fixed(fit.with(), 3),
-                helps(fit, detector)));
-      }
-    }
-    if (!rows.isEmpty()) {
-      page.table(
-          List.of("detector", "covariate", "weight", "95% interval", "R2, unseen", "with it", ""),
-          rows);
-    }
-    return !rows.isEmpty();
-  }
-
-  private String helps(CovariateFit fit, String detector) {
-    boolean taken =
-        result.shifts(detector).all().terms().stream()
-            .anyMatch(term -> term.covariate() == fit.covariate());
-    return (fit.helps() ? "helps" : "does not help") + (taken ? "; in the models" : "");
   }
 
   /** The ladder, with every detector. */

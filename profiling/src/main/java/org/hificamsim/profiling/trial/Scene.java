@@ -7,8 +7,6 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.SplittableRandom;
-import org.hificamsim.core.detection.Condition;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
@@ -21,13 +19,12 @@ import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
 /**
  * Photos of one object as a scenario: the object is a target in the middle, and each photo a camera
- * with its lens, at its distance and under its conditions, which looks at it.
+ * with its lens and at its distance, which looks at it.
  *
  * @param photos of one object, one or more
  * @param bearings where the cameras stand as seen from the target, degrees
@@ -56,13 +53,12 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
    * The scenario.
    *
    * @param farthest a distance that no photo of the data set exceeds, so that scenes share zooms
-   * @param conditions whether it says those of the photos
    */
-  Scenario scenario(PhotoCamera sensor, double farthest, boolean conditions) {
+  Scenario scenario(PhotoCamera sensor, double farthest) {
     double half = ROOM * farthest;
     List<CameraSpec> cameras = new ArrayList<>();
     for (int i = 0; i < photos.size(); i++) {
-      cameras.add(camera("photo " + i, photos.get(i), bearings.get(i), sensor, conditions));
+      cameras.add(camera("photo " + i, photos.get(i), bearings.get(i), sensor));
     }
     return new Scenario(
         "photos",
@@ -95,7 +91,7 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
   }
 
   private static CameraSpec camera(
-      String name, Measurement photo, double bearing, PhotoCamera sensor, boolean conditions) {
+      String name, Measurement photo, double bearing, PhotoCamera sensor) {
     double radians = StrictMath.toRadians(bearing);
     double angle =
         StrictMath.toDegrees(2 * StrictMath.atan(sensor.sensorWidth() / (2 * photo.focalLength())));
@@ -108,7 +104,6 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
         0,
         AgentSpec.NONE,
         Optional.of(lens(angle)),
-        conditions ? conditions(photo) : Conditions.UNKNOWN,
         Map.of());
   }
 
@@ -123,16 +118,5 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
         OptionalDouble.empty(),
         0,
         Moving.BLIND);
-  }
-
-  private static Conditions conditions(Measurement photo) {
-    return new Conditions(
-        value(photo, Condition.APERTURE),
-        value(photo, Condition.DISTORTION),
-        value(photo, Condition.LIGHT));
-  }
-
-  private static double value(Measurement photo, Condition condition) {
-    return photo.covariates().getOrDefault(Covariate.valueOf(condition.name()), Double.NaN);
   }
 }

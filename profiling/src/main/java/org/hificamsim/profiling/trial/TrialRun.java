@@ -124,7 +124,7 @@ public final class TrialRun {
   private Outcome outcome(Scene scene) {
     UnseenModel unseen = models.get(groups.get(scene.photos().get(0)));
     unseen.begin();
-    Scenario scenario = scene.scenario(result.camera(), farthest, unseen.hasCovariates());
+    Scenario scenario = scene.scenario(result.camera(), farthest);
     long simulated = Simulator.coverage(scenario, unseen.certain()).detections();
     long measured = reaching(scene, threshold);
     if (unseen.chance().isEmpty()) {

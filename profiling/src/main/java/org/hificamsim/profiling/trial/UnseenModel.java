@@ -23,11 +23,6 @@ final class UnseenModel {
     this.threshold = threshold;
   }
 
-  /** Whether the model depends on conditions. */
-  boolean hasCovariates() {
-    return !model.covariates().isEmpty();
-  }
-
   /** Begins another scene. */
   void begin() {
     if (uses++ % MAX_USES == 0) {

@@ -103,7 +103,6 @@ class HonestValidationTest {
             QUICK.symbolic(),
             QUICK.vectors(),
             java.util.Optional.of("isotonic"),
-            CovariateChoice.NONE,
             java.util.Map.of());
     List<Measurement> rows = new Photos().detector("d", p -> 0.1 + 0.5 * p).take(2);
     FitResult result = new Fitting(asked).fit(Photos.CAMERA, rows, 2);

@@ -6,7 +6,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.function.DoubleUnaryOperator;
-import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
@@ -75,9 +74,8 @@ public final class Photos {
     return photos;
   }
 
-  /** A photo with another confidence of the detector d, and these covariates. */
-  public static Measurement with(
-      Measurement photo, double confidence, Map<Covariate, Double> covariates) {
+  /** A photo with another confidence of the detector d. */
+  public static Measurement with(Measurement photo, double confidence) {
     return new Measurement(
         photo.image(),
         photo.object(),
@@ -85,7 +83,6 @@ public final class Photos {
         photo.distance(),
         photo.focalLength(),
         photo.pip(),
-        Map.of("d", confidence),
-        covariates);
+        Map.of("d", confidence));
   }
 }

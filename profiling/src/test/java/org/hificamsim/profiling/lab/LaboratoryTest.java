@@ -11,14 +11,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.hificamsim.profiling.dataset.Covariate;
+import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
@@ -76,12 +74,12 @@ class LaboratoryTest {
         SMALL.with(
             new LabSettings.Optics(List.of(2.8, 5.6, 11.0), 0.02, 1600, 0.5, List.of(0.0, 3.0)),
             new LabSettings.Scene(4, 0.08, 0.2, 8));
-    List<Sample> samples = rendered(settings).samples();
-    assertEquals(Set.of(2.8, 5.6, 11.0), seen(samples, Covariate.APERTURE));
+    Dataset photos = rendered(settings);
+    assertEquals(Set.of(2.8, 5.6, 11.0), Set.copyOf(column(photos, "aperture")));
     // Barrel at 15 mm, pincushion at 50 mm, none where the factor is 0.
-    assertEquals(3, seen(samples, Covariate.DISTORTION).size());
-    assertTrue(seen(samples, Covariate.DISTORTION).contains(0.0));
-    assertEquals(samples.size(), seen(samples, Covariate.LIGHT).size());
+    assertEquals(3, Set.copyOf(column(photos, "distortion")).size());
+    assertTrue(column(photos, "distortion").contains(0.0));
+    assertEquals(photos.samples().size(), Set.copyOf(column(photos, "light")).size());
   }
 
   @Test
@@ -93,12 +91,15 @@ class LaboratoryTest {
             .with(
                 new LabSettings.Optics(List.of(0.0), 0, 0, 0, List.of(0.0)),
                 new LabSettings.Scene(0, 0, 0.3, 0));
-    List<Sample> samples = rendered(settings).samples();
-    Sample darkest = Collections.min(samples, Comparator.comparingDouble(LaboratoryTest::light));
-    Sample brightest = Collections.max(samples, Comparator.comparingDouble(LaboratoryTest::light));
+    Dataset photos = rendered(settings);
+    List<Double> light = column(photos, "light");
+    double least = Collections.min(light);
+    double most = Collections.max(light);
+    Sample darkest = photos.samples().get(light.indexOf(least));
+    Sample brightest = photos.samples().get(light.indexOf(most));
     // The corner shows the bare wall; display gamma is 2.2.
     double ratio = corner(brightest) / corner(darkest);
-    assertEquals(Math.pow(light(brightest) / light(darkest), 1 / 2.2), ratio, 0.08);
+    assertEquals(Math.pow(most / least, 1 / 2.2), ratio, 0.08);
     assertTrue(ratio > 1.1, "ratio " + ratio);
   }
 
@@ -134,12 +135,10 @@ class LaboratoryTest {
     }
   }
 
-  private static Set<Double> seen(List<Sample> samples, Covariate covariate) {
-    return samples.stream().map(s -> s.covariates().get(covariate)).collect(Collectors.toSet());
-  }
-
-  private static double light(Sample sample) {
-    return sample.covariates().get(Covariate.LIGHT);
+  private static List<Double> column(Dataset photos, String name) {
+    return CsvRows.read(photos.folder().resolve(Dataset.TABLE), List.of(name)).rows().stream()
+        .map(row -> Double.valueOf(row.get(name).text()))
+        .toList();
   }
 
   private static double corner(Sample sample) {

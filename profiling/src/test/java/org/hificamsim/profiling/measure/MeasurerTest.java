@@ -18,7 +18,6 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.SmallLab;
-import org.hificamsim.profiling.dataset.Covariate;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.Photos;
 import org.hificamsim.profiling.dataset.Sample;
@@ -117,10 +116,7 @@ class MeasurerTest {
         new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.RECTANGLE);
     new Measurer(dataset, rectangles).measure(2, () -> {});
     assertTrue(
-        table()
-            .startsWith(
-                "image,object,size_m,distance_m,focal_length_m,pip_rectangle,"
-                    + "distinctiveness,aperture,distortion,light,orb\n"));
+        table().startsWith("image,object,size_m,distance_m,focal_length_m,pip_rectangle,orb\n"));
     assertEquals(PipReading.RECTANGLE, PipReading.ofDataset(folder));
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
     List<Measurement> rows = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
@@ -190,18 +186,7 @@ class MeasurerTest {
     assertEquals(1, warnings.size(), warnings.toString());
     assertTrue(warnings.get(0).startsWith(blank + ": orb finds no feature"), warnings.get(0));
     Measurement row = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME)).get(0);
-    assertEquals(0, row.covariates().get(Covariate.DISTINCTIVENESS));
     assertEquals(0, row.confidence("orb"));
-  }
-
-  @Test
-  void distinctivenessIsTheTemplatesShareOfCellsWithACorner() {
-    new Measurer(dataset, ORB).measure(2, () -> {});
-    List<Measurement> rows = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
-    Map<String, Double> of = new LinkedHashMap<>();
-    rows.forEach(row -> of.put(row.object(), row.covariates().get(Covariate.DISTINCTIVENESS)));
-    assertEquals(4, of.size());
-    of.values().forEach(value -> assertTrue(value > 0.1 && value <= 1, of.toString()));
   }
 
   @ParameterizedTest
@@ -244,8 +229,7 @@ class MeasurerTest {
             first.distance(),
             first.focalLength(),
             first.patch(),
-            first.mask(),
-            Map.of());
+            first.mask());
     String message =
         assertThrows(InputException.class, () -> measured(List.of(sample))).getMessage();
     assertTrue(message.startsWith(cut + ": the picture is cut short"), message);
@@ -260,8 +244,7 @@ class MeasurerTest {
         sample.distance(),
         sample.focalLength(),
         sample.patch(),
-        sample.mask(),
-        sample.covariates());
+        sample.mask());
   }
 
   private static Outcome measured(List<Sample> samples) {
@@ -282,6 +265,17 @@ class MeasurerTest {
         assertThrows(InputException.class, () -> MeasurementsFile.read(file)).getMessage();
     assertTrue(message.startsWith(file + ":3:"), message);
     assertTrue(message.contains("pip is '2', expected a share above 0"), message);
+  }
+
+  @Test
+  void columnsOfConditionsInOlderTablesAreNoDetectors() throws IOException {
+    Path file = folder.resolve("older.csv");
+    Files.writeString(
+        file,
+        "image,object,size_m,distance_m,focal_length_m,pip,distinctiveness,aperture,distortion,"
+            + "light,orb\n"
+            + "a,b,0.1,1,0.01,0.5,0.7,f/8,,,0.2\n");
+    assertEquals(Map.of("orb", 0.2), MeasurementsFile.read(file).get(0).confidences());
   }
 
   private static String table() throws IOException {

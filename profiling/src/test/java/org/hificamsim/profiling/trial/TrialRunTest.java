@@ -6,16 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
-import org.hificamsim.core.detection.Conditions;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.HiFiDetection;
-import org.hificamsim.profiling.dataset.Covariate;
-import org.hificamsim.profiling.fit.CovariateChoice;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
 import org.hificamsim.profiling.fit.FittedModel;
@@ -36,7 +32,7 @@ class TrialRunTest {
   /** A curve through all photos: nothing is left to disagree about but rounding. */
   @Test
   void aDetectorAsTheModelSaysIsDetectedAsMeasured() {
-    Trials trials = trials(curve().take(1), "none");
+    Trials trials = trials(curve().take(1));
     assertEquals("d-pinhole", trials.model().name());
     assertEquals(THRESHOLD, trials.threshold());
     assertEquals(1, trials.share(Trial::agrees));
@@ -49,7 +45,7 @@ class TrialRunTest {
 
   @Test
   void theSimulatorSaysWhatTheModelWithoutTheObjectSays() {
-    Trials trials = trials(curve().scatter(0.1, 0.05).take(2), "none");
+    Trials trials = trials(curve().scatter(0.1, 0.05).take(2));
     List<String> objects =
         trials.photos().stream().map(one -> one.photo().object()).distinct().toList();
     for (Trial one : trials.photos()) {
@@ -63,9 +59,8 @@ class TrialRunTest {
   /** Nobody who has not seen the object knows that it is never found. */
   @Test
   void anObjectThatIsNeverFoundIsInvented() {
-    UnaryOperator<Measurement> blank =
-        m -> m.object().equals("o6") ? Photos.with(m, 0, Map.of()) : m;
-    Trials trials = trials(curve().take(1).stream().map(blank).toList(), "none");
+    UnaryOperator<Measurement> blank = m -> m.object().equals("o6") ? Photos.with(m, 0) : m;
+    Trials trials = trials(curve().take(1).stream().map(blank).toList());
     double invented = trials.share(Trial::invented);
     assertTrue(invented > 0.02, "" + invented);
     assertTrue(
@@ -81,7 +76,7 @@ class TrialRunTest {
   /** By chance the share of the detected is right though no single draw is known. */
   @Test
   void chanceExpectsAsMuchAsIsMeasured() {
-    Trials trials = trials(curve().scatter(0, 0.12).take(3), "none");
+    Trials trials = trials(curve().scatter(0, 0.12).take(3));
     Covered expected = trials.byChance().orElseThrow();
     assertEquals(trials.measuredByChance().once(), expected.once(), 0.05);
     assertEquals(trials.measuredByChance().meanK(), expected.meanK(), 0.15);
@@ -90,21 +85,8 @@ class TrialRunTest {
   }
 
   @Test
-  void conditionsAreThoseOfThePhotos() {
-    List<Measurement> photos = new ArrayList<>();
-    for (Measurement m : curve().take(1)) {
-      double light = 0.5 + photos.size() % 2;
-      double share = m.pip() * Math.exp(2 * (light - 1));
-      photos.add(Photos.with(m, g(share), Map.of(Covariate.LIGHT, light)));
-    }
-    Trials lit = trials(photos, "light");
-    assertTrue(lit.share(Trial::agrees) > 0.98, "" + lit.share(Trial::agrees));
-    assertTrue(trials(photos, "none").share(Trial::agrees) < lit.share(Trial::agrees) - 0.02);
-  }
-
-  @Test
   void everyPhotoIsARowAndAsManyThreadsAsThereAreChangeNothing() throws IOException {
-    FitResult result = fit(curve().scatter(0.1, 0.05).take(2), "none");
+    FitResult result = fit(curve().scatter(0.1, 0.05).take(2));
     TrialsFile.write(folder, TrialRun.all(result, 1));
     String one = Files.readString(folder.resolve(TrialsFile.NAME));
     TrialsFile.write(folder, TrialRun.all(result, 2));
@@ -125,7 +107,7 @@ class TrialRunTest {
   private static double confidence(HiFiDetection model, Measurement photo) {
     double angle = 2 * StrictMath.atan(0.0224 / (2 * photo.focalLength()));
     ZoomLevel zoom = new ZoomLevel(99, 99, 99, Double.NaN, angle, angle, 0);
-    return model.confidence(photo.size(), photo.distance(), 0, zoom.under(Conditions.UNKNOWN));
+    return model.confidence(photo.size(), photo.distance(), 0, zoom);
   }
 
   private static double g(double share) {
@@ -136,12 +118,12 @@ class TrialRunTest {
     return new Photos().detector("d", TrialRunTest::g).scatter(0, 0);
   }
 
-  private static Trials trials(List<Measurement> photos, String covariates) {
-    FitResult result = fit(photos, covariates);
+  private static Trials trials(List<Measurement> photos) {
+    FitResult result = fit(photos);
     return TrialRun.of(FittedModel.of(result, "d").get(0));
   }
 
-  private static FitResult fit(List<Measurement> photos, String covariates) {
+  private static FitResult fit(List<Measurement> photos) {
     FitSettings settings =
         new FitSettings(
             5,
@@ -149,7 +131,6 @@ class TrialRunTest {
             new SymbolicSettings(50, 1, 0.001, 0),
             SupportVectorSettings.THESIS,
             Optional.of("saturating-exponential"),
-            CovariateChoice.of(List.of(covariates)),
             Map.of("d", THRESHOLD));
     return new Fitting(settings).fit(Photos.CAMERA, photos, 2);
   }
