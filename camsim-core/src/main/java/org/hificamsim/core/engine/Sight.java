@@ -2,6 +2,7 @@ package org.hificamsim.core.engine;
 
 import java.util.Arrays;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.policy.SeenTask;
 import org.hificamsim.core.scenario.Field;
@@ -27,6 +28,9 @@ import org.hificamsim.core.world.World;
  * detects all that is near enough ({@link #whole}) needs no branch.
  */
 final class Sight {
+  /** Pairs of cameras and targets below which looking at all takes no longer. */
+  private static final long MIN_PAIRS = 4_000;
+
   /** With fewer cells most cameras would look at most targets anyway. */
   private static final int MIN_CELLS = 40;
 
@@ -68,12 +72,15 @@ final class Sight {
     Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, all[target]));
     findLevels();
     Field field = world.scenario().field();
-    this.grid = Double.isNaN(side) ? grid(field, meanReach()) : over(field, side);
+    this.grid = Double.isNaN(side) ? grid(field) : over(field, side);
   }
 
-  private PointGrid grid(Field field, double side) {
-    PointGrid cells = over(field, side);
-    return cells.cells() < MIN_CELLS ? PointGrid.single(sizeClass.length) : cells;
+  private PointGrid grid(Field field) {
+    if ((long) cameras.count() * targets.count() < MIN_PAIRS) {
+      return PointGrid.single(targets.count());
+    }
+    PointGrid cells = over(field, meanReach());
+    return cells.cells() < MIN_CELLS ? PointGrid.single(targets.count()) : cells;
   }
 
   private PointGrid over(Field field, double side) {
@@ -81,17 +88,18 @@ final class Sight {
         field.minX(), field.minY(), field.width(), field.height(), side, sizeClass.length);
   }
 
-  /** Over cameras and their views, metres. */
+  /** How far a camera sees, metres. */
   private double meanReach() {
     double sum = 0;
-    long views = 0;
     for (int camera = 0; camera < cameras.count(); camera++) {
-      for (int view = 0; view < cameras.views(camera); view++) {
-        sum += reach(camera, view);
-        views++;
-      }
+      int last = cameras.views(camera) - 1;
+      ZoomLevel widest = cameras.zoom(camera, last);
+      sum +=
+          widest.hasLens()
+              ? Math.sqrt(reach(camera, 0) * reach(camera, last)) // of the narrowest and the widest
+              : widest.radius();
     }
-    return sum / views;
+    return sum / cameras.count();
   }
 
   /** Takes note of the step that begins, and of cameras that changed since the last one. */
@@ -173,7 +181,12 @@ final class Sight {
     return level.isInReach(squared)
         && level.isInAngle(pose, x, y)
         && level.detectsInView(
-            pose, x, y, squared, visibility.luck(step, camera, target), transmittance(camera, target));
+            pose,
+            x,
+            y,
+            squared,
+            visibility.luck(step, camera, target),
+            transmittance(camera, target));
   }
 
   /**
@@ -196,7 +209,12 @@ final class Sight {
     double squared = pose.squaredDistance(x, y);
     return level.isInReach(squared)
         && level.detectsInView(
-            pose, x, y, squared, visibility.luck(step, camera, target), transmittance(camera, target));
+            pose,
+            x,
+            y,
+            squared,
+            visibility.luck(step, camera, target),
+            transmittance(camera, target));
   }
 
   /** The chance that the camera detects the target, were it at this view, in [0, 1]. */

@@ -53,8 +53,7 @@ public final class LevelSight {
     int intervals = distances.intervals();
     this.single = intervals == 1 && distances.from(0) == 0;
     this.farthest = intervals == 0 ? -1 : distances.to(intervals - 1);
-    this.chances =
-        byDistance || model.dependsOnBearing() ? null : detection.chances(size, zoom);
+    this.chances = byDistance || model.dependsOnBearing() ? null : detection.chances(size, zoom);
   }
 
   /** Whether distance and angle alone decide where nothing stands in between. */
@@ -156,10 +155,11 @@ public final class LevelSight {
     if (!isInReach(squared) || !isInAngle(camera, x, y)) {
       return 0;
     }
-    return transmittance
-        * (chances == null
-            ? detection.chance(value(camera, x, y))
-            : chances.chance(Math.sqrt(squared)));
+    if (chances != null) {
+      return transmittance * chances.chance(Math.sqrt(squared));
+    }
+    double value = valueInView(camera, x, y);
+    return Double.isNaN(value) ? 0 : transmittance * detection.chance(value);
   }
 
   /** The model's own value for a target in the field of view, whatever the threshold; else 0. */
