@@ -104,8 +104,7 @@ class BigNetworkTest {
     double side = random.nextBoolean() ? Double.POSITIVE_INFINITY : random.nextDouble(0.3, 12);
     Visibility visibility = Visibility.of(Detection.of(model(which, random)));
     ObservedNetwork network =
-        new ObservedNetwork(
-            world, visibility, Workers.CALLER, new Sight(world, visibility, side));
+        new ObservedNetwork(world, visibility, Workers.CALLER, new Sight(world, visibility, side));
     world.fireEvents(STEPS);
     network.beginStep(STEPS);
     network.locate();

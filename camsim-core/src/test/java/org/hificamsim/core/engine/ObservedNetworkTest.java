@@ -216,8 +216,7 @@ class ObservedNetworkTest {
     Visibility visibility = Visibility.of(certain(rule));
     Sight sight = new Sight(world, visibility, side);
     assertEquals(side < 20, sight.grid().cells() > 1);
-    ObservedNetwork network =
-        new ObservedNetwork(world, visibility, Workers.CALLER, sight);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, sight);
     begin(world, network);
     long[] masks = new long[5];
     Arrays.fill(masks, -1);
