@@ -9,6 +9,7 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Visibility;
 
 /**
@@ -143,8 +144,12 @@ final class LiveNetwork implements OracleView {
   private double confidence(int camera, int view, int target) {
     LiveCamera eye = cameras.get(camera);
     double luck = visibility.luck(step, camera, target);
-    return visibility.confidence(
-        eye.pose(view), eye.views().zoom(view), targetX(target), targetY(target), size, luck);
+    return sight(camera, view)
+        .confidence(eye.pose(view), targetX(target), targetY(target), luck, 1);
+  }
+
+  private LevelSight sight(int camera, int view) {
+    return visibility.at(zoom(camera, view), size);
   }
 
   /** Records what came of a camera's look at an object in this step. */
@@ -237,7 +242,7 @@ final class LiveNetwork implements OracleView {
 
   @Override
   public double reach(int camera, int view) {
-    return visibility.reach(zoom(camera, view), size);
+    return sight(camera, view).reach();
   }
 
   @Override
@@ -296,9 +301,8 @@ final class LiveNetwork implements OracleView {
     if (!present(target)) {
       return 0;
     }
-    double x = targetX(target);
-    double y = targetY(target);
-    return DetectionModel.clamp(visibility.value(eye.pose(eye.view()), eye.zoom(), x, y, size));
+    return DetectionModel.clamp(
+        sight(camera, eye.view()).value(eye.pose(eye.view()), targetX(target), targetY(target)));
   }
 
   @Override
@@ -308,10 +312,9 @@ final class LiveNetwork implements OracleView {
 
   @Override
   public double chance(int camera, int view, int target) {
-    LiveCamera eye = cameras.get(camera);
-    ZoomLevel zoom = zoom(camera, view);
     return present(target)
-        ? visibility.chance(eye.pose(view), zoom, targetX(target), targetY(target), size)
+        ? sight(camera, view)
+            .chance(cameras.get(camera).pose(view), targetX(target), targetY(target), 1)
         : 0;
   }
 
@@ -320,6 +323,6 @@ final class LiveNetwork implements OracleView {
     boolean whichWay = visibility.detection().model().dependsOnBearing();
     boolean sameWay =
         pan(camera, view) == pan(camera, other) || (zoom(camera, view).allRound() && !whichWay);
-    return sameWay && visibility.dominates(zoom(camera, view), zoom(camera, other), size);
+    return sameWay && sight(camera, view).includes(sight(camera, other));
   }
 }

@@ -8,7 +8,6 @@ import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.policy.SeenTask;
-import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.SightLines;
@@ -17,6 +16,9 @@ import org.hificamsim.core.world.World;
 
 /** The cameras' observations of a world, and all that policies and listeners may know of it. */
 final class ObservedNetwork implements OracleView {
+  /** Entries for what a worker has found and not counted yet: few enough for a fast cache. */
+  private static final int ROOM = 1 << 10;
+
   private final Cameras cameras;
   private final Targets targets;
   private final SightLines lines;
@@ -25,10 +27,9 @@ final class ObservedNetwork implements OracleView {
   private final int[] detected;
   private final int[] coverage;
   private final boolean phantoms;
-  private final PointGrid grid;
-  private final NearTargets near;
   private final Objective objective;
   private final Workers workers;
+  private final long[][] found; // of each worker
   private final int[][] counts; // of each worker, in the order of the grid
   private final Workers.Share looking = this::look;
   private final Workers.Share adding = this::addUp;
@@ -37,22 +38,10 @@ final class ObservedNetwork implements OracleView {
   private long step;
 
   ObservedNetwork(World world, Visibility visibility, Workers workers) {
-    this(world, visibility, workers, Sight.of(world, visibility));
+    this(world, visibility, workers, new Sight(world, visibility));
   }
 
-  private ObservedNetwork(World world, Visibility visibility, Workers workers, Sight sight) {
-    this(world, visibility, workers, sight, GridChoice.of(world, sight));
-  }
-
-  /**
-   * @param grid empty, with room for all targets
-   */
-  ObservedNetwork(World world, Visibility visibility, Workers workers, PointGrid grid) {
-    this(world, visibility, workers, Sight.of(world, visibility), grid);
-  }
-
-  private ObservedNetwork(
-      World world, Visibility visibility, Workers workers, Sight sight, PointGrid grid) {
+  ObservedNetwork(World world, Visibility visibility, Workers workers, Sight sight) {
     this.cameras = world.cameras();
     this.targets = world.targets();
     this.lines = world.sightLines();
@@ -61,34 +50,21 @@ final class ObservedNetwork implements OracleView {
     this.detected = new int[cameras.count()];
     this.coverage = new int[targets.count()];
     this.phantoms = visibility.detection().rule().phantoms() > 0;
-    this.grid = grid;
-    this.near = new NearTargets(cameras, sight, grid);
     this.objective = world.scenario().objective();
     this.workers = workers;
-    this.counts = new int[workers.count()][];
-    Arrays.setAll(counts, worker -> new int[coverage.length]);
+    this.found = new long[workers.count()][ROOM + coverage.length + 1];
+    this.counts = new int[workers.count()][coverage.length];
   }
 
   /** Says which step is under way, and takes note of what its events changed. */
   void beginStep(long newStep) {
     step = newStep;
-    sight.refresh(newStep);
+    sight.beginStep(newStep);
   }
 
-  /**
-   * Takes note of where the targets are, for the decisions and the observation that follow. One
-   * whose place is no number is nowhere: no camera detects it.
-   */
+  /** Takes note of where the targets are, for the decisions and the observation that follow. */
   void locate() {
-    grid.clear();
-    for (int target = 0; target < coverage.length; target++) {
-      double x = targets.x(target);
-      double y = targets.y(target);
-      if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
-        grid.add(target, x, y);
-      }
-    }
-    grid.sort();
+    sight.locate();
   }
 
   /** Every online camera looks at the targets, or has done so. */
@@ -120,22 +96,16 @@ final class ObservedNetwork implements OracleView {
     Arrays.fill(counts[worker], 0);
     int first = workers.first(worker, detected.length);
     int end = workers.first(worker + 1, detected.length);
-    if (grid.cells() == 1 && sight.lookAll(first, end, grid, detected, counts[worker])) {
-      return;
-    }
-    for (int camera = first; camera < end; camera++) {
-      detected[camera] =
-          cameras.online(camera) ? near.look(camera, cameras.seeing(camera), counts[worker]) : 0;
-    }
+    sight.look(first, end, detected, counts[worker], found[worker]);
   }
 
   /** Adds up what all workers counted, each worker for some of the targets. */
   private void addUp(int worker) {
-    int first = workers.first(worker, grid.count());
-    int end = workers.first(worker + 1, grid.count());
+    int first = workers.first(worker, sight.grid().count());
+    int end = workers.first(worker + 1, sight.grid().count());
     for (int[] count : counts) {
       for (int i = first; i < end; i++) {
-        coverage[grid.point(i)] += count[i];
+        coverage[sight.grid().point(i)] += count[i];
       }
     }
   }
@@ -271,13 +241,7 @@ final class ObservedNetwork implements OracleView {
     if (!targets.present(target) || view == Cameras.NO_VIEW) {
       return 0;
     }
-    double value =
-        visibility.value(
-            cameras.pose(camera, view),
-            cameras.zoom(camera, view),
-            targets.x(target),
-            targets.y(target),
-            targets.size(target));
+    double value = sight.value(camera, view, target);
     return DetectionModel.clamp(value * lines.transmittance(camera, target));
   }
 
@@ -306,7 +270,7 @@ final class ObservedNetwork implements OracleView {
 
   @Override
   public int chances(int camera, int view, int[] who, double[] chances) {
-    return near.chances(camera, view, who, chances);
+    return sight.chances(camera, view, who, chances);
   }
 
   @Override
@@ -316,13 +280,20 @@ final class ObservedNetwork implements OracleView {
 
   @Override
   public void findSeen(SeenPairs pairs) {
-    near.findSeen(pairs);
+    int filled = 0;
+    for (int camera = 0; camera < detected.length; camera++) {
+      if (cameras.online(camera)) {
+        long[] room = pairs.scratch(filled + coverage.length + 1);
+        filled = sight.find(camera, cameras.seeing(camera), room, filled);
+      }
+    }
+    sight.add(pairs, filled);
   }
 
   @Override
   public <T> void eachSeen(int camera, T work, SeenTask<T> task) {
     if (cameras.online(camera)) {
-      near.eachSeen(camera, cameras.seeing(camera), work, task);
+      sight.eachSeen(camera, cameras.seeing(camera), work, task);
     }
   }
 
@@ -333,7 +304,7 @@ final class ObservedNetwork implements OracleView {
 
   @Override
   public void detections(int camera, long[] masks, int words) {
-    near.mark(camera, masks, words);
+    sight.mark(camera, masks, words);
   }
 
   @Override

@@ -1,120 +1,493 @@
 package org.hificamsim.core.engine;
 
+import java.util.Arrays;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.policy.SeenPairs;
+import org.hificamsim.core.policy.SeenTask;
+import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.LevelSight;
+import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
+import org.hificamsim.core.world.Cameras;
+import org.hificamsim.core.world.SightLines;
+import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 
 /**
- * What cameras can see, where everything is now: the pipeline of {@link Visibility}, asked of many
- * targets at a time. Between two refreshes any number of threads may ask.
+ * What cameras can see, where everything is now: {@link Visibility}, asked of many targets at a
+ * time. Between two calls of {@link #beginStep} or {@link #locate} any number of threads may ask.
+ *
+ * <p>What a camera sees at a zoom level is found when the level is first met, once for each size of
+ * targets. Where targets are many, a camera looks at those in the cells of a grid that its reach
+ * touches.
+ *
+ * <p>Whether a target is near enough is a coin toss that a processor's guess of a branch loses half
+ * of the time. So the sign bit of a difference of squared distances says it, and a camera that
+ * detects all that is near enough ({@link #whole}) needs no branch.
  */
-interface Sight {
-  /** Chooses the fastest sight that is exact for the detection model. */
-  static Sight of(World world, Visibility visibility) {
-    if (visibility.detection().model().dependsOnBearing()) {
-      return new BearingSight(world, visibility);
-    }
-    return visibility.detection().certain()
-        ? new DistanceSight(world, visibility)
-        : new ChanceSight(world, visibility);
+final class Sight {
+  /** Pairs of cameras and targets below which looking at all takes no longer. */
+  private static final long MIN_PAIRS = 4_000;
+
+  /** With fewer cells most cameras would look at most targets anyway. */
+  private static final int MIN_CELLS = 40;
+
+  private static final double NOT_KNOWN = -1;
+
+  private final Cameras cameras;
+  private final Targets targets;
+  private final SightLines lines;
+  private final boolean open;
+  private final Visibility visibility;
+  private final double[] sizes;
+  private final int[] sizeClass; // of each target
+  private final PointGrid grid;
+  private LevelSight[] levels = {}; // by the zoom level's number, then by size class
+  private double[] outside = {}; // by number: from this squared distance on nothing is detected
+  private double[] reach = {}; // by number: beyond this distance, metres, nothing is detected
+  private boolean[] whole = {}; // by number: whatever is nearer is detected
+  private boolean allWhole = true; // all levels are whole
+  private int revision = -1;
+  private long step;
+
+  Sight(World world, Visibility visibility) {
+    this(world, visibility, Double.NaN);
   }
 
   /**
-   * Takes note of cameras that changed since the last call.
-   *
-   * @param step that begins
+   * @param side of the grid's cells, metres; NaN where it is to be chosen
    */
-  void refresh(long step);
+  Sight(World world, Visibility visibility, double side) {
+    this.cameras = world.cameras();
+    this.targets = world.targets();
+    this.lines = world.sightLines();
+    this.open = lines.open();
+    this.visibility = visibility;
+    double[] all = new double[targets.count()];
+    Arrays.setAll(all, targets::size);
+    this.sizes = Arrays.stream(all).sorted().distinct().toArray();
+    this.sizeClass = new int[all.length];
+    Arrays.setAll(sizeClass, target -> Arrays.binarySearch(sizes, all[target]));
+    findLevels();
+    Field field = world.scenario().field();
+    this.grid = Double.isNaN(side) ? grid(field) : over(field, side);
+  }
+
+  private PointGrid grid(Field field) {
+    if ((long) cameras.count() * targets.count() < MIN_PAIRS) {
+      return PointGrid.single(targets.count());
+    }
+    PointGrid cells = over(field, meanReach());
+    return cells.cells() < MIN_CELLS ? PointGrid.single(targets.count()) : cells;
+  }
+
+  private PointGrid over(Field field, double side) {
+    return PointGrid.over(
+        field.minX(), field.minY(), field.width(), field.height(), side, sizeClass.length);
+  }
+
+  /** How far a camera sees, metres. */
+  private double meanReach() {
+    double sum = 0;
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      int last = cameras.views(camera) - 1;
+      ZoomLevel widest = cameras.zoom(camera, last);
+      sum +=
+          widest.hasLens()
+              ? Math.sqrt(reach(camera, 0) * reach(camera, last)) // of the narrowest and the widest
+              : widest.radius();
+    }
+    return sum / cameras.count();
+  }
+
+  /** Takes note of the step that begins, and of cameras that changed since the last one. */
+  void beginStep(long newStep) {
+    step = newStep;
+    if (revision != cameras.revision()) {
+      findLevels();
+    }
+  }
+
+  private void findLevels() {
+    revision = cameras.revision();
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      for (int view = 0; view < cameras.views(camera); view++) {
+        int number = cameras.zoomNumber(camera, view);
+        if (number >= outside.length || outside[number] == 0) {
+          findLevel(number, camera, view);
+        }
+      }
+    }
+  }
+
+  private void findLevel(int number, int camera, int view) {
+    if (number >= outside.length) {
+      int length = Math.max(number + 1, 2 * outside.length);
+      levels = Arrays.copyOf(levels, length * sizes.length);
+      outside = Arrays.copyOf(outside, length);
+      reach = Arrays.copyOf(reach, length);
+      whole = Arrays.copyOf(whole, length);
+    }
+    double farthest = -1;
+    for (int size = 0; size < sizes.length; size++) {
+      LevelSight level = visibility.at(cameras.zoom(camera, view), sizes[size]);
+      levels[number * sizes.length + size] = level;
+      farthest = Math.max(farthest, level.farthest());
+      reach[number] = Math.max(reach[number], level.reach());
+      whole[number] = sizes.length == 1 && level.isDisc() && level.byDistance() && open;
+    }
+    outside[number] = Math.nextUp(farthest);
+    allWhole &= whole[number];
+  }
+
+  /**
+   * Takes note of where the targets are. One whose place is no number is nowhere: no camera detects
+   * it.
+   */
+  void locate() {
+    grid.clear();
+    for (int target = 0; target < sizeClass.length; target++) {
+      double x = targets.x(target);
+      double y = targets.y(target);
+      if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
+        grid.add(target, x, y);
+      }
+    }
+    grid.sort();
+  }
+
+  /** Where the targets were when they were last located. */
+  PointGrid grid() {
+    return grid;
+  }
+
+  private LevelSight level(int camera, int view, int target) {
+    return levels[cameras.zoomNumber(camera, view) * sizes.length + sizeClass[target]];
+  }
+
+  private double transmittance(int camera, int target) {
+    return open ? 1 : lines.transmittance(camera, target);
+  }
 
   /** Whether the camera would detect the target, were it at this view. */
-  boolean detects(int camera, int view, int target);
-
-  /** The same, were it turned so that its picture has the target. */
-  boolean detectsTurned(int camera, int view, int target);
-
-  /** The chance that the camera detects the target, were it at this view, in [0, 1]. */
-  default double chance(int camera, int view, int target) {
-    return detects(camera, view, target) ? 1 : 0;
+  boolean detects(int camera, int view, int target) {
+    LevelSight level = level(camera, view, target);
+    Pose pose = cameras.pose(camera, view);
+    double x = targets.x(target);
+    double y = targets.y(target);
+    double squared = pose.squaredDistance(x, y);
+    return level.isInReach(squared)
+        && level.isInAngle(pose, x, y)
+        && level.detectsInView(
+            pose,
+            x,
+            y,
+            squared,
+            visibility.luck(step, camera, target),
+            transmittance(camera, target));
   }
 
   /**
-   * The model's value for a target that the camera detects at this view, as it would be with
-   * nothing in between; to about 1e-8.
+   * The same, were it turned so that its picture has the target.
+   *
+   * @throws InputException when the model looks at where in the picture a target is
+   */
+  boolean detectsTurned(int camera, int view, int target) {
+    if (visibility.detection().model().dependsOnBearing()) {
+      throw new InputException(
+          "detection '"
+              + visibility.detection().name()
+              + "' looks at where in the picture a target is, expected one that looks at its"
+              + " distance alone for cameras that turn freely");
+    }
+    LevelSight level = level(camera, view, target);
+    Pose pose = cameras.pose(camera);
+    double x = targets.x(target);
+    double y = targets.y(target);
+    double squared = pose.squaredDistance(x, y);
+    return level.isInReach(squared)
+        && level.detectsInView(
+            pose,
+            x,
+            y,
+            squared,
+            visibility.luck(step, camera, target),
+            transmittance(camera, target));
+  }
+
+  /** The chance that the camera detects the target, were it at this view, in [0, 1]. */
+  double chance(int camera, int view, int target) {
+    return level(camera, view, target)
+        .chance(
+            cameras.pose(camera, view),
+            targets.x(target),
+            targets.y(target),
+            transmittance(camera, target));
+  }
+
+  /** The model's value for a target, as it would be with nothing in between; 0 out of view. */
+  double value(int camera, int view, int target) {
+    return level(camera, view, target)
+        .value(cameras.pose(camera, view), targets.x(target), targets.y(target));
+  }
+
+  /**
+   * The same to about 1e-8 for a target that the camera detects at this view.
    *
    * @param distance between the two, metres
    */
-  double value(int camera, int view, int target, double distance);
+  double value(int camera, int view, int target, double distance) {
+    return level(camera, view, target)
+        .value(cameras.pose(camera, view), targets.x(target), targets.y(target), distance);
+  }
 
   /** Whether {@code view} is proven to detect whatever {@code other} does. */
-  boolean dominates(int camera, int view, int other);
+  boolean dominates(int camera, int view, int other) {
+    if (view == other || lines.partial()) {
+      return view == other;
+    }
+    for (int size = 0; size < sizes.length; size++) {
+      LevelSight mine = levels[cameras.zoomNumber(camera, view) * sizes.length + size];
+      LevelSight its = levels[cameras.zoomNumber(camera, other) * sizes.length + size];
+      if (!mine.byDistance() || !mine.includes(its)) {
+        return false;
+      }
+    }
+    return cameras.zoom(camera, view).allRound()
+        || cameras.pan(camera, view) == cameras.pan(camera, other);
+  }
 
   /** The distance beyond which the camera detects nothing at this view, metres; rounded up. */
-  double reach(int camera, int view);
+  double reach(int camera, int view) {
+    return reach[cameras.zoomNumber(camera, view)];
+  }
 
   /**
-   * Counts the targets that the camera would detect at this view, among some that are near.
+   * Looks with some cameras, each through the view that it sees through.
    *
-   * @param grid where they are; those from index {@code from} up to {@code to} are looked at
-   * @param counts one is added to the entry of each index whose target is detected
+   * @param detected receives how many targets each of the cameras detects
+   * @param counts by index in the grid; one is added for each camera that detects the target
+   * @param room for what a camera detects: an entry for each target, and one more
    */
-  default int look(int camera, int view, PointGrid grid, int from, int to, int[] counts) {
-    int count = 0;
+  void look(int first, int end, int[] detected, int[] counts, long[] room) {
+    for (int camera = first; camera < end; camera++) {
+      int view = cameras.online(camera) ? cameras.seeing(camera) : Cameras.NO_VIEW;
+      if (view == Cameras.NO_VIEW) {
+        detected[camera] = 0;
+      } else if (grid.cells() == 1 && whole[cameras.zoomNumber(camera, view)]) {
+        detected[camera] = count(camera, outside[cameras.zoomNumber(camera, view)], counts);
+      } else {
+        detected[camera] = find(camera, view, room, 0);
+        for (int k = 0; k < detected[camera]; k++) {
+          counts[(int) room[k]]++;
+        }
+      }
+    }
+  }
+
+  private int count(int camera, double below, int[] counts) {
+    double x = cameras.x(camera);
+    double y = cameras.y(camera);
+    int seen = 0;
+    for (int i = 0; i < grid.count(); i++) {
+      double dx = grid.x(i) - x;
+      double dy = grid.y(i) - y;
+      int hit = negative(dx * dx + dy * dy - below);
+      counts[i] += hit;
+      seen += hit;
+    }
+    return seen;
+  }
+
+  /**
+   * Finds the targets that the camera detects at a view.
+   *
+   * @param view {@link Cameras#NO_VIEW} sees none
+   * @param found receives them, from entry {@code first} on: the camera in the upper half, the
+   *     index in the grid in the lower
+   * @return how many entries are filled then; the next one may be written too
+   */
+  int find(int camera, int view, long[] found, int first) {
+    if (view == Cameras.NO_VIEW) {
+      return first;
+    }
+    if (grid.cells() == 1) {
+      return find(camera, view, 0, grid.count(), found, first);
+    }
+    double far = reach(camera, view);
+    int left = grid.column(cameras.x(camera) - far);
+    int right = grid.column(cameras.x(camera) + far);
+    int top = grid.row(cameras.y(camera) + far);
+    int filled = first;
+    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
+      filled = find(camera, view, grid.start(row, left), grid.end(row, right), found, filled);
+    }
+    return filled;
+  }
+
+  private int find(int camera, int view, int from, int to, long[] found, int first) {
+    int number = cameras.zoomNumber(camera, view);
+    double below = outside[number];
+    double x = cameras.x(camera);
+    double y = cameras.y(camera);
+    long upper = (long) camera << Integer.SIZE;
+    int filled = first;
     for (int i = from; i < to; i++) {
-      if (detects(camera, view, grid.point(i))) {
-        counts[i]++;
-        count++;
+      double dx = grid.x(i) - x;
+      double dy = grid.y(i) - y;
+      found[filled] = upper + i;
+      filled += negative(dx * dx + dy * dy - below);
+    }
+    return whole[number] ? filled : keepDetected(camera, view, found, first, filled);
+  }
+
+  /** Leaves out what is near enough, but not detected. */
+  private int keepDetected(int camera, int view, long[] found, int first, int end) {
+    int kept = first;
+    for (int k = first; k < end; k++) {
+      if (detects(camera, view, grid.point((int) found[k]))) {
+        found[kept++] = found[k];
+      }
+    }
+    return kept;
+  }
+
+  /**
+   * Turns what was found into pairs with the places of the targets in the cameras' pictures.
+   *
+   * @param pairs receives them; what was found is in its scratch
+   */
+  void add(SeenPairs pairs, int count) {
+    long[] found = pairs.scratch(0);
+    pairs.clear();
+    for (int k = 0; k < count; k++) {
+      int camera = (int) (found[k] >>> Integer.SIZE);
+      int i = (int) found[k];
+      Pose pose = cameras.pose(camera, cameras.seeing(camera));
+      double dx = grid.x(i) - pose.x();
+      double dy = grid.y(i) - pose.y();
+      double ahead = dx * pose.headingX() + dy * pose.headingY();
+      double right = dx * pose.headingY() - dy * pose.headingX();
+      pairs.add(camera, grid.point(i), ahead, right);
+    }
+  }
+
+  /** 1 or 0, by the sign bit. */
+  private static int negative(double difference) {
+    return (int) (Double.doubleToRawLongBits(difference) >>> 63);
+  }
+
+  /** As {@link org.hificamsim.core.policy.OracleView#chances(int, int, int[], double[])}. */
+  int chances(int camera, int view, int[] who, double[] chances) {
+    double far = reach(camera, view);
+    int left = grid.column(cameras.x(camera) - far);
+    int right = grid.column(cameras.x(camera) + far);
+    int top = grid.row(cameras.y(camera) + far);
+    int count = 0;
+    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
+      int end = grid.end(row, right);
+      for (int i = grid.start(row, left); i < end; i++) {
+        chances[count] = chance(camera, view, grid.point(i));
+        who[count] = grid.point(i);
+        count += chances[count] > 0 ? 1 : 0;
       }
     }
     return count;
   }
 
-  /**
-   * Looks with some cameras, each through the view that it sees through, at all targets: faster
-   * than {@link #look} camera by camera, where there is a way.
-   *
-   * @param grid of one cell
-   * @param detected receives how many targets each of the cameras detects; 0 for one that is off
-   * @param counts as of {@link #look}
-   * @return whether there is; else nothing was done
-   */
-  default boolean lookAll(int from, int to, PointGrid grid, int[] detected, int[] counts) {
-    return false;
-  }
-
-  /**
-   * Finds the targets that the camera would detect at this view, among some that are near.
-   *
-   * @param grid where they are; those from index {@code from} up to {@code to} are looked at
-   * @param found receives those that are detected, from entry {@code count} on: the camera in the
-   *     upper half, the index in the lower
-   * @return how many entries are filled then; the next one may be written too
-   */
-  default int find(
-      int camera, int view, PointGrid grid, int from, int to, long[] found, int count) {
-    long first = (long) camera << Integer.SIZE;
-    int filled = count;
-    for (int i = from; i < to; i++) {
-      if (detects(camera, view, grid.point(i))) {
-        found[filled++] = first + i;
+  /** As {@link org.hificamsim.core.policy.NetworkView#eachSeen}. */
+  <T> void eachSeen(int camera, int view, T work, SeenTask<T> task) {
+    if (view == Cameras.NO_VIEW) {
+      return;
+    }
+    double far = reach(camera, view);
+    int left = grid.column(cameras.x(camera) - far);
+    int right = grid.column(cameras.x(camera) + far);
+    int top = grid.row(cameras.y(camera) + far);
+    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
+      int end = grid.end(row, right);
+      for (int i = grid.start(row, left); i < end; i++) {
+        if (detects(camera, view, grid.point(i))) {
+          see(cameras.pose(camera, view), i, work, task);
+        }
       }
     }
-    return filled;
   }
 
-  /**
-   * Finds what all cameras detect of all targets, as {@link #lookAll} looks.
-   *
-   * @param found as of {@link #find}, from entry 0 on; with room for all pairs and one more
-   * @return how many entries are filled, or -1 where there is no such way
-   */
-  default int findAll(PointGrid grid, long[] found) {
-    return -1;
+  private <T> void see(Pose pose, int i, T work, SeenTask<T> task) {
+    double dx = grid.x(i) - pose.x();
+    double dy = grid.y(i) - pose.y();
+    double bearing = Math.IEEEremainder(Math.atan2(dx, dy) - pose.heading(), 2 * Math.PI);
+    task.see(work, grid.point(i), Math.hypot(dx, dy), bearing);
   }
 
-  /**
-   * Marks the targets that the camera would detect at each of its views, among some that are near.
-   *
-   * @param masks as {@link org.hificamsim.core.policy.OracleView#detections} has them
-   */
-  void mark(int camera, int views, PointGrid grid, int from, int to, long[] masks, int words);
+  /** As {@link org.hificamsim.core.policy.OracleView#detections}. */
+  void mark(int camera, long[] masks, int words) {
+    int views = cameras.views(camera);
+    Arrays.fill(masks, 0, views * words, 0);
+    if (grid.cells() == 1) {
+      mark(camera, views, 0, grid.count(), masks, words);
+      return;
+    }
+    double far = 0;
+    for (int view = 0; view < views; view++) {
+      far = Math.max(far, reach(camera, view));
+    }
+    int left = grid.column(cameras.x(camera) - far);
+    int right = grid.column(cameras.x(camera) + far);
+    int top = grid.row(cameras.y(camera) + far);
+    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
+      mark(camera, views, grid.start(row, left), grid.end(row, right), masks, words);
+    }
+  }
+
+  private void mark(int camera, int views, int from, int to, long[] masks, int words) {
+    double below = farthestOutside(camera, views);
+    for (int i = from; i < to; i++) {
+      double dx = grid.x(i) - cameras.x(camera);
+      double dy = grid.y(i) - cameras.y(camera);
+      double squared = dx * dx + dy * dy;
+      if (allWhole) {
+        markNear(camera, views, grid.point(i), squared, masks, words);
+      } else if (squared < below) {
+        markDetected(camera, views, grid.point(i), squared, masks, words);
+      }
+    }
+  }
+
+  private double farthestOutside(int camera, int views) {
+    double farthest = 0;
+    for (int view = 0; view < views && !allWhole; view++) {
+      farthest = Math.max(farthest, outside[cameras.zoomNumber(camera, view)]);
+    }
+    return farthest;
+  }
+
+  private void markNear(
+      int camera, int views, int target, double squared, long[] masks, int words) {
+    for (int view = 0; view < views; view++) {
+      long hit = negative(squared - outside[cameras.zoomNumber(camera, view)]);
+      masks[view * words + (target >> 6)] |= hit << target;
+    }
+  }
+
+  /** What is in between is found once for all views, when a first one has the target in view. */
+  private void markDetected(
+      int camera, int views, int target, double squared, long[] masks, int words) {
+    double luck = visibility.luck(step, camera, target);
+    double x = targets.x(target);
+    double y = targets.y(target);
+    double transmittance = NOT_KNOWN;
+    for (int view = 0; view < views; view++) {
+      LevelSight level = level(camera, view, target);
+      Pose pose = cameras.pose(camera, view);
+      if (level.isInReach(squared) && level.isInAngle(pose, x, y)) {
+        transmittance = transmittance < 0 ? transmittance(camera, target) : transmittance;
+        long hit = level.detectsInView(pose, x, y, squared, luck, transmittance) ? 1 : 0;
+        masks[view * words + (target >> 6)] |= hit << target;
+      }
+    }
+  }
 }

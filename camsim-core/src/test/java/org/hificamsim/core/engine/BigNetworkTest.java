@@ -23,7 +23,6 @@ import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.RemoveTarget;
-import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -55,14 +54,12 @@ class BigNetworkTest {
     double side = random.nextDouble(0.3, 12);
     World plain = scenario.world(seed);
     World binned = scenario.world(seed);
-    PointGrid one = PointGrid.single(plain.targets().count());
-    PointGrid grid = GridChoice.grid(binned, side);
-    assertTrue(grid.cells() > 1);
-    ObservedNetwork expected =
-        new ObservedNetwork(plain, Visibility.of(detection), Workers.CALLER, one);
+    Sight sight = new Sight(binned, Visibility.of(detection), side);
+    assertTrue(sight.grid().cells() > 1);
+    ObservedNetwork expected = inOneList(plain, Visibility.of(detection));
     try (Workers workers = Workers.of(1 + random.nextInt(3))) {
       ObservedNetwork observed =
-          new ObservedNetwork(binned, Visibility.of(detection), workers, grid);
+          new ObservedNetwork(binned, Visibility.of(detection), workers, sight);
       for (int step = 0; step < STEPS; step++) {
         long drawn = random.nextLong();
         advance(plain, expected, step, new SplittableRandom(drawn));
@@ -70,6 +67,12 @@ class BigNetworkTest {
         assertSame(expected, observed);
       }
     }
+  }
+
+  private static ObservedNetwork inOneList(World world, Visibility visibility) {
+    Sight sight = new Sight(world, visibility, Double.POSITIVE_INFINITY);
+    assertEquals(1, sight.grid().cells());
+    return new ObservedNetwork(world, visibility, Workers.CALLER, sight);
   }
 
   private static void advance(
@@ -98,13 +101,10 @@ class BigNetworkTest {
       @ForAll @IntRange(max = 3) int which, @ForAll long seed) {
     SplittableRandom random = new SplittableRandom(seed);
     World world = scenario(random).world(seed);
-    PointGrid grid =
-        random.nextBoolean()
-            ? PointGrid.single(world.targets().count())
-            : GridChoice.grid(world, random.nextDouble(0.3, 12));
-    Detection detection = Detection.of(model(which, random));
+    double side = random.nextBoolean() ? Double.POSITIVE_INFINITY : random.nextDouble(0.3, 12);
+    Visibility visibility = Visibility.of(Detection.of(model(which, random)));
     ObservedNetwork network =
-        new ObservedNetwork(world, Visibility.of(detection), Workers.CALLER, grid);
+        new ObservedNetwork(world, visibility, Workers.CALLER, new Sight(world, visibility, side));
     world.fireEvents(STEPS);
     network.beginStep(STEPS);
     network.locate();
@@ -136,13 +136,10 @@ class BigNetworkTest {
     World world = scenario.world();
     for (DetectionModel model :
         List.of(new GeometricDetection(), new CamSimVisibilityDetection())) {
-      ObservedNetwork network =
-          new ObservedNetwork(
-              world,
-              Visibility.of(Detection.of(model)),
-              Workers.CALLER,
-              GridChoice.grid(world, 2.5));
-      assertEquals(64, GridChoice.grid(world, 2.5).cells());
+      Visibility visibility = Visibility.of(Detection.of(model));
+      Sight sight = new Sight(world, visibility, 2.5);
+      assertEquals(64, sight.grid().cells());
+      ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, sight);
       network.locate();
       network.observe();
       assertEquals(4, network.detected(0), model.name());
@@ -151,7 +148,7 @@ class BigNetworkTest {
 
   private static int cells(World world) {
     Visibility visibility = Visibility.of(Detection.of(new GeometricDetection()));
-    return GridChoice.of(world, Sight.of(world, visibility)).cells();
+    return new Sight(world, visibility).grid().cells();
   }
 
   @Test

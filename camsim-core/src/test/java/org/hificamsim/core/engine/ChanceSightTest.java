@@ -1,7 +1,6 @@
 package org.hificamsim.core.engine;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -59,14 +58,12 @@ class ChanceSightTest {
     String rule = List.of("chance", "chance:memory=3", "probability").get(which);
     double waves = random.nextBoolean() ? 0 : random.nextDouble(5);
     Visibility visibility = Visibility.of(detection(rule, waves, false), seed);
-    Sight table = Sight.of(world, visibility);
-    Sight full = Sight.of(world, Visibility.of(detection(rule, waves, true), seed));
-    assertInstanceOf(ChanceSight.class, table);
-    assertInstanceOf(BearingSight.class, full);
+    Sight table = new Sight(world, visibility);
+    Sight full = new Sight(world, Visibility.of(detection(rule, waves, true), seed));
     int detected = 0;
     for (int step = 0; step < 5; step++) {
-      table.refresh(step);
-      full.refresh(step);
+      table.beginStep(step);
+      full.beginStep(step);
       for (int camera = 0; camera < world.cameras().count(); camera++) {
         for (int view = 0; view < world.cameras().views(camera); view++) {
           for (int target = 0; target < world.targets().count(); target++) {
@@ -86,13 +83,14 @@ class ChanceSightTest {
 
   private static double confidence(
       World world, Visibility visibility, int step, int camera, int view, int target) {
-    return visibility.confidence(
-        world.cameras().pose(camera),
-        world.cameras().zoom(camera, view),
-        world.targets().x(target),
-        world.targets().y(target),
-        world.targets().size(target),
-        visibility.luck(step, camera, target));
+    return visibility
+        .at(world.cameras().zoom(camera, view), world.targets().size(target))
+        .confidence(
+            world.cameras().pose(camera),
+            world.targets().x(target),
+            world.targets().y(target),
+            visibility.luck(step, camera, target),
+            1);
   }
 
   @Property(tries = 40, edgeCases = EdgeCasesMode.NONE)
@@ -103,7 +101,7 @@ class ChanceSightTest {
     ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
     try (Workers workers = Workers.of(3)) {
       ObservedNetwork binned =
-          new ObservedNetwork(world, visibility, workers, GridChoice.grid(world, 1.5));
+          new ObservedNetwork(world, visibility, workers, new Sight(world, visibility, 1.5));
       for (ObservedNetwork network : List.of(plain, binned)) {
         network.beginStep(4);
         network.locate();
@@ -140,13 +138,13 @@ class ChanceSightTest {
       scenario.target(0, target);
     }
     World world = scenario.world();
-    Sight sight = Sight.of(world, Visibility.of(detection(rule, 0, false), 1));
+    Sight sight = new Sight(world, Visibility.of(detection(rule, 0, false), 1));
     int steps = 250_000;
     double chiSquare = 0;
     for (int target = 0; target < 8; target++) {
       int detected = 0;
       for (int step = 0; step < steps; step++) {
-        sight.refresh(step);
+        sight.beginStep(step);
         detected += sight.detects(0, 0, target) ? 1 : 0;
       }
       double chance = sight.chance(0, 0, target);

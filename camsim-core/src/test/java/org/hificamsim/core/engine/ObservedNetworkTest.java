@@ -22,7 +22,6 @@ import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.RemoveTarget;
 import org.hificamsim.core.scenario.Surroundings;
-import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -214,10 +213,10 @@ class ObservedNetworkTest {
   @CsvSource({"threshold, 100", "threshold, 3", "probability, 100", "probability, 3"})
   void detectionsAreMarkedForEachView(String rule, double side) {
     World world = crowd().world();
-    PointGrid grid = GridChoice.grid(world, side);
-    assertEquals(side < 20, grid.cells() > 1);
-    ObservedNetwork network =
-        new ObservedNetwork(world, Visibility.of(certain(rule)), Workers.CALLER, grid);
+    Visibility visibility = Visibility.of(certain(rule));
+    Sight sight = new Sight(world, visibility, side);
+    assertEquals(side < 20, sight.grid().cells() > 1);
+    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, sight);
     begin(world, network);
     long[] masks = new long[5];
     Arrays.fill(masks, -1);

@@ -13,7 +13,6 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
-import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -30,9 +29,9 @@ class SeenTargetsTest {
   @ValueSource(doubles = {0.5, 3, 100})
   void thoseThatAreSeenAreTheSameAsByAskingForEach(double side) {
     World world = world();
-    PointGrid grid = PointGrid.over(-10, -10, 20, 20, side, TARGETS);
     Visibility visibility = Visibility.of(new Detection(new CamSimRangeDetection(), 0.01));
-    ObservedNetwork network = new ObservedNetwork(world, visibility, Workers.CALLER, grid);
+    ObservedNetwork network =
+        new ObservedNetwork(world, visibility, Workers.CALLER, new Sight(world, visibility, side));
     network.beginStep(0);
     network.locate();
     SeenPairs pairs = new SeenPairs();

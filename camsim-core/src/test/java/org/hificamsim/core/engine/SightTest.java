@@ -3,7 +3,6 @@ package org.hificamsim.core.engine;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
-import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
@@ -21,7 +20,6 @@ import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.detection.camsim.CamSimStandardDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
-import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -69,10 +67,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight once = Sight.of(world, Visibility.of(detection));
-    Sight full = Sight.of(world, inFull(detection));
-    assertInstanceOf(DistanceSight.class, once);
-    assertInstanceOf(BearingSight.class, full);
+    Sight once = new Sight(world, Visibility.of(detection));
+    Sight full = new Sight(world, inFull(detection));
     assertSame(world, once, full);
   }
 
@@ -82,8 +78,8 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = random.nextBoolean() ? randomWorld(random) : randomWorld(random, 0.66);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    assertLooksAsItDetects(world, Sight.of(world, Visibility.of(detection)));
-    assertLooksAsItDetects(world, Sight.of(world, inFull(detection)));
+    assertLooksAsItDetects(world, new Sight(world, Visibility.of(detection)));
+    assertLooksAsItDetects(world, new Sight(world, inFull(detection)));
   }
 
   /** One camera is off, one is at another level, and one target stands on a border. */
@@ -100,18 +96,22 @@ class SightTest {
     World world = scenario.target(3, 0).world();
     world.cameras().turnTo(1, 0);
     world.switchCamera(3, false);
-    Sight sight = Sight.of(world, Visibility.of(Detection.of(new GeometricDetection())));
-    PointGrid grid = grid(world);
+    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
+    sight.locate();
+    int targets = world.targets().count();
     int[] detected = {-1, -1, -1, -1, -1};
-    int[] counts = new int[grid.count()];
-    long[] found = new long[5 * grid.count() + 1];
-    assertTrue(sight.lookAll(0, 5, grid, detected, counts));
-    int all = sight.findAll(grid, found);
+    int[] counts = new int[targets];
+    long[] found = new long[5 * targets + 1];
+    sight.look(0, 5, detected, counts, new long[targets + 1]);
+    int all = 0;
+    for (int camera = 0; camera < 5; camera++) {
+      all = camera == 3 ? all : sight.find(camera, world.cameras().view(camera), found, all);
+    }
     int at = 0;
-    int[] expected = new int[grid.count()];
+    int[] expected = new int[targets];
     for (int camera = 0; camera < 5; camera++) {
       int before = at;
-      for (int i = 0; i < grid.count(); i++) {
+      for (int i = 0; i < targets; i++) {
         if (camera != 3 && sight.detects(camera, world.cameras().view(camera), i)) {
           expected[i]++;
           assertEquals(((long) camera << 32) + i, found[at++]);
@@ -122,25 +122,6 @@ class SightTest {
     assertEquals(at, all);
     assertArrayEquals(expected, counts);
     assertTrue(at > 50 && detected[1] > 0 && detected[1] < detected[0], at + " seen");
-  }
-
-  /** A sector is no disc, and a model of the bearing knows none. */
-  @Test
-  void whereThereAreNoDiscsAllAtOnceIsRefused() {
-    World world =
-        new TestScenario()
-            .camera(TestScenario.camera("a", 0, 0, 0, 360, 5))
-            .camera(TestScenario.camera("b", 0, 0, 0, 90, 5))
-            .target(1, 1)
-            .world();
-    Detection detection = Detection.of(new GeometricDetection());
-    for (Visibility one : new Visibility[] {Visibility.of(detection), inFull(detection)}) {
-      Sight sight = Sight.of(world, one);
-      int[] untouched = {7, 7};
-      assertFalse(sight.lookAll(0, 2, grid(world), untouched, untouched));
-      assertEquals(-1, sight.findAll(grid(world), new long[3]));
-      assertArrayEquals(new int[] {7, 7}, untouched);
-    }
   }
 
   /** Three words of masks, in the middle of an array whose other words stay as they are. */
@@ -154,10 +135,11 @@ class SightTest {
     }
     World world = scenario.world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight sight = Sight.of(world, inFull ? inFull(detection) : Visibility.of(detection));
+    Sight sight = new Sight(world, inFull ? inFull(detection) : Visibility.of(detection));
+    sight.locate();
     long[] masks = new long[7];
     masks[6] = 5;
-    sight.mark(0, 2, grid(world), 0, 150, masks, 3);
+    sight.mark(0, masks, 3);
     int seen = 0;
     for (int view = 0; view < 2; view++) {
       for (int target = 0; target < 150; target++) {
@@ -181,9 +163,12 @@ class SightTest {
       scenario.target(place[0], place[1]);
     }
     World world = scenario.zooms(5).world();
-    Sight sight = Sight.of(world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
     int[] counts = new int[places.length];
-    assertEquals(3, sight.look(0, 0, grid(world), 0, places.length, counts));
+    int[] detected = new int[1];
+    sight.locate();
+    sight.look(0, 1, detected, counts, new long[places.length + 1]);
+    assertEquals(3, detected[0]);
     assertArrayEquals(new int[] {1, 1, 1, 0}, counts);
   }
 
@@ -202,13 +187,13 @@ class SightTest {
                 new ChangeCamera(3, "b", 5, 5, -1, 10, 8))
             .world();
     Detection detection = Detection.of(new GeometricDetection());
-    Sight once = Sight.of(world, Visibility.of(detection));
-    Sight full = Sight.of(world, inFull(detection));
+    Sight once = new Sight(world, Visibility.of(detection));
+    Sight full = new Sight(world, inFull(detection));
     int[] seenByA = {0, 1, 3, 3};
     for (int step = 0; step < 4; step++) {
       world.fireEvents(step);
-      once.refresh(0);
-      full.refresh(0);
+      once.beginStep(0);
+      full.beginStep(0);
       assertSame(world, once, full);
       int seen = 0;
       for (int target = 0; target < 3; target++) {
@@ -238,31 +223,25 @@ class SightTest {
   }
 
   private static void assertLooksAsItDetects(World world, Sight sight) {
-    PointGrid grid = grid(world);
+    sight.locate();
+    int targets = world.targets().count();
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       int views = world.cameras().views(camera);
       long[] masks = new long[views];
-      sight.mark(camera, views, grid, 0, grid.count(), masks, 1);
+      sight.mark(camera, masks, 1);
       for (int view = 0; view < views; view++) {
-        int[] counts = new int[grid.count()];
-        int seen = sight.look(camera, view, grid, 0, grid.count(), counts);
-        for (int target = 0; target < counts.length; target++) {
+        world.cameras().turnTo(camera, view);
+        int[] counts = new int[targets];
+        int[] detected = new int[CAMERAS];
+        sight.look(camera, camera + 1, detected, counts, new long[targets + 1]);
+        for (int target = 0; target < targets; target++) {
           int expected = sight.detects(camera, view, target) ? 1 : 0;
           assertEquals(expected, counts[target]);
           assertEquals(expected, masks[view] >>> target & 1);
         }
-        assertEquals(Arrays.stream(counts).sum(), seen);
+        assertEquals(Arrays.stream(counts).sum(), detected[camera]);
       }
     }
-  }
-
-  private static PointGrid grid(World world) {
-    PointGrid grid = PointGrid.single(world.targets().count());
-    for (int target = 0; target < world.targets().count(); target++) {
-      grid.add(target, world.targets().x(target), world.targets().y(target));
-    }
-    grid.sort();
-    return grid;
   }
 
   @Property(tries = 50, edgeCases = EdgeCasesMode.NONE)
@@ -271,7 +250,7 @@ class SightTest {
     SplittableRandom random = new SplittableRandom(seed);
     World world = randomWorld(random);
     Detection detection = new Detection(model(which, random), random.nextDouble(0.05, 0.7));
-    Sight sight = Sight.of(world, Visibility.of(detection));
+    Sight sight = new Sight(world, Visibility.of(detection));
     for (int camera = 0; camera < CAMERAS; camera++) {
       for (int view = 0; view < 3; view++) {
         assertTrue(sight.dominates(camera, view, view));
@@ -288,7 +267,7 @@ class SightTest {
   @Test
   void widerLevelsOfACertainModelDominateNarrowerOnes() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = Sight.of(world, Visibility.of(Detection.of(new GeometricDetection())));
+    Sight sight = new Sight(world, Visibility.of(Detection.of(new GeometricDetection())));
     assertTrue(sight.dominates(0, 2, 0));
     assertTrue(sight.dominates(0, 2, 1));
     assertFalse(sight.dominates(0, 0, 1));
@@ -297,7 +276,7 @@ class SightTest {
   @Test
   void aModelThatLooksAtTheBearingProvesNothingButTheLevelItself() {
     World world = randomWorld(new SplittableRandom(1));
-    Sight sight = Sight.of(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
+    Sight sight = new Sight(world, Visibility.of(Detection.of(new CamSimVisibilityDetection())));
     assertTrue(sight.dominates(0, 1, 1));
     assertFalse(sight.dominates(0, 2, 0));
   }

@@ -97,7 +97,7 @@ class ViewsTest {
     double luck = visibility.luck(step, camera, target);
     ZoomLevel zoom = world.cameras().zoom(camera, view);
     double size = world.targets().size(target);
-    return visibility.confidence(turned, zoom, x, y, size, luck, through) > 0;
+    return visibility.at(zoom, size).confidence(turned, x, y, luck, through) > 0;
   }
 
   private static boolean isHidden(World world, Pose pose, int target) {
@@ -128,7 +128,7 @@ class ViewsTest {
     ObservedNetwork plain = new ObservedNetwork(world, visibility, Workers.CALLER);
     try (Workers workers = Workers.of(3)) {
       ObservedNetwork binned =
-          new ObservedNetwork(world, visibility, workers, GridChoice.grid(world, 1.5));
+          new ObservedNetwork(world, visibility, workers, new Sight(world, visibility, 1.5));
       for (ObservedNetwork network : List.of(plain, binned)) {
         network.beginStep(2);
         network.locate();

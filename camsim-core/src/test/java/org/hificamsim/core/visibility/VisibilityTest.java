@@ -81,10 +81,10 @@ class VisibilityTest {
   void camSimsCameraThatSeesAllRoundDoesNotSeeWhatIsExactlyBehindOrOnIt() {
     Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()));
     ZoomLevel allRound = new ZoomLevel(4, 4, 4, Double.NaN, 2 * Math.PI);
-    assertEquals(0, visibility.confidence(ORIGIN, allRound, 0, -3, 1, 0));
-    assertEquals(0, visibility.confidence(ORIGIN, allRound, 0, 0, 1, 0));
-    assertEquals(1 / 3.25, visibility.confidence(ORIGIN, allRound, 1e-7, -3, 1, 0), 1e-9);
-    assertEquals(1 / 3.25, visibility.confidence(ORIGIN, allRound, 3, 0, 1, 0));
+    assertEquals(0, confidence(visibility, ORIGIN, allRound, 0, -3, 1, 0));
+    assertEquals(0, confidence(visibility, ORIGIN, allRound, 0, 0, 1, 0));
+    assertEquals(1 / 3.25, confidence(visibility, ORIGIN, allRound, 1e-7, -3, 1, 0), 1e-9);
+    assertEquals(1 / 3.25, confidence(visibility, ORIGIN, allRound, 3, 0, 1, 0));
   }
 
   @Property
@@ -97,7 +97,7 @@ class VisibilityTest {
     Pose camera = Pose.of(1, 2, Math.toRadians(heading));
     ZoomLevel zoom = zoom(360, 30);
     double sure = model.confidence(1, camera.distance(x, y), camera.offAxis(x, y), zoom);
-    assertEquals(sure, visibility.confidence(camera, zoom, x, y, 1, 0));
+    assertEquals(sure, confidence(visibility, camera, zoom, x, y, 1, 0));
   }
 
   /** The same question asked of bearings instead of a scalar product. */
@@ -119,7 +119,7 @@ class VisibilityTest {
     ZoomLevel zoom = zoom(angle, range);
     boolean within = off < angle / 2;
     for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
-      assertEquals(within, visibility.isInAngle(camera, zoom, x, y));
+      assertEquals(within, isInAngle(visibility, camera, zoom, x, y));
       assertEquals(within && distance < range, sees(visibility, camera, zoom, x, y));
     }
     assertEquals(distance, camera.distance(x, y), 1e-12 * distance);
@@ -198,11 +198,11 @@ class VisibilityTest {
   @ValueSource(booleans = {false, true})
   void aValueBelowTheThresholdCountsAsNothingAndOneAboveAHundredPercentAsThat(boolean byBearing) {
     Visibility visibility = Visibility.of(new Detection(new Far(byBearing), 0.5));
-    assertEquals(0, visibility.confidence(ORIGIN, zoom(360, 5), 0, 1.25, 1, 0));
-    assertEquals(0.25, visibility.value(ORIGIN, zoom(360, 5), 0, 1.25, 1));
-    assertEquals(0.5, visibility.confidence(ORIGIN, zoom(360, 5), 0, 1.5, 1, 0));
-    assertEquals(1, visibility.confidence(ORIGIN, zoom(360, 5), 0, 3, 1, 0));
-    assertEquals(2, visibility.value(ORIGIN, zoom(360, 5), 0, 3, 1));
+    assertEquals(0, confidence(visibility, ORIGIN, zoom(360, 5), 0, 1.25, 1, 0));
+    assertEquals(0.25, value(visibility, ORIGIN, zoom(360, 5), 0, 1.25, 1));
+    assertEquals(0.5, confidence(visibility, ORIGIN, zoom(360, 5), 0, 1.5, 1, 0));
+    assertEquals(1, confidence(visibility, ORIGIN, zoom(360, 5), 0, 3, 1, 0));
+    assertEquals(2, value(visibility, ORIGIN, zoom(360, 5), 0, 3, 1));
   }
 
   @Test
@@ -216,18 +216,18 @@ class VisibilityTest {
   void camSimsOwnVisibilityMayExceedOne() {
     Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()));
     double close = 1 / (0.25 + (0.5 - 0.25) / 0.5);
-    assertEquals(close, visibility.confidence(ORIGIN, zoom(360, 0.5), 0, 0.25, 1, 0));
+    assertEquals(close, confidence(visibility, ORIGIN, zoom(360, 0.5), 0, 0.25, 1, 0));
     assertTrue(close > 1);
   }
 
   @Test
   void aWiderLevelDominatesUnlessItsAngleIsNarrowerOrTheModelLooksAtTheBearing() {
-    assertTrue(OURS.dominates(zoom(90, 5), zoom(90, 4), 1));
-    assertFalse(OURS.dominates(zoom(90, 4), zoom(90, 5), 1));
-    assertFalse(OURS.dominates(zoom(80, 5), zoom(90, 4), 1));
+    assertTrue(includes(OURS, zoom(90, 5), zoom(90, 4)));
+    assertFalse(includes(OURS, zoom(90, 4), zoom(90, 5)));
+    assertFalse(includes(OURS, zoom(80, 5), zoom(90, 4)));
     Visibility byBearing = Visibility.of(Detection.of(new Far(true)));
-    assertTrue(byBearing.dominates(zoom(90, 5), zoom(90, 5), 1));
-    assertFalse(byBearing.dominates(zoom(90, 5), zoom(90, 4), 1));
+    assertTrue(includes(byBearing, zoom(90, 5), zoom(90, 5)));
+    assertFalse(includes(byBearing, zoom(90, 5), zoom(90, 4)));
   }
 
   @ParameterizedTest
@@ -235,12 +235,12 @@ class VisibilityTest {
   void whatStandsBetweenTakesItsShareOfTheValueByAThreshold(boolean byBearing) {
     Visibility visibility = Visibility.of(new Detection(new Near(byBearing), 0.5));
     ZoomLevel zoom = zoom(90, 5);
-    assertEquals(0.6, visibility.confidence(ORIGIN, zoom, 0, 1, 1, 0, 0.8), 1e-15);
-    assertEquals(0, visibility.confidence(ORIGIN, zoom, 0, 1, 1, 0, 0.6), "0.45");
-    assertEquals(1, visibility.chance(ORIGIN, zoom, 0, 1, 1, 0.8));
-    assertEquals(0, visibility.chance(ORIGIN, zoom, 0, 1, 1, 0.6));
-    assertEquals(1, visibility.chance(ORIGIN, zoom, 0, 1, 1));
-    assertEquals(0, visibility.chance(ORIGIN, zoom, 1, 0, 1), "beside the sector");
+    assertEquals(0.6, confidence(visibility, ORIGIN, zoom, 0, 1, 1, 0, 0.8), 1e-15);
+    assertEquals(0, confidence(visibility, ORIGIN, zoom, 0, 1, 1, 0, 0.6), "0.45");
+    assertEquals(1, chance(visibility, ORIGIN, zoom, 0, 1, 1, 0.8));
+    assertEquals(0, chance(visibility, ORIGIN, zoom, 0, 1, 1, 0.6));
+    assertEquals(1, chance(visibility, ORIGIN, zoom, 0, 1, 1));
+    assertEquals(0, chance(visibility, ORIGIN, zoom, 1, 0, 1), "beside the sector");
   }
 
   @ParameterizedTest
@@ -250,47 +250,44 @@ class VisibilityTest {
         Detection.by(DetectionRule.parse("probability"), "near", new Near(byBearing));
     Visibility visibility = Visibility.of(detection, 7);
     ZoomLevel zoom = zoom(90, 3);
-    assertEquals(0.75, visibility.chance(ORIGIN, zoom, 0, 1, 1));
-    assertEquals(0.375, visibility.chance(ORIGIN, zoom, 0, 1, 1, 0.5));
-    assertEquals(0.25, visibility.chance(ORIGIN, zoom, 0, 3, 1), "on the border");
-    assertEquals(0, visibility.chance(ORIGIN, zoom, 0, 3.1, 1), "out of reach");
-    assertEquals(0, visibility.chance(ORIGIN, zoom, 1, 0, 1), "beside the sector");
-    assertEquals(0.75, visibility.confidence(ORIGIN, zoom, 0, 1, 1, 0.3, 0.5));
-    assertEquals(0, visibility.confidence(ORIGIN, zoom, 0, 1, 1, 0.4, 0.5));
+    assertEquals(0.75, chance(visibility, ORIGIN, zoom, 0, 1, 1));
+    assertEquals(0.375, chance(visibility, ORIGIN, zoom, 0, 1, 1, 0.5));
+    assertEquals(0.25, chance(visibility, ORIGIN, zoom, 0, 3, 1), "on the border");
+    assertEquals(0, chance(visibility, ORIGIN, zoom, 0, 3.1, 1), "out of reach");
+    assertEquals(0, chance(visibility, ORIGIN, zoom, 1, 0, 1), "beside the sector");
+    assertEquals(0.75, confidence(visibility, ORIGIN, zoom, 0, 1, 1, 0.3, 0.5));
+    assertEquals(0, confidence(visibility, ORIGIN, zoom, 0, 1, 1, 0.4, 0.5));
   }
 
   @Test
   void theReachEndsWhereTheThresholdIsLastReached() {
     Visibility near = Visibility.of(new Detection(new Near(false), 0.5));
-    assertEquals(2, near.reach(zoom(360, 5), 1), 1e-6);
-    assertTrue(near.reach(zoom(360, 5), 1) > 2, "rounded up");
-    assertEquals(1, near.reach(zoom(360, 1), 1), 1e-6);
-    assertEquals(0, Visibility.of(new Detection(new Near(false), 2)).reach(zoom(360, 5), 1));
+    assertEquals(2, near.at(zoom(360, 5), 1).reach(), 1e-6);
+    assertTrue(near.at(zoom(360, 5), 1).reach() > 2, "rounded up");
+    assertEquals(1, near.at(zoom(360, 1), 1).reach(), 1e-6);
+    assertEquals(0, Visibility.of(new Detection(new Near(false), 2)).at(zoom(360, 5), 1).reach());
     Visibility byBearing = Visibility.of(new Detection(new Near(true), 0.5));
-    assertEquals(5, byBearing.reach(zoom(360, 5), 1), 1e-6);
+    assertEquals(5, byBearing.at(zoom(360, 5), 1).reach(), 1e-6);
     assertTrue(Visibility.roundedUp(0) > 0);
     assertTrue(Visibility.roundedUp(1e-100) > 1e-100);
   }
 
   @Test
-  void theAngleIsThatOfTheSectorAlsoByItsCosine() {
+  void theAngleIsThatOfTheSector() {
     ZoomLevel zoom = zoom(90, 5);
-    double cosine = Math.cos(Math.PI / 4);
     for (Visibility visibility : new Visibility[] {OURS, CAMSIMS}) {
-      assertTrue(visibility.isInAngle(ORIGIN, zoom, cosine, 0.9, 1));
-      assertFalse(visibility.isInAngle(ORIGIN, zoom, cosine, 1.1, 1));
+      assertTrue(isInAngle(visibility, ORIGIN, zoom, 0.9, 1));
+      assertFalse(isInAngle(visibility, ORIGIN, zoom, 1.1, 1));
     }
-    assertTrue(OURS.isInAngle(ORIGIN, zoom, cosine, 0, 0), "the camera's own position");
-    assertFalse(CAMSIMS.isInAngle(ORIGIN, zoom, cosine, 0, 0));
+    assertTrue(isInAngle(OURS, ORIGIN, zoom, 0, 0), "the camera's own position");
+    assertFalse(isInAngle(CAMSIMS, ORIGIN, zoom, 0, 0));
   }
 
   @Test
   void inViewTheModelIsAskedAtTheBearingWhereItLooksAtIt() {
     Visibility visibility = Visibility.of(new Detection(new Bearing(), 0.1));
-    Visibility near = Visibility.of(new Detection(new Near(false), 0.5));
-    assertEquals(Math.PI / 4, visibility.valueInView(ORIGIN, zoom(360, 5), 1, 1, 1), 1e-12);
-    assertEquals(0, visibility.valueInView(ORIGIN, zoom(360, 5), 0, 0, 1), "no bearing at all");
-    assertEquals(0.5, near.valueInView(ORIGIN, zoom(90, 1), 2, 0, 1), "untested");
+    assertEquals(Math.PI / 4, value(visibility, ORIGIN, zoom(360, 5), 1, 1, 1), 1e-12);
+    assertEquals(0, value(visibility, ORIGIN, zoom(360, 5), 0, 0, 1), "no bearing at all");
   }
 
   @Test
@@ -311,9 +308,63 @@ class VisibilityTest {
     return phantoms;
   }
 
+  private static double confidence(
+      Visibility visibility,
+      Pose camera,
+      ZoomLevel zoom,
+      double x,
+      double y,
+      double size,
+      double luck) {
+    return confidence(visibility, camera, zoom, x, y, size, luck, 1);
+  }
+
+  private static double confidence(
+      Visibility visibility,
+      Pose camera,
+      ZoomLevel zoom,
+      double x,
+      double y,
+      double size,
+      double luck,
+      double transmittance) {
+    return visibility.at(zoom, size).confidence(camera, x, y, luck, transmittance);
+  }
+
+  private static double chance(
+      Visibility visibility, Pose camera, ZoomLevel zoom, double x, double y, double size) {
+    return chance(visibility, camera, zoom, x, y, size, 1);
+  }
+
+  private static double chance(
+      Visibility visibility,
+      Pose camera,
+      ZoomLevel zoom,
+      double x,
+      double y,
+      double size,
+      double transmittance) {
+    return visibility.at(zoom, size).chance(camera, x, y, transmittance);
+  }
+
+  private static double value(
+      Visibility visibility, Pose camera, ZoomLevel zoom, double x, double y, double size) {
+    return visibility.at(zoom, size).value(camera, x, y);
+  }
+
+  private static boolean isInAngle(
+      Visibility visibility, Pose camera, ZoomLevel zoom, double x, double y) {
+    return visibility.at(zoom, 1).isInAngle(camera, x, y);
+  }
+
+  /** Whether one level includes another for targets of 1 m. */
+  private static boolean includes(Visibility visibility, ZoomLevel zoom, ZoomLevel other) {
+    return visibility.at(zoom, 1).includes(visibility.at(other, 1));
+  }
+
   private static boolean sees(
       Visibility visibility, Pose camera, ZoomLevel zoom, double x, double y) {
-    return visibility.confidence(camera, zoom, x, y, 0.66, 0) > 0;
+    return confidence(visibility, camera, zoom, x, y, 0.66, 0) > 0;
   }
 
   /**

@@ -129,14 +129,14 @@ public final class Sightings {
   }
 
   private double confidence(long step, int camera, Pose pose, ZoomLevel zoom, int target) {
-    return visibility.confidence(
-        pose,
-        zoom,
-        targets.x(target),
-        targets.y(target),
-        targets.size(target),
-        visibility.luck(step, camera, target),
-        lines.transmittance(camera, target));
+    return visibility
+        .at(zoom, targets.size(target))
+        .confidence(
+            pose,
+            targets.x(target),
+            targets.y(target),
+            visibility.luck(step, camera, target),
+            lines.transmittance(camera, target));
   }
 
   /** What a camera saw counts no longer; what is not there stays as it was. */

@@ -32,7 +32,7 @@ class OutsideTest {
       double y = place();
       if (has(x, y)) {
         surely++;
-        assertEquals(0, visibility.confidence(pose, zoom, x, y, 1, 0));
+        assertEquals(0, visibility.at(zoom, 1).confidence(pose, x, y, 0, 1));
       }
     }
     assertTrue(surely > 50_000, surely + " were told apart");

@@ -3,6 +3,7 @@ package org.hificamsim.runs.heat;
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.VisibleRegion;
+import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 
@@ -29,7 +30,8 @@ record SeenCells(int[] cells, double[] chances) {
       ZoomLevel zoom,
       VisibleRegion region,
       double size) {
-    double reach = visibility.reach(zoom, size);
+    LevelSight sight = visibility.at(zoom, size);
+    double reach = sight.reach();
     int left = cells.column(pose.x() - reach);
     int right = cells.column(pose.x() + reach);
     int top = cells.row(pose.y() + reach);
@@ -42,7 +44,7 @@ record SeenCells(int[] cells, double[] chances) {
         double x = cells.x(cell);
         double y = cells.y(cell);
         double through = region == null ? 1 : region.transmittance(x, y);
-        double chance = through == 0 ? 0 : visibility.chance(pose, zoom, x, y, size, through);
+        double chance = through == 0 ? 0 : sight.chance(pose, x, y, through);
         seen[count] = cell;
         chances[count] = chance;
         count += chance > 0 ? 1 : 0;

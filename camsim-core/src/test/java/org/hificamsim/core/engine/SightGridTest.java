@@ -18,7 +18,7 @@ import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
 /** Cells as wide as a camera detects far, from 4,000 pairs and 40 cells on. */
-class GridChoiceTest {
+class SightGridTest {
   private static final int TARGETS = 50;
 
   /** As far as a lens makes a target large enough. */
@@ -73,7 +73,7 @@ class GridChoiceTest {
 
   private static int cells(TestScenario scenario, DetectionModel model) {
     World world = scenario.world();
-    return GridChoice.of(world, Sight.of(world, Visibility.of(Detection.of(model)))).cells();
+    return new Sight(world, Visibility.of(Detection.of(model))).grid().cells();
   }
 
   /** Every other camera detects up to 4 m, the others up to 6 m. */
