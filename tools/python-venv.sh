@@ -20,7 +20,7 @@ cmp -s "$requirements" "$venv/requirements.txt" && exit 0
 echo "hificamsim: fetching what the tests of $tested need from PyPI, $size MB" >&2
 rm -rf "$venv"
 "$python" -m venv "$venv" >"$venv.log" 2>&1 </dev/null || fail "$(tail -n 1 "$venv.log")"
-timeout "${PIP_SECONDS:-600}" "$venv/bin/python" -m pip install --quiet --disable-pip-version-check "$@" \
+timeout "${PIP_SECONDS:-600}" "$venv/bin/python" -m pip install --quiet --disable-pip-version-check --no-compile "$@" \
     -r "$requirements" >"$venv.log" 2>&1 </dev/null ||
     fail "pip cannot fetch them ($(grep -v '^ *$' "$venv.log" | tail -n 1))"
 cp "$requirements" "$venv/requirements.txt"

@@ -44,7 +44,7 @@ def test_the_notebook_runs(notebook: Any) -> None:
     training.source = training.source.replace("UPDATES = 60", "UPDATES = 20")  # that is enough to see it learn
     notebook.cells.append(nbformat.v4.new_code_cell(CHECKS))
     client = nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(EXAMPLES)}})
-    client.execute(env={**os.environ, "PYTHONDONTWRITEBYTECODE": "1"})
+    client.execute()
     if os.environ.get("NOTEBOOK_OUT"):  # to look at
         nbformat.write(notebook, os.environ["NOTEBOOK_OUT"])
     shown = [out.data for cell in code(notebook) for out in cell.outputs if "data" in out]

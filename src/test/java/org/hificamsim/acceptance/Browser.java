@@ -30,8 +30,9 @@ import org.openqa.selenium.support.ui.WebDriverWait;
 
 /**
  * Debian's Chromium without a window, with what its console said and what it asked the network for.
+ * One for all tests: it ends with this process.
  */
-final class Browser implements AutoCloseable {
+final class Browser {
   private static final Path CHROMIUM = Path.of("/usr/bin/chromium");
   private static final Path DRIVER = Path.of("/usr/bin/chromedriver");
   private static final Logger SELENIUM = Logger.getLogger("org.openqa.selenium");
@@ -46,6 +47,8 @@ return document.getElementById('page').dataset.ready !== undefined
     && players.every(one => one.field.map)
     && [...document.querySelectorAll('.plot, .lines')].every(box => box.querySelector('canvas'));
 """;
+
+  private static Browser shared;
 
   private final ChromeDriver driver;
 
@@ -70,15 +73,18 @@ return document.getElementById('page').dataset.ready !== undefined
     ChromeDriverService service =
         new ChromeDriverService.Builder().usingDriverExecutable(DRIVER.toFile()).build();
     driver = new ChromeDriver(service, options);
-    size(1280, 1000);
   }
 
-  /** Starts a browser with a new profile in this folder; skips the test where there is none. */
-  static Browser start(Path folder) {
+  /** Starts a browser with a new profile, unless one runs; skips the test where there is none. */
+  static synchronized Browser shared() {
     assumeTrue(
         Files.isExecutable(CHROMIUM) && Files.isExecutable(DRIVER),
         "no Chromium: apt-get install chromium chromium-driver");
-    return new Browser(folder.resolve("profile"));
+    if (shared == null) {
+      shared = Results.untilTheEnd("profile", Browser::new, browser -> browser.driver.quit());
+    }
+    shared.size(1280, 1000);
+    return shared;
   }
 
   /** Opens an address, with empty logs; waits until the page has been drawn. */
@@ -189,10 +195,5 @@ return document.getElementById('page').dataset.ready !== undefined
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-  }
-
-  @Override
-  public void close() {
-    driver.quit();
   }
 }

@@ -12,7 +12,6 @@ import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,14 +44,7 @@ class ComparisonPageTest {
             "--out",
             out);
     assertEquals(0, cli.exit(), cli.err());
-    browser = Browser.start(folder);
-  }
-
-  @AfterAll
-  static void stop() {
-    if (browser != null) {
-      browser.close();
-    }
+    browser = Browser.shared();
   }
 
   @Test
@@ -179,9 +171,7 @@ class ComparisonPageTest {
 
   @Test
   void aReproductionSaysFirstThatTheOptimumIsStatic() {
-    Path reproduced = folder.resolve("reproduced");
-    Cli cli = Cli.run("reproduce", "--steps", 100, "--repeat", 2, "--out", reproduced);
-    assertEquals(0, cli.exit(), cli.err());
+    Path reproduced = ReproduceCommandTest.reproduced(1).folder();
     browser.open(reproduced.resolve("report.html").toUri().toString());
     assertTrue(
         browser

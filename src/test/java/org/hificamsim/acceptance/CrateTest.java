@@ -110,8 +110,7 @@ class CrateTest {
     assertTrue(
         inputs.containsAll(List.of("scenario-ring-random.xml", "scenario-lattice-random.xml")));
     assertTrue(files(out).contains("summary.tex"));
-    Path sensitivity = folder.resolve("sensitivity");
-    command("sensitivity", "--steps", 2, "--repeat", 1, "--out", sensitivity);
+    Path sensitivity = SensitivityCommandTest.swept().folder();
     assertEquals(Set.of(), missing(entities(sensitivity)), "what is referred to but not described");
   }
 

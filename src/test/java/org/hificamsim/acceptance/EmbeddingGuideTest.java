@@ -53,22 +53,8 @@ class EmbeddingGuideTest {
   void theConsumerBuildsAgainstThePublishedLibrariesAndRuns(@TempDir Path folder) throws Exception {
     assumeTrue(GRADLE_HOME != null, "not started by Gradle");
     copy(EXAMPLES.resolve("embedding"), folder);
-    Process process =
-        new ProcessBuilder(
-                Path.of(GRADLE_HOME, "bin", "gradle").toString(),
-                "--no-daemon",
-                "--offline",
-                "--quiet",
-                "-Dmaven.repo.local=" + REPOSITORY.toRealPath(),
-                "-Pscenario=" + Cli.scenario("lattice-random").toRealPath(),
-                "tenLines",
-                "ownParts")
-            .directory(folder.toFile())
-            .redirectErrorStream(true)
-            .start();
-    process.getOutputStream().close();
-    String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-    assertEquals(0, process.waitFor(), said);
+    String scenario = "-Pscenario=" + Cli.scenario("lattice-random").toRealPath();
+    String said = gradle(folder, scenario, "tenLines", "ownParts");
     assertTrue(said.contains("step 2: camera Cam_01 sees "), said);
     assertTrue(said.contains("performance " + performance(folder)), said);
   }
@@ -77,22 +63,25 @@ class EmbeddingGuideTest {
   void aPolicyOfOnesOwnIsTestedWithThePublishedContract(@TempDir Path folder) throws Exception {
     assumeTrue(GRADLE_HOME != null, "not started by Gradle");
     copy(EXAMPLES.resolve("own-policy"), folder);
-    Process process =
-        new ProcessBuilder(
-                Path.of(GRADLE_HOME, "bin", "gradle").toString(),
-                "--no-daemon",
-                "--offline",
-                "--quiet",
-                "-Dmaven.repo.local=" + REPOSITORY.toRealPath(),
-                "contract")
-            .directory(folder.toFile())
-            .redirectErrorStream(true)
-            .start();
+    String said = gradle(folder, "contract");
+    assertTrue(said.contains("allocatesNothingPerStep"), said);
+    assertTrue(said.contains("0 tests failed"), said);
+  }
+
+  /** What Gradle prints that builds with the published libraries. */
+  private static String gradle(Path folder, String... words) throws Exception {
+    List<String> command = new ArrayList<>();
+    command.add(Path.of(GRADLE_HOME, "bin", "gradle").toString());
+    command.addAll(List.of("--no-daemon", "--offline", "--quiet"));
+    command.add("-Dmaven.repo.local=" + REPOSITORY.toRealPath());
+    command.addAll(List.of(words));
+    ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+    builder.environment().put("GRADLE_OPTS", String.join(" ", Java.SHORT_LIVED));
+    Process process = builder.redirectErrorStream(true).start();
     process.getOutputStream().close();
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(0, process.waitFor(), said);
-    assertTrue(said.contains("allocatesNothingPerStep"), said);
-    assertTrue(said.contains("0 tests failed"), said);
+    return said;
   }
 
   /** What the command line makes of the same run. */

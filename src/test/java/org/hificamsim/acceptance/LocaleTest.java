@@ -5,16 +5,18 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Test;
+import org.hificamsim.cli.Main;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /** The same bytes under every locale: with a decimal comma, and with digits of its own. */
 class LocaleTest {
@@ -22,64 +24,88 @@ class LocaleTest {
   private static final List<String> OF_A_MOMENT =
       List.of("manifest.json", "ro-crate-metadata.json"); // times differ
 
-  @TempDir Path folder;
+  /** Each writes into the folder that its first word names. */
+  private static final List<String> COMMANDS =
+      List.of(
+          "run SCENARIOS/ring-random.xml --record --steps 30 --repeat 2 --out run",
+          "compare SCENARIOS/ring-random.xml --steps 30 --repeat 2 --out compare",
+          "reproduce --steps 20 --repeat 2 --out reproduce",
+          "sensitivity --steps 20 --repeat 2 --out sensitivity",
+          "camsim SCENARIOS/tutorial-camsim.xml -t 50 --extra-out camsim/extra.csv"
+              + " --coverage-out camsim/coverage",
+          "generate generate/out.xml --cameras 12",
+          "profile fit profile/lab --population 60 --generations 1");
 
-  @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "run SCENARIOS/ring-random.xml --record --steps 30 --repeat 2 --out out",
-        "compare SCENARIOS/ring-random.xml --steps 30 --repeat 2 --out out",
-        "reproduce --steps 20 --repeat 2 --out out",
-        "sensitivity --steps 20 --repeat 2 --out out",
-        "camsim SCENARIOS/tutorial-camsim.xml -t 50 --extra-out extra.csv --coverage-out out",
-        "generate out.xml --cameras 12"
-      })
-  void commandsPrintAndWriteTheSame(String command) throws Exception {
-    assertSame(command.replace("SCENARIOS", Cli.ROOT.resolve("scenarios").toString()));
-  }
+  @TempDir static Path folder;
 
-  @Test
-  void modelsFittedToPhotosAreTheSame() throws Exception {
+  /** One process for each locale. */
+  @BeforeAll
+  static void runAllCommandsUnderEachLocale() throws Exception {
     Path lab =
         Cli.lab(
             folder,
             "--scale 0.1 --objects 4 --focal-lengths 0.010,0.035,0.085 --distances 1,2,4,8");
     assertEquals(0, Cli.run("profile", "measure", lab).exit());
     for (String locale : LOCALES) {
-      Path copy = Files.createDirectories(folder.resolve(locale).resolve("lab"));
+      Path own = folder.resolve(locale);
+      for (String command : COMMANDS) {
+        Files.createDirectories(own.resolve(name(command)));
+      }
+      Path copy = Files.createDirectories(own.resolve("profile/lab"));
       for (String file : List.of("camera.json", "measurements.csv")) {
         Files.copy(lab.resolve(file), copy.resolve(file));
       }
-    }
-    assertSame("profile fit lab --population 60 --generations 3");
-  }
-
-  private void assertSame(String command) throws Exception {
-    List<String> said = new ArrayList<>();
-    for (String locale : LOCALES) {
-      said.add(run(locale, command));
-      assertEquals(said.get(0), said.get(said.size() - 1), locale);
-      assertSameFiles(folder.resolve(LOCALES.get(0)), folder.resolve(locale));
+      run(locale, own);
     }
   }
 
-  /** Runs a command in a folder of the locale's own and returns what it printed. */
-  private String run(String locale, String command) throws Exception {
-    Path own = Files.createDirectories(folder.resolve(locale));
+  private static void run(String locale, Path own) throws Exception {
     List<String> options =
         List.of(
             "-Duser.language=" + locale.substring(0, 2), "-Duser.country=" + locale.substring(3));
+    String scenarios = Cli.ROOT.resolve("scenarios").toAbsolutePath().toString();
+    Object[] words =
+        COMMANDS.stream().map(command -> command.replace("SCENARIOS", scenarios)).toArray();
     Process process =
-        Java.main(
-            own, options, System.getProperty("java.class.path"), (Object[]) command.split(" "));
+        Java.start(
+            own, options, System.getProperty("java.class.path"), LocaleTest.class.getName(), words);
     String said = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
     assertEquals(0, process.waitFor(), said);
-    return said.replaceAll("(?m)^.* left$\n", ""); // progress, on a slow machine
+  }
+
+  /** Runs each word as a command, and writes what it printed beside its files. */
+  public static void main(String[] commands) throws IOException {
+    for (String command : commands) {
+      StringWriter said = new StringWriter();
+      PrintWriter writer = new PrintWriter(said, true);
+      int exit = Main.execute(writer, writer, command.split(" "));
+      assertEquals(0, exit, command + ": " + said);
+      Files.writeString(
+          Path.of(name(command), "said.txt"),
+          said.toString().replaceAll("(?m)^.* left$\n", "")); // progress, on a slow machine
+    }
+  }
+
+  static Stream<String> commandsPrintAndWriteTheSame() {
+    return COMMANDS.stream().map(LocaleTest::name);
+  }
+
+  @ParameterizedTest
+  @MethodSource
+  void commandsPrintAndWriteTheSame(String name) throws IOException {
+    Path expected = folder.resolve(LOCALES.get(0)).resolve(name);
+    for (String locale : LOCALES.subList(1, LOCALES.size())) {
+      assertSameFiles(expected, folder.resolve(locale).resolve(name));
+    }
+  }
+
+  private static String name(String command) {
+    return command.substring(0, command.indexOf(' '));
   }
 
   private static void assertSameFiles(Path expected, Path actual) throws IOException {
     List<Path> files = files(expected);
-    assertTrue(files.size() > 0);
+    assertTrue(files.size() > 1, files.toString());
     assertEquals(files, files(actual));
     for (Path file : files) {
       if (!OF_A_MOMENT.contains(file.getFileName().toString())) {

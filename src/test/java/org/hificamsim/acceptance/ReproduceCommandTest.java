@@ -30,8 +30,8 @@ class ReproduceCommandTest {
 
   @Test
   void writesTheSameFilesOnAnyNumberOfThreads() throws IOException {
-    Path one = reproduce("one", 200, 2, 1);
-    Path many = reproduce("many", 200, 2, 3);
+    Path one = reproduced(1).folder();
+    Path many = reproduced(3).folder();
     for (String file : files()) {
       assertArrayEquals(
           Files.readAllBytes(one.resolve(file)), Files.readAllBytes(many.resolve(file)), file);
@@ -41,8 +41,7 @@ class ReproduceCommandTest {
 
   @Test
   void robustStatementsHoldAtModerateSize() throws IOException {
-    List<String> verdicts =
-        Files.readAllLines(reproduce("robust", 1500, 4, 2).resolve("verdicts.csv"));
+    List<String> verdicts = Files.readAllLines(reproduced(1).folder().resolve("verdicts.csv"));
     for (String id : ROBUST) {
       String row =
           verdicts.stream().filter(line -> line.contains("," + id + ",")).findFirst().get();
@@ -52,7 +51,7 @@ class ReproduceCommandTest {
 
   @Test
   void anyZoomThatDecidesAloneGivesZoomOutNothingOrEverything() throws IOException {
-    Path out = reproduce("standard", 1500, 4, 2);
+    Path out = reproduced(1).folder();
     List<String> header = List.of(line(out, "table-8.1.csv", "layout,").split(",", -1));
     for (String layout : List.of("lattice", "ring", "cluster")) {
       String[] cells = line(out, "table-8.1.csv", layout + ",zoom-out,camsim-range").split(",", -1);
@@ -63,8 +62,8 @@ class ReproduceCommandTest {
 
   @Test
   void saysFirstThatTheOptimumIsStaticAndWhatWasFitted() throws IOException {
-    Path out = folder.resolve("first");
-    Cli run = Cli.run("reproduce", "--steps", 150, "--repeat", 2, "--out", out);
+    Path out = reproduced(1).folder();
+    Cli run = reproduced(1).cli();
     assertTrue(run.out().startsWith("The optimum is static: fixed:2 has the k_min"), run.out());
     assertTrue(run.out().contains("in 12 of 12 cases"), run.out());
     assertTrue(run.out().contains("fitted "), run.out());
@@ -140,12 +139,8 @@ class ReproduceCommandTest {
         .toList();
   }
 
-  private Path reproduce(String name, int steps, int repeats, int threads) {
-    Path out = folder.resolve(name);
-    Cli run =
-        Cli.run(
-            "reproduce", "--steps", steps, "--repeat", repeats, "--threads", threads, "--out", out);
-    assertEquals(0, run.exit(), run.err());
-    return out;
+  /** At moderate size. */
+  static Results reproduced(int threads) {
+    return Results.of("reproduce", "--steps", 1500, "--repeat", 4, "--threads", threads);
   }
 }

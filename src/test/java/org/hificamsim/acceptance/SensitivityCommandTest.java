@@ -33,18 +33,22 @@ class SensitivityCommandTest {
 
   @TempDir Path folder;
 
+  /** Sweeps without a word on the screen. */
+  static Results swept() {
+    return Results.of("sensitivity", "--steps", 60, "--repeat", 2, "--quiet");
+  }
+
   @Test
   void sweepsEveryParameterWithItsDefaultAmongTheValues() throws IOException {
-    Cli run = Cli.run("sensitivity", "--steps", 60, "--repeat", 2, "--out", folder);
-    assertEquals(0, run.exit(), run.err());
-    List<String> rows = Files.readAllLines(folder.resolve("sensitivity.csv"));
+    Path swept = swept().folder();
+    List<String> rows = Files.readAllLines(swept.resolve("sensitivity.csv"));
     for (String parameter : PARAMETERS) {
       assertTrue(
           rows.stream().anyMatch(row -> row.matches(parameter + ",[^,]*,true,all,.*")), parameter);
-      assertTrue(Files.size(folder.resolve("sensitivity-" + parameter + ".png")) > 1000);
-      assertTrue(Files.size(folder.resolve("sensitivity-" + parameter + ".svg")) > 1000);
+      assertTrue(Files.size(swept.resolve("sensitivity-" + parameter + ".png")) > 1000);
+      assertTrue(Files.size(swept.resolve("sensitivity-" + parameter + ".svg")) > 1000);
     }
-    String findings = Files.readString(folder.resolve("sensitivity.md"));
+    String findings = Files.readString(swept.resolve("sensitivity.md"));
     assertTrue(findings.contains("It holds in"));
     assertTrue(findings.contains("How many settings fit Table 8.1 as well"));
     modelsOfOneFeatureAbstractionAreOneModel(rows);
@@ -67,8 +71,8 @@ class SensitivityCommandTest {
                 .count());
   }
 
-  private void everySettingHasItsDistanceFromTheTable() throws IOException {
-    List<String> fits = Files.readAllLines(folder.resolve("fit.csv"));
+  private static void everySettingHasItsDistanceFromTheTable() throws IOException {
+    List<String> fits = Files.readAllLines(swept().folder().resolve("fit.csv"));
     assertEquals("parameter,value,default,error_hifi,error_camsim", fits.get(0));
     assertEquals(
         1,

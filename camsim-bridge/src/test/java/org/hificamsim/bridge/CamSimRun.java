@@ -7,9 +7,13 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A run of the doubles of CamSim in a JVM of its own, as a user starts it.
@@ -28,6 +32,31 @@ record CamSimRun(int exit, String out, String err, Path folder) {
 
   /** An agent without options. */
   static final String WITHOUT_OPTIONS = "";
+
+  private static final Map<String, CamSimRun> SHARED = new HashMap<>();
+
+  /** The run of the scenario of the tests for 200 steps, made once for all tests that only read it. */
+  static synchronized CamSimRun shared(String options) {
+    return SHARED.computeIfAbsent(options, key -> of(untilTheEnd(), options));
+  }
+
+  private static Path untilTheEnd() {
+    try {
+      Path folder = Files.createTempDirectory("camsim");
+      Runtime.getRuntime().addShutdownHook(new Thread(() -> delete(folder)));
+      return folder;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static void delete(Path folder) {
+    try (Stream<Path> all = Files.walk(folder)) {
+      all.sorted(Comparator.reverseOrder()).map(Path::toFile).forEach(File::delete);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
 
   /** Runs a scenario for some steps, with seed 0. */
   static CamSimRun of(Path folder, String options, Path scenario, int steps) {

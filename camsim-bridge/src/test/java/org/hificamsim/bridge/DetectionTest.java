@@ -26,14 +26,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What cameras of CamSim see under the agent. */
 class DetectionTest {
-  @TempDir static Path plain;
   private static CamSimRun without;
 
   @TempDir Path folder;
 
   @BeforeAll
   static void runWithoutAgent() {
-    without = CamSimRun.of(plain, CamSimRun.WITHOUT_AGENT);
+    without = CamSimRun.shared(CamSimRun.WITHOUT_AGENT);
   }
 
   @Test
@@ -64,14 +63,14 @@ class DetectionTest {
 
   @Test
   void watchingChangesNothing() {
-    CamSimRun with = run("with", "out=results");
+    CamSimRun with = CamSimRun.shared("out=results");
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());
   }
 
   @Test
   void aHiFiModelDecidesWhatIsVisibleAndHowSureCamerasAre() {
-    CamSimRun with = run("with", "detection=hifi:orb-lin");
+    CamSimRun with = CamSimRun.shared("detection=hifi:orb-lin,out=results");
     assertEquals("", with.err());
     Detection detection = OwnSimulation.detection("hifi:orb-lin");
     int visible = assertFollows(with, detection, TargetSpec.DEFAULT_SIZE);
@@ -102,7 +101,7 @@ class DetectionTest {
   @ParameterizedTest
   @ValueSource(strings = {"hifi:orb-lin", "camsim-range", "camsim-visibility", "geometric"})
   void filesAreThoseOfOurOwnEngine(String name) throws IOException {
-    CamSimRun with = run("with", "detection=" + name + ",out=results");
+    CamSimRun with = CamSimRun.shared("detection=" + name + ",out=results");
     Path expected = folder.resolve("engine");
     RunCoverage sums =
         OwnSimulation.record(
@@ -126,7 +125,7 @@ class DetectionTest {
 
   @Test
   void withoutAModelFilesTellWhatCamSimSees() {
-    CamSimRun with = run("with", "out=results");
+    CamSimRun with = CamSimRun.shared("out=results");
     Map<Integer, Long> seen =
         with.rows("looks.csv").stream()
             .map(Look::of)

@@ -26,6 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** How policies turn and zoom CamSim's cameras through a lens. */
 class OpticsTest {
   private static final String TURNING = "hfov=15;40;100,pan=-60;0;60,pixels=640";
+  private static final String RANDOM_BY_AREA = "policy=random,law=constant-area," + TURNING;
   private static final String UNCHANGED = "; CamSim runs on unchanged\n";
   private static final Map<String, Double> HEADINGS =
       Map.of("A", 30.0, "B", -45.0, "C", 0.0, "D", 180.0, "E", 0.0);
@@ -77,9 +78,8 @@ class OpticsTest {
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
   void turnsAndZoomsBeforeTheStepsLooksWhateverUnitItIsToldIn(boolean radians) throws IOException {
-    Path classes = radians ? Variant.of(folder, IN_RADIANS) : CamSimRun.DOUBLES;
-    String law = ",law=constant-area";
-    CamSimRun with = run("with", "policy=random,out=results," + TURNING + law, classes);
+    String options = RANDOM_BY_AREA + ",out=results";
+    CamSimRun with = radians ? run("with", options, Variant.of(folder, IN_RADIANS)) : turning();
     assertEquals("", with.err());
     Map<String, String[]> views = new HashMap<>();
     with.rows("results/zooms.csv").stream()
@@ -109,7 +109,7 @@ class OpticsTest {
 
   @Test
   void reachFollowsTheAngleByConstantAreaAndStaysThroughAPinhole() {
-    CamSimRun area = run("area", "policy=random,law=constant-area," + TURNING);
+    CamSimRun area = turning();
     assertEquals(Set.of(12.0, 12 * Math.sqrt(15.0 / 40), 12 * Math.sqrt(0.15)), ranges(area, "A"));
     assertEquals(Set.of(16.0, 16 * Math.sqrt(15.0 / 40), 16 * Math.sqrt(0.15)), ranges(area, "B"));
     assertEquals(Set.of(12.0), ranges(run("pinhole", "policy=random," + TURNING), "A"));
@@ -142,7 +142,7 @@ class OpticsTest {
 
   @Test
   void filesTellWhereCamerasLookAndThroughWhichOptics() {
-    CamSimRun with = run("with", "policy=random,out=results,law=constant-area," + TURNING);
+    CamSimRun with = turning();
     assertTrue(
         with.text("results/zooms.csv")
             .startsWith("run,step,camera,level,radius,detected,pan,viewing_angle,moving\n"));
@@ -153,15 +153,14 @@ class OpticsTest {
                 + "\"hfov\":[15.0,40.0,100.0],\"pan\":[-60.0,0.0,60.0]}]"),
         summary);
     assertFalse(
-        run("round", "policy=random,out=results").text("results/summary.json").contains("optics"));
+        CamSimRun.shared("out=results").text("results/summary.json").contains("optics"));
   }
 
   @ParameterizedTest
   @ValueSource(ints = {10, 100})
   void whenARunEndsCamerasLookAsTheyDidOrAsAnEventTurnedThem(int steps) throws IOException {
     Path classes = Variant.compile(folder, "Ends.java", ENDS);
-    String options = "policy=random,law=constant-area," + TURNING;
-    List<String> with = ended("with", options, classes, steps);
+    List<String> with = ended("with", RANDOM_BY_AREA, classes, steps);
     assertEquals(ended("without", CamSimRun.WITHOUT_AGENT, classes, steps), with);
     assertEquals(steps > 55 ? 5 : 4, with.size());
   }
@@ -215,7 +214,7 @@ public class Ends {
     assertTrue(with.err().endsWith("stuck" + UNCHANGED), with.err());
     int steps = with.rows("results/steps.csv").size();
     assertTrue(steps > 1 && steps < 20, steps + " steps before the failure");
-    CamSimRun without = run("without", CamSimRun.WITHOUT_AGENT);
+    CamSimRun without = CamSimRun.shared(CamSimRun.WITHOUT_AGENT);
     assertFalse(without.text("looks.csv").startsWith(with.text("looks.csv").substring(0, 5000)));
     assertEquals(after(steps, without), after(steps, with));
   }
@@ -241,6 +240,11 @@ public class Ends {
     assertTrue(with.err().startsWith("hificamsim-bridge: CamSim has heading "), with.err());
     assertTrue(with.err().endsWith(", expected the same" + UNCHANGED), with.err());
     assertEquals(1, with.err().lines().count());
+  }
+
+  /** Cameras that turn and zoom by chance, with files. */
+  private static CamSimRun turning() {
+    return CamSimRun.shared(RANDOM_BY_AREA + ",out=results");
   }
 
   private Path own(Detection detection, String policy, String optics) throws IOException {

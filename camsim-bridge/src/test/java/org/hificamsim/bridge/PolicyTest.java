@@ -51,14 +51,7 @@ class PolicyTest {
   @ParameterizedTest
   @ValueSource(
       strings = {
-        "fixed:0;1;2;3;1",
-        "random",
-        "optimal",
-        "one-hop",
-        "epsilon-greedy:epsilon=0.2",
-        "ucb1",
-        "sarsa:gamma=0.9;epsilon=0.1",
-        "qb-sarsa:k=2"
+        "fixed:0;1;2;3;1", "optimal", "ucb1", "qb-sarsa:k=2"
       })
   void decidesAsInOurOwnEngineWhileCamerasAndObjectsComeAndGo(String policy) throws IOException {
     CamSimRun with =
@@ -189,7 +182,7 @@ class PolicyTest {
 
   @Test
   void levelsAreFiveUpToEachCamerasOwnRangeWhereNoneAreGiven() {
-    CamSimRun with = run("with", "policy=random");
+    CamSimRun with = CamSimRun.shared("policy=random");
     Map<String, Set<Double>> ranges =
         with.rows("looks.csv").stream()
             .map(Look::of)
@@ -203,7 +196,7 @@ class PolicyTest {
 
   @Test
   void theSeedDecides() {
-    String first = run("first", "policy=random").text("looks.csv");
+    String first = CamSimRun.shared("policy=random").text("looks.csv");
     assertEquals(first, run("again", "policy=random,seed=0").text("looks.csv"));
     assertTrue(!first.equals(run("other", "policy=random,seed=1").text("looks.csv")));
   }
@@ -211,7 +204,7 @@ class PolicyTest {
   @Test
   void aPolicyThatDoesNotSuitTheCamerasLeavesCamSimAsItIs() {
     CamSimRun with = run("with", "policy=fixed:0;1");
-    assertEquals(run("without", CamSimRun.WITHOUT_AGENT).all(), with.all());
+    assertEquals(CamSimRun.shared(CamSimRun.WITHOUT_AGENT).all(), with.all());
     assertEquals(
         "hificamsim-bridge: policy fixed: levels has 2 values, expected 1 for all cameras or 5,"
             + " one for each; CamSim runs on unchanged\n",

@@ -16,6 +16,10 @@ import java.util.regex.Pattern;
 /** A standalone cluster on loopback: a master and workers of one core, each a process. */
 final class SparkCluster implements Closeable {
   private static final Duration PATIENCE = Duration.ofMinutes(4);
+
+  /** Options for JVMs that end soon. */
+  static final List<String> SHORT_LIVED = List.of("-XX:TieredStopAtLevel=1", "-XX:+UseSerialGC");
+
   private static final Pattern PORT =
       Pattern.compile("Successfully started service 'sparkMaster' on port (\\d+)");
 
@@ -108,6 +112,8 @@ final class SparkCluster implements Closeable {
     builder.environment().put("SPARK_HOME", home.toString());
     builder.environment().put("SPARK_LOCAL_IP", "127.0.0.1");
     builder.environment().put("SPARK_DAEMON_MEMORY", "256m");
+    builder.environment().put("SPARK_DAEMON_JAVA_OPTS", String.join(" ", SHORT_LIVED));
+    builder.environment().put("SPARK_LAUNCHER_OPTS", String.join(" ", SHORT_LIVED));
     builder.environment().put("JAVA_HOME", System.getProperty("java.home"));
     builder.redirectErrorStream(true).redirectOutput(log.toFile());
     processes.add(builder.start());

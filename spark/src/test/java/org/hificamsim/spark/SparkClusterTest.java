@@ -31,6 +31,7 @@ class SparkClusterTest {
   private static final Path EXAMPLE = ROOT.resolve("examples/own-policy/src");
   private static final Path OPTIONS = ROOT.resolve("spark/java.options");
   private static final int FEW = 5;
+  private static final String SHORT_LIVED = String.join(" ", SparkCluster.SHORT_LIVED);
 
   private static final String MODEL =
       """
@@ -90,6 +91,8 @@ class SparkClusterTest {
     command.addAll(List.of(home.resolve("bin/spark-submit").toString(), "--master", cluster.url()));
     command.addAll(List.of("--conf", "spark.executor.memory=512m", "--jars", jar.toString()));
     command.addAll(List.of("--conf", "spark.driver.host=127.0.0.1"));
+    command.addAll(List.of("--conf", "spark.executor.extraJavaOptions=" + SHORT_LIVED));
+    command.addAll(List.of("--driver-java-options", SHORT_LIVED));
     command.addAll(List.of("--class", "org.hificamsim.cli.Main", application()));
     command.addAll(comparison("submitted", List.of("--engine", "spark")));
     ProcessBuilder submit = process("submitted", command);
@@ -102,7 +105,10 @@ class SparkClusterTest {
   /** The command line as the launcher starts it. */
   private static ProcessBuilder driver(String name, List<String> engine) {
     List<String> command = new ArrayList<>();
-    command.addAll(List.of(java(), "@" + OPTIONS, "-Dspark.executor.memory=512m"));
+    command.add(java());
+    command.addAll(SparkCluster.SHORT_LIVED);
+    command.addAll(List.of("@" + OPTIONS, "-Dspark.executor.memory=512m"));
+    command.add("-Dspark.executor.extraJavaOptions=" + SHORT_LIVED);
     command.addAll(
         List.of("-Dspark.driver.host=127.0.0.1", "-Dspark.driver.bindAddress=127.0.0.1"));
     command.add("-Dlog4j2.configurationFile=" + ROOT.resolve("spark/log4j2.properties"));
@@ -126,7 +132,7 @@ class SparkClusterTest {
     words.addAll(List.of("compare", ROOT.resolve("scenarios/cluster-random.xml").toString()));
     words.addAll(List.of("--detections", "camsim-range," + model));
     words.addAll(List.of("--policies", "sarsa:gamma=0.9,lookout:patience=3"));
-    words.addAll(List.of("--steps", "30000", "--repeat", "12", "--seed", "3"));
+    words.addAll(List.of("--steps", "10000", "--repeat", "12", "--seed", "3"));
     words.addAll(List.of("--out", folder.resolve(name).toString()));
     words.addAll(engine);
     return words;

@@ -79,13 +79,13 @@ class ObstaclesTest {
     assertTrue(Obstacles.NONE.clear(0, 0, 0, 0));
   }
 
-  @Property(tries = 2000, edgeCases = EdgeCasesMode.NONE)
+  @Property(tries = 1000, edgeCases = EdgeCasesMode.NONE)
   void linesOfSightTouchWhatJtsSays(@ForAll long seed) {
     RandomPlace place = RandomPlace.forJts(seed);
     assertTouched(place, place.obstacles(6, false), ObstaclesTest::byJts);
   }
 
-  @Property(tries = 2000, edgeCases = EdgeCasesMode.NONE)
+  @Property(tries = 600, edgeCases = EdgeCasesMode.NONE)
   void linesOfSightTouchWhatExactArithmeticSays(@ForAll long seed) {
     RandomPlace place = seed % 2 == 0 ? RandomPlace.ofAnySize(seed) : new RandomPlace(seed);
     List<Obstacle> exact =
