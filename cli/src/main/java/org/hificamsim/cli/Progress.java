@@ -1,11 +1,16 @@
 package org.hificamsim.cli;
 
 import java.io.PrintWriter;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.compare.RunProgress;
 
 /**
@@ -14,14 +19,8 @@ import org.hificamsim.runs.compare.RunProgress;
  * short runs show nothing.
  */
 final class Progress implements RunProgress, AutoCloseable {
-  /** Units between two looks at the clock, at most: more would save nothing. */
-  private static final long MAX_UNSEEN = 64;
-
-  /** As often as a look need be, nanoseconds. */
-  private static final long SOON = TimeUnit.MILLISECONDS.toNanos(1);
-
-  private static final long QUIET = TimeUnit.SECONDS.toNanos(2);
-  private static final long BETWEEN_LINES = TimeUnit.SECONDS.toNanos(10);
+  private static final long QUIET = 2; // seconds
+  private static final long BETWEEN_LINES = 10;
 
   /** How progress is shown. */
   enum Telling {
@@ -37,100 +36,84 @@ final class Progress implements RunProgress, AutoCloseable {
     }
   }
 
-  private ProgressLine line;
   private final long total;
   private final PrintWriter err;
-  private final Telling telling;
   private final LongSupplier clock;
-  private long started;
   private final AtomicLong done = new AtomicLong();
-  private long unseen = 1;
-  private volatile long nextLook;
-  private long lastLook;
-  private long lastLine;
+  private final ScheduledExecutorService timer =
+      Executors.newSingleThreadScheduledExecutor(Parallel.daemons("progress"));
+  private ProgressLine line;
+  private long started;
+  private Future<?> showing = CompletableFuture.completedFuture(null);
   private ProgressBar bar;
 
   /**
    * @param unit what is counted, as in {@code " steps"}
    */
-  Progress(String task, String unit, long total, PrintWriter err) {
-    this(task, unit, total, err, Telling.asLaunched());
-  }
-
   Progress(String task, String unit, long total, PrintWriter err, Telling telling) {
-    this(task, unit, total, err, telling, System::nanoTime);
+    this(task, unit, total, err, System::nanoTime);
+    switch (telling) {
+      case BAR -> showing = timer.schedule(this::showBar, QUIET, TimeUnit.SECONDS);
+      case LINES ->
+          showing =
+              timer.scheduleAtFixedRate(
+                  this::printLine, BETWEEN_LINES, BETWEEN_LINES, TimeUnit.SECONDS);
+      case NOTHING -> {}
+    }
   }
 
   /**
+   * Progress that is shown only when asked for.
+   *
    * @param clock nanoseconds
    */
-  Progress(
-      String task, String unit, long total, PrintWriter err, Telling telling, LongSupplier clock) {
+  Progress(String task, String unit, long total, PrintWriter err, LongSupplier clock) {
     this.line = new ProgressLine(task, unit.strip(), total);
     this.total = total;
     this.err = err;
-    this.telling = telling;
     this.clock = clock;
     this.started = clock.getAsLong();
-    this.lastLook = started;
-    this.lastLine = started;
-    this.nextLook = telling == Telling.NOTHING ? Long.MAX_VALUE : 1;
   }
 
-  /** Counts one unit; any number of threads may, and mostly none waits for another. */
+  /** Counts one unit; any number of threads may. */
   @Override
   public void advance() {
-    if (done.incrementAndGet() >= nextLook) {
-      look();
-    }
-  }
-
-  private synchronized void look() {
-    if (done.get() >= nextLook) {
-      long now = clock.getAsLong();
-      unseen = now - lastLook < SOON ? Math.min(2 * unseen, MAX_UNSEEN) : 1;
-      lastLook = now;
-      nextLook = done.get() + unseen;
-      look(now);
-    }
+    done.incrementAndGet();
   }
 
   /** Counts what was done before: it takes no time, and says nothing of the speed. */
   @Override
   public synchronized void resume(long units) {
     done.set(units);
-    nextLook = telling == Telling.NOTHING ? Long.MAX_VALUE : units + 1;
     started = clock.getAsLong();
     line = line.after(units);
   }
 
-  private void look(long now) {
-    if (now - started < QUIET) {
-      return;
-    }
-    if (telling == Telling.BAR) {
-      if (bar == null) {
-        bar = bar();
-      }
-      bar.stepTo(done.get());
-    } else if (now - lastLine > BETWEEN_LINES) {
-      lastLine = now;
-      err.println(line.plain(done.get(), now - started));
+  /** Prints a line for a file or a pipe. */
+  synchronized void printLine() {
+    err.println(line.plain(done.get(), elapsed()));
+  }
+
+  private synchronized void showBar() {
+    if (!timer.isShutdown()) {
+      bar =
+          new ProgressBarBuilder()
+              .setInitialMax(total)
+              .continuousUpdate()
+              .setRenderer((state, width) -> line.bar(done.get(), elapsed(), width))
+              .build();
     }
   }
 
-  private ProgressBar bar() {
-    return new ProgressBarBuilder()
-        .setInitialMax(total)
-        .setRenderer(
-            (state, width) -> line.bar(state.getCurrent(), clock.getAsLong() - started, width))
-        .build();
+  private long elapsed() {
+    return clock.getAsLong() - started;
   }
 
   @Override
   public synchronized void close() {
+    showing.cancel(false);
+    timer.shutdown();
     if (bar != null) {
-      bar.stepTo(done.get());
       bar.close();
       bar = null;
     }

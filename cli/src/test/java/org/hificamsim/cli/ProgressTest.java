@@ -17,22 +17,23 @@ class ProgressTest {
     StringWriter told = new StringWriter();
     Progress progress =
         new Progress(
-            "lab",
-            " photos",
-            60,
-            new PrintWriter(told, true),
-            Progress.Telling.LINES,
-            () -> TimeUnit.SECONDS.toNanos(now));
+            "lab", " photos", 60, new PrintWriter(told, true), () -> TimeUnit.SECONDS.toNanos(now));
     now = 3;
     progress.resume(36);
-    for (int photo = 0; photo < 5; photo++) {
-      now += 5;
-      progress.advance();
-    }
+    measure(progress, 2);
+    measure(progress, 3);
     assertEquals(
         List.of(
             "lab: 38 of 60 photos (63%), 0.2 photos/s, 0:01:50 left",
             "lab: 41 of 60 photos (68%), 0.2 photos/s, 0:01:35 left"),
         told.toString().lines().toList());
+  }
+
+  private void measure(Progress progress, int photos) {
+    for (int photo = 0; photo < photos; photo++) {
+      now += 5;
+      progress.advance();
+    }
+    progress.printLine();
   }
 }
