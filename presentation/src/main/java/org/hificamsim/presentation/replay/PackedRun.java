@@ -84,6 +84,7 @@ public record PackedRun(
 
   private static String pack(List<Frame> frames, List<Column> columns) {
     return Deflated.base64(
+        Deflated.FAST,
         out -> {
           pack(out, new Column(Frame::step, (frame, step) -> {}), frames);
           for (Column column : columns) {
