@@ -79,6 +79,16 @@ class SitePageTest {
   }
 
   @Test
+  void theSettingsSayWhatEachKindOfOpticsIs() {
+    open();
+    String settings = browser.text("section.details");
+    assertTrue(
+        settings.contains("optics dome law pinhole, pixels 1280, hfov 30 60 90, pan -45 0 45"),
+        settings);
+    assertFalse(settings.contains("[object"), settings);
+  }
+
+  @Test
   void theViewsOfACameraAreATableOfLevelsByPanAngles() throws IOException {
     open();
     browser.findAll(".rows button").get(0).click();

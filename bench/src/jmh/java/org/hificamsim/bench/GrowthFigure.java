@@ -100,7 +100,7 @@ public final class GrowthFigure {
         "Random fields of one density, 0.6 targets for each camera (CamSim's network: 0.5), one"
             + " thread",
         legend,
-        List.of(panel.chart()),
+        List.of(panel),
         1,
         560,
         360);

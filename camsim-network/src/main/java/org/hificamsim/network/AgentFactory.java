@@ -26,7 +26,7 @@ final class AgentFactory {
   private final NetworkSettings settings;
   private final Random random;
   private final int fromFile;
-  private final List<Role> roles = new ArrayList<>();
+  private final List<CameraRole> roles = new ArrayList<>();
   private final InitialLinks graph;
   private final boolean graphIsStatic;
 
@@ -65,7 +65,7 @@ final class AgentFactory {
 
   /** Makes the agent of a camera. */
   Agent agent(int camera, Agent.Shared shared) {
-    Role role = roles.get(camera);
+    CameraRole role = roles.get(camera);
     AuctionSchedule schedule =
         new AuctionSchedule(role.schedule(), world.targets(), settings.historicalParameters());
     Links links = asksAlways(role) ? Links.UNREAD : links(camera, role, schedule);
@@ -73,18 +73,18 @@ final class AgentFactory {
   }
 
   /** Whether a camera asks all neighbours as long as it runs, whatever its links. */
-  private static boolean asksAlways(Role role) {
+  private static boolean asksAlways(CameraRole role) {
     return role.comm().policy() == CommunicationPolicy.BROADCAST && role.bandit().isEmpty();
   }
 
-  private Links links(int camera, Role role, AuctionSchedule schedule) {
+  private Links links(int camera, CameraRole role, AuctionSchedule schedule) {
     return role.schedule().isHistorical() && settings.historicalParameters().classification()
         ? Links.byCategory(
             graph.names(), settings.historicalParameters().categories(), schedule::category)
         : links(camera, role);
   }
 
-  private Links links(int camera, Role role) {
+  private Links links(int camera, CameraRole role) {
     List<Integer> initial =
         camera < fromFile
             ? graph.of(world.cameras().name(camera), hasReverseLinks(camera))
@@ -101,7 +101,7 @@ final class AgentFactory {
 
   /** Makes the bandit of a camera, which draws its first numbers. */
   CameraBandit bandit(Agent agent) {
-    Role role = roles.get(agent.camera());
+    CameraRole role = roles.get(agent.camera());
     if (role.bandit().isEmpty()) {
       return CameraBandit.NONE;
     }

@@ -40,14 +40,14 @@ final class RoleReader {
    * @throws org.hificamsim.core.InputException made by {@code fault} when a name is not known, or
    *     something that it needs is missing
    */
-  Role read(AgentSpec agent, Optional<OpticsSpec> optics, boolean added, Fault fault) {
+  CameraRole read(AgentSpec agent, Optional<OpticsSpec> optics, boolean added, Fault fault) {
     if (!added) {
       schedule = schedule(agent, fault);
     }
     if (schedule == ScheduleKind.BANDIT_ZOOM) {
       requireRange(optics, fault);
     }
-    return new Role(schedule, comm(agent, added, fault), agent.limit(), bandit(agent, fault));
+    return new CameraRole(schedule, comm(agent, added, fault), agent.limit(), bandit(agent, fault));
   }
 
   /** A zoom list and a lens have reaches of their own, whatever range a bandit sets. */

@@ -28,7 +28,7 @@ class RoleReaderTest {
         Optional.ofNullable(bandit));
   }
 
-  private static Role read(RoleReader reader, AgentSpec agent, boolean added) {
+  private static CameraRole read(RoleReader reader, AgentSpec agent, boolean added) {
     return reader.read(
         agent,
         Optional.empty(),
@@ -43,7 +43,7 @@ class RoleReaderTest {
 
   @Test
   void aCameraOfTheFileGetsWhatItAsksFor() {
-    Role role = read(new RoleReader(NetworkSettings.CAMSIM), SMOOTH, false);
+    CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM), SMOOTH, false);
     assertEquals(ScheduleKind.PASSIVE, role.schedule());
     assertEquals(CommunicationPolicy.SMOOTH, role.comm().policy());
     assertEquals(7, role.limit());
@@ -53,7 +53,7 @@ class RoleReaderTest {
   @Test
   void theSettingsCountForAllCamerasOfTheFile() {
     NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_ACTIVE, 3);
-    Role role = read(new RoleReader(all), SMOOTH, false);
+    CameraRole role = read(new RoleReader(all), SMOOTH, false);
     assertEquals(ScheduleKind.HISTORICAL_ACTIVE, role.schedule());
     assertTrue(role.comm().isFix());
   }
@@ -63,7 +63,7 @@ class RoleReaderTest {
     NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_PASSIVE, 3);
     RoleReader reader = new RoleReader(all);
     read(reader, AgentSpec.NONE, false);
-    Role role = read(reader, spec("Nobody", 2, null, null), true);
+    CameraRole role = read(reader, spec("Nobody", 2, null, null), true);
     assertEquals(ScheduleKind.HISTORICAL_PASSIVE, role.schedule());
     assertEquals(CommunicationPolicy.STEP, role.comm().policy());
   }
@@ -94,7 +94,7 @@ class RoleReaderTest {
   @Test
   void aBanditThatSetsRangesRefusesAZoomList() {
     AgentSpec zooming = spec("BanditZoom", 0, null, "UCB1");
-    Role role = read(new RoleReader(NetworkSettings.CAMSIM), zooming, false);
+    CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM), zooming, false);
     assertEquals(ScheduleKind.BANDIT_ZOOM, role.schedule());
     RoleReader reader = new RoleReader(NetworkSettings.CAMSIM, true);
     InputException error = assertThrows(InputException.class, () -> read(reader, zooming, false));

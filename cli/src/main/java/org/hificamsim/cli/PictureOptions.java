@@ -15,7 +15,7 @@ import org.hificamsim.presentation.picture.Look;
 import org.hificamsim.presentation.picture.RunFrames;
 import org.hificamsim.presentation.picture.StepPicture;
 import org.hificamsim.presentation.plot.FigureFile;
-import org.hificamsim.presentation.plot.Picture;
+import org.hificamsim.presentation.plot.Paintable;
 import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Replay;
@@ -144,7 +144,7 @@ final class PictureOptions {
       Numbers.inRange("--width", width, MIN_WIDTH, gif == null ? MAX_WIDTH : MAX_GIF_WIDTH);
     }
     RunFrames run = frames(folder);
-    Picture still = still(folder, run);
+    Paintable still = still(folder, run);
     Animation animation = animation(run);
     if (png != null) {
       int pixels = width == null ? PNG_WIDTH : width;
@@ -166,7 +166,7 @@ final class PictureOptions {
     }
   }
 
-  private Picture still(Path folder, RunFrames run) throws IOException {
+  private Paintable still(Path folder, RunFrames run) throws IOException {
     if (heat.isEmpty()) {
       return new StepPicture(run, run.at("--step", step == null ? run.last() : step));
     }

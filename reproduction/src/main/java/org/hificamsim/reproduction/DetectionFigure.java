@@ -83,7 +83,7 @@ public final class DetectionFigure {
       Detection byChance = Detection.by(DetectionRule.parse("chance"), model.name(), model);
       panel.line(curve(byChance), Palette.line(i));
     }
-    return panel.chart();
+    return panel;
   }
 
   private static Curve curve(Detection detection) {

@@ -123,7 +123,7 @@ public final class ReproductionFigures {
       if (number == 4 && !Double.isNaN(published)) {
         panel.level(published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
       }
-      panels.add(panel.panel().chart());
+      panels.add(panel);
     }
     List<LegendEntry> legend = new ArrayList<>(colors.legend());
     if (!Double.isNaN(published)) {
@@ -191,7 +191,7 @@ public final class ReproductionFigures {
     pair.forEach(one -> panel.band(one, color(one)));
     pair.forEach(one -> panel.raw(one.meanKMin(), color(one)));
     pair.forEach(one -> panel.smooth(one.meanKMin(), color(one)));
-    return panel.panel().chart();
+    return panel;
   }
 
   private static Color color(CaseResult one) {

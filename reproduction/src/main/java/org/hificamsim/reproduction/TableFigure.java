@@ -46,7 +46,7 @@ final class TableFigure {
         add(panel, cell, published);
       }
     }
-    return panel.chart();
+    return panel;
   }
 
   private static void add(XyPanel panel, Table81.Cell cell, PublishedCell published) {

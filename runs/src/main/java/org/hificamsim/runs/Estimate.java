@@ -1,5 +1,6 @@
 package org.hificamsim.runs;
 
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.apache.commons.math3.distribution.TDistribution;
@@ -19,16 +20,20 @@ public record Estimate(double mean, double low, double high) {
    * there is a single repeat.
    */
   public static Estimate of(List<RunResult> results, Metric metric) {
-    if (results.size() == 1) { // as most runs: without loading what statistics need
-      double only = results.get(0).value(metric);
-      return new Estimate(only, only, only);
+    return mean(results.stream().mapToDouble(result -> result.value(metric)).toArray());
+  }
+
+  /** The mean of some values, one or more, with Student's interval as above. */
+  public static Estimate mean(double[] values) {
+    if (values.length == 1) { // as most runs: without loading what statistics need
+      return new Estimate(values[0], values[0], values[0]);
     }
     SummaryStatistics statistics = new SummaryStatistics();
-    results.forEach(result -> statistics.addValue(result.value(metric)));
+    Arrays.stream(values).forEach(statistics::addValue);
     double mean = statistics.getMean();
     double quantile =
-        new TDistribution(results.size() - 1).inverseCumulativeProbability((1 + LEVEL) / 2);
-    double half = quantile * statistics.getStandardDeviation() / Math.sqrt(results.size());
+        new TDistribution(values.length - 1).inverseCumulativeProbability((1 + LEVEL) / 2);
+    double half = quantile * statistics.getStandardDeviation() / Math.sqrt(values.length);
     return new Estimate(mean, mean - half, mean + half);
   }
 

@@ -10,8 +10,8 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
-import org.hificamsim.tracks.format.Sample;
 import org.hificamsim.tracks.format.SampleSink;
+import org.hificamsim.tracks.format.TrackSample;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.Ground;
 
@@ -47,8 +47,8 @@ final class Collector implements SampleSink {
   }
 
   @Override
-  public void accept(Sample asRead) {
-    Sample sample = ground.onGround(asRead);
+  public void accept(TrackSample asRead) {
+    TrackSample sample = ground.onGround(asRead);
     TargetRecord target = byName.computeIfAbsent(sample.target(), this::begun);
     if (isNew(sample, target)) {
       count(sample, target);
@@ -67,7 +67,7 @@ final class Collector implements SampleSink {
     return target;
   }
 
-  private boolean isNew(Sample sample, TargetRecord target) {
+  private boolean isNew(TrackSample sample, TargetRecord target) {
     if (sample.tick() > target.tick()) {
       return true;
     }
@@ -87,11 +87,11 @@ final class Collector implements SampleSink {
     return false;
   }
 
-  private static InputException fault(Sample sample, String problem) {
+  private static InputException fault(TrackSample sample, String problem) {
     return sample.place().error("target " + sample.target() + problem);
   }
 
-  private void count(Sample sample, TargetRecord target) {
+  private void count(TrackSample sample, TargetRecord target) {
     firstTick = Math.min(firstTick, sample.tick());
     if (target.tick() != Double.NEGATIVE_INFINITY) {
       double spacing = Math.rint((sample.tick() - target.tick()) * 1e6) / 1e6;

@@ -2,7 +2,7 @@ package org.hificamsim.tracks;
 
 import java.util.Optional;
 import org.hificamsim.core.scenario.Extent;
-import org.hificamsim.tracks.format.Sample;
+import org.hificamsim.tracks.format.TrackSample;
 
 /** What is kept of a target while its file is read. */
 final class TargetRecord {
@@ -41,7 +41,7 @@ final class TargetRecord {
   }
 
   /** Takes its latest sample. */
-  void seen(Sample sample) {
+  void seen(TrackSample sample) {
     tick = sample.tick();
     x = sample.x();
     y = sample.y();

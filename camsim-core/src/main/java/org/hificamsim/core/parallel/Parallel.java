@@ -9,6 +9,7 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Function;
 
@@ -23,7 +24,7 @@ public final class Parallel {
    * @param threads 1 or more
    */
   public static <T, R> List<R> map(List<T> items, int threads, Function<T, R> work) {
-    ExecutorService pool = Executors.newFixedThreadPool(threads, Parallel::daemon);
+    ExecutorService pool = Executors.newFixedThreadPool(threads, daemons("parallel"));
     AtomicBoolean failed = new AtomicBoolean();
     List<Callable<R>> tasks = new ArrayList<>();
     for (T item : items) {
@@ -61,9 +62,12 @@ public final class Parallel {
     return cause instanceof RuntimeException fault ? fault : new IllegalStateException(cause);
   }
 
-  private static Thread daemon(Runnable work) {
-    Thread thread = new Thread(work, "parallel");
-    thread.setDaemon(true);
-    return thread;
+  /** Makes threads of this name that do not keep the program from ending. */
+  public static ThreadFactory daemons(String name) {
+    return work -> {
+      Thread thread = new Thread(work, name);
+      thread.setDaemon(true);
+      return thread;
+    };
   }
 }

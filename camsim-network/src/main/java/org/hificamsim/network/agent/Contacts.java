@@ -63,7 +63,9 @@ final class Contacts {
     sent += neighbours.cardinality();
     advertised.open(target);
     if (links != Links.UNREAD) { // else it always asks all of them
-      neighbours.stream().forEach(name -> noteAsked(name, target));
+      for (int name = neighbours.nextSetBit(0); name >= 0; name = neighbours.nextSetBit(name + 1)) {
+        noteAsked(name, target);
+      }
     }
     sendToNeighbours(MessageKind.START_SEARCH, target);
   }

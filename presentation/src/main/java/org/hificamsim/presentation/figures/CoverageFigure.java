@@ -29,7 +29,7 @@ public final class CoverageFigure {
         title,
         "Share of targets over all steps, mean over seeds.",
         List.of(legend(0), legend(1), legend(2)),
-        groups.stream().map(group -> panel(group).chart()).toList(),
+        groups.stream().map(group -> panel(group)).toList(),
         columns,
         WIDTH,
         HEIGHT);

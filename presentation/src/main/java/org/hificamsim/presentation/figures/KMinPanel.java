@@ -2,11 +2,11 @@ package org.hificamsim.presentation.figures;
 
 import java.awt.Color;
 import java.util.Arrays;
-import org.apache.commons.math3.distribution.TDistribution;
-import org.apache.commons.math3.stat.StatUtils;
+import java.util.function.ToDoubleFunction;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Lowess;
 import org.hificamsim.presentation.plot.XyPanel;
+import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.PartMeans;
 
@@ -14,16 +14,16 @@ import org.hificamsim.runs.compare.PartMeans;
  * A panel of k_min over time, as chapters 7 and 8 show it: the mean over the runs pale, and LOWESS
  * over it.
  */
-public final class KMinPanel {
+public final class KMinPanel extends XyPanel {
   private static final int RAW_POINTS = 250;
 
-  private final XyPanel panel;
   private final int steps;
 
   /** An empty panel whose y axis ends at {@code most}. */
   public KMinPanel(String title, int steps, double most) {
+    super(title, "time (steps)", "k_min (cameras)");
     this.steps = steps;
-    panel = new XyPanel(title, "time (steps)", "k_min (cameras)").x(0, steps).y(0, most);
+    x(0, steps).y(0, most);
   }
 
   /**
@@ -46,31 +46,31 @@ public final class KMinPanel {
 
   /** Leaves out the axes' titles, for figures of many panels whose note names them. */
   public KMinPanel compact() {
-    panel.untitled();
+    untitled();
     return this;
   }
 
   /** Adds a dashed horizontal line: a published level. */
   public KMinPanel level(double value, Color color) {
-    panel.dashed(new Curve(new double[] {0, steps}, new double[] {value, value}), color);
+    dashed(new Curve(new double[] {0, steps}, new double[] {value, value}), color);
     return this;
   }
 
   /** Adds the mean beneath; call it for all before the first {@link #smooth}. */
   public KMinPanel raw(double[] means, Color color) {
-    panel.faint(drawn(Curve.of(means)), color);
+    faint(drawn(Curve.of(means)), color);
     return this;
   }
 
   /** Adds the 95% interval of a case's mean over its runs; nothing for a single run. */
   public KMinPanel band(CaseResult one, Color color) {
     if (one.runs().size() > 1) {
-      panel.band(bound(one, -1), bound(one, 1), color);
+      band(bound(one, Estimate::low), bound(one, Estimate::high), color);
     }
     return this;
   }
 
-  private static Curve bound(CaseResult one, int side) {
+  private static Curve bound(CaseResult one, ToDoubleFunction<Estimate> side) {
     int parts = one.levels()[0].length;
     int steps = one.plan().steps();
     double[] x = new double[parts];
@@ -80,24 +80,18 @@ public final class KMinPanel {
       double[] levels = Arrays.stream(one.levels()).mapToDouble(run -> run[at]).toArray();
       x[part] =
           (PartMeans.start(part, parts, steps) + PartMeans.start(part + 1, parts, steps) - 1) / 2.0;
-      y[part] = StatUtils.mean(levels) + side * half(levels);
+      y[part] = side.applyAsDouble(Estimate.mean(levels));
     }
     return Lowess.smooth(new Curve(x, y));
-  }
-
-  /** Half of Student's 95% interval. */
-  private static double half(double[] values) {
-    return new TDistribution(values.length - 1).inverseCumulativeProbability(0.975)
-        * Math.sqrt(StatUtils.variance(values) / values.length);
   }
 
   /** Adds the smooth line; where there are too few points to smooth, a straight one. */
   public KMinPanel smooth(double[] means, Color color) {
     Curve curve = Curve.of(means);
     if (Lowess.smooths(curve.size())) {
-      panel.line(Lowess.smooth(curve), color);
+      line(Lowess.smooth(curve), color);
     } else {
-      panel.straight(curve, color);
+      straight(curve, color);
     }
     return this;
   }
@@ -105,14 +99,9 @@ public final class KMinPanel {
   /** Adds a policy's smooth line in its colour, dashed for the optimum. */
   void smooth(String policy, double[] means, PolicyColors colors) {
     if (PolicyColors.isOptimal(policy)) {
-      panel.dashed(Lowess.smooth(Curve.of(means)), colors.of(policy));
+      dashed(Lowess.smooth(Curve.of(means)), colors.of(policy));
     } else {
       smooth(means, colors.of(policy));
     }
-  }
-
-  /** The panel for a figure. */
-  public XyPanel panel() {
-    return panel;
   }
 }

@@ -21,7 +21,7 @@ public final class OverTime {
     Map<String, List<CaseResult>> detections = CaseGroups.byDetection(cases);
     List<XYChart> panels = new ArrayList<>();
     detections.forEach(
-        (name, group) -> panels.add(panel(name, group, colors, most).panel().chart()));
+        (name, group) -> panels.add(panel(name, group, colors, most)));
     return new Figure(
         title, note(cases), colors.legend(), panels, Math.min(3, panels.size()), WIDTH, HEIGHT);
   }

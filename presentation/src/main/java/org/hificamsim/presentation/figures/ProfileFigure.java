@@ -26,7 +26,7 @@ final class ProfileFigure {
     PolicyColors colors = OverTime.colors(shown);
     List<XYChart> panels = new ArrayList<>();
     CaseGroups.byDetection(shown)
-        .forEach((name, group) -> panels.add(panel(name, group, colors).chart()));
+        .forEach((name, group) -> panels.add(panel(name, group, colors)));
     return new Figure(
         "Performance profile",
         "Share of all runs whose proportion of the optimum is tau or more; bands: 95% stratified"

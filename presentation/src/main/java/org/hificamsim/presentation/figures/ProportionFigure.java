@@ -61,7 +61,7 @@ final class ProportionFigure {
         new XyPanel(scenario, "performance / that of the optimum", "").x(0, 1).rows(policies);
     Map<String, List<CaseResult>> groups = CaseGroups.byDetection(cases);
     groups.forEach((name, group) -> group.forEach(one -> dot(panel, one)));
-    return panel.chart();
+    return panel;
   }
 
   private void dot(XyPanel panel, CaseResult one) {

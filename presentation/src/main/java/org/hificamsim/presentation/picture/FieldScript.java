@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.presentation.plot.Legend;
+import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
@@ -93,13 +94,13 @@ final class FieldScript {
         LEGEND_ROW);
   }
 
-  private Legend.Entry entry(Object entry) {
+  private LegendEntry entry(Object entry) {
     Map<?, ?> properties = (Map<?, ?>) entry;
     String label = properties.get("label").toString();
     Function mark = (Function) properties.get("mark");
     return mark == null
-        ? new Legend.Entry(label, null)
-        : new Legend.Entry(
+        ? new LegendEntry(label, null)
+        : new LegendEntry(
             label, (graphics, x, y) -> call(mark, new ScriptCanvas(graphics), x + SIGN, y, SIGN));
   }
 
@@ -163,6 +164,7 @@ final class FieldScript {
   private static <T> T in(java.util.function.Function<Context, T> task) {
     try (Context context = Context.enter()) {
       context.setLanguageVersion(Context.VERSION_ES6);
+      context.setInterpretedMode(true); // compiling takes longer than even an animation gains
       return task.apply(context);
     }
   }

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Locale;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Palette;
-import org.hificamsim.presentation.plot.Picture;
+import org.hificamsim.presentation.plot.Paintable;
 import org.hificamsim.presentation.replay.PackedHeat.ShownFigure;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.heat.HeatFigure;
@@ -20,7 +20,7 @@ import org.hificamsim.runs.heat.HeatMap;
  * A figure of a heat map over the field, with what stands in it, the cameras as the last step left
  * them and, if asked for, the tracks.
  */
-public final class HeatPicture implements Picture {
+public final class HeatPicture implements Paintable {
   private static final int KEY = 64;
   private static final int BAR_WIDTH = 300;
   private static final int BAR_HEIGHT = 12;

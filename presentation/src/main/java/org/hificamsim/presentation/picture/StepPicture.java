@@ -12,12 +12,12 @@ import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Legend;
 import org.hificamsim.presentation.plot.Palette;
-import org.hificamsim.presentation.plot.Picture;
+import org.hificamsim.presentation.plot.Paintable;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.presentation.replay.Setup;
 
 /** One step of a run: what it is, the field to scale, and k_min over all steps below. */
-public final class StepPicture implements Picture {
+public final class StepPicture implements Paintable {
   static final int WIDTH = 800;
   static final int MARGIN = 12;
   static final int HEADING = 62;
@@ -78,7 +78,7 @@ public final class StepPicture implements Picture {
     legend.paint(graphics, MARGIN, top);
     Graphics2D strip = (Graphics2D) graphics.create();
     strip.translate(MARGIN, top + legend.height());
-    kMin().chart().paint(strip, (int) area.getWidth(), STRIP);
+    kMin().paint(strip, (int) area.getWidth(), STRIP);
     strip.dispose();
   }
 

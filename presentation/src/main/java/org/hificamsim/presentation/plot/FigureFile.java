@@ -97,7 +97,7 @@ public final class FigureFile {
   }
 
   /** Writes a PNG image, {@link #SCALE} pixels to a point. */
-  public static void png(OutputStream out, Picture picture) throws IOException {
+  public static void png(OutputStream out, Paintable picture) throws IOException {
     png(out, picture, SCALE * picture.width());
   }
 
@@ -106,7 +106,7 @@ public final class FigureFile {
    *
    * @param width pixels
    */
-  public static void png(OutputStream out, Picture picture, int width) throws IOException {
+  public static void png(OutputStream out, Paintable picture, int width) throws IOException {
     compress(image(picture, width), out);
   }
 
@@ -115,7 +115,7 @@ public final class FigureFile {
    *
    * @param width pixels; the height follows
    */
-  public static BufferedImage image(Picture picture, int width) {
+  public static BufferedImage image(Paintable picture, int width) {
     double scale = (double) width / picture.width();
     int height = (int) Math.round(scale * picture.height());
     BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_INT_RGB);
@@ -126,7 +126,7 @@ public final class FigureFile {
     return image;
   }
 
-  private static void paint(Picture picture, Graphics2D graphics) {
+  private static void paint(Paintable picture, Graphics2D graphics) {
     ground(graphics, picture.width(), picture.height());
     picture.paint(graphics);
   }
@@ -155,12 +155,12 @@ public final class FigureFile {
   }
 
   /** Writes an SVG document. */
-  public static void svg(OutputStream out, Picture picture) throws IOException {
+  public static void svg(OutputStream out, Paintable picture) throws IOException {
     SVGGraphics2D graphics = painted(picture);
     stream(graphics, graphics.getRoot(), out);
   }
 
-  private static SVGGraphics2D painted(Picture picture) {
+  private static SVGGraphics2D painted(Paintable picture) {
     SVGGraphics2D graphics = new SVGGraphics2D(new SvgContext(document()), false);
     graphics.setSVGCanvasSize(new Dimension(picture.width(), picture.height()));
     paint(picture, graphics);

@@ -2,6 +2,8 @@ package org.hificamsim.presentation.plot;
 
 import java.awt.Font;
 import java.awt.font.FontRenderContext;
+import java.util.ArrayList;
+import java.util.List;
 
 /** The fonts of every picture. */
 public final class Fonts {
@@ -17,5 +19,27 @@ public final class Fonts {
   /** The width of a text, points. */
   public static int width(String text, Font font) {
     return (int) Math.ceil(font.getStringBounds(text, CONTEXT).getWidth());
+  }
+
+  /**
+   * A text in lines that fit, broken between words; a word that is too long has a line of its own.
+   *
+   * @param width points
+   */
+  static List<String> lines(String text, Font font, int width) {
+    List<String> lines = new ArrayList<>();
+    String line = "";
+    for (String word : text.split(" ")) {
+      String longer = line.isEmpty() ? word : line + " " + word;
+      if (!line.isEmpty() && width(longer, font) > width) {
+        lines.add(line);
+        longer = word;
+      }
+      line = longer;
+    }
+    if (!line.isEmpty()) {
+      lines.add(line);
+    }
+    return lines;
   }
 }

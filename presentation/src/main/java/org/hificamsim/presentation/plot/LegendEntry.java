@@ -8,12 +8,26 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 
-/** One line of a figure's legend. */
-public record LegendEntry(String label, Color color, Mark mark) {
+/**
+ * A sign in a picture and what it means.
+ *
+ * @param sign null for a label alone
+ */
+public record LegendEntry(String label, Sign sign) {
   static final int WIDTH = 22;
   private static final float[] DASHES = {5, 4};
 
-  /** How the thing is drawn. */
+  /** Paints a sign. */
+  @FunctionalInterface
+  public interface Sign {
+    /**
+     * @param x where its room begins
+     * @param y its middle
+     */
+    void paint(Graphics2D graphics, int x, int y);
+  }
+
+  /** How things are drawn in figures. */
   public enum Mark {
     LINE,
     DASHES,
@@ -22,12 +36,12 @@ public record LegendEntry(String label, Color color, Mark mark) {
     DIAMOND
   }
 
-  /** The entry with its sign. */
-  Legend.Entry entry() {
-    return new Legend.Entry(label, this::paint);
+  /** The entry of something that a figure draws by a mark. */
+  public LegendEntry(String label, Color color, Mark mark) {
+    this(label, (graphics, x, y) -> paint(graphics, x, y, color, mark));
   }
 
-  private void paint(Graphics2D graphics, int x, int y) {
+  private static void paint(Graphics2D graphics, int x, int y, Color color, Mark mark) {
     int middle = x + WIDTH / 2;
     graphics.setColor(color);
     switch (mark) {

@@ -10,7 +10,7 @@ import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** A panel of lines, bands and points, drawn in the order in which they are added. */
-public final class XyPanel {
+public class XyPanel extends XYChart {
   /** Pale pieces must not overlap: they would be darker where they meet. */
   private static final BasicStroke THIN =
       new BasicStroke(0.8f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND);
@@ -33,63 +33,61 @@ public final class XyPanel {
 
   private static final double LOGARITHMIC_CONTENT = 0.94;
 
-  private final XYChart chart;
-
   /** An empty panel with these axes. */
   public XyPanel(String title, String xTitle, String yTitle) {
-    chart = new XYChart(400, 300);
-    chart.setTitle(title);
-    chart.setXAxisTitle(xTitle);
-    chart.setYAxisTitle(yTitle);
-    PanelStyle.apply(chart.getStyler(), xTitle, yTitle);
+    super(400, 300); // figures paint it at a size of their own
+    setTitle(title);
+    setXAxisTitle(xTitle);
+    setYAxisTitle(yTitle);
+    PanelStyle.apply(getStyler(), xTitle, yTitle);
   }
 
   /** Leaves out the axes' titles. */
   public XyPanel untitled() {
-    chart.getStyler().setAxisTitlesVisible(false);
+    getStyler().setAxisTitlesVisible(false);
     return this;
   }
 
   /** Sets the ends of the x axis. */
   public XyPanel x(double min, double max) {
-    chart.getStyler().setXAxisMin(min - EDGE * (max - min));
-    chart.getStyler().setXAxisMax(max + EDGE * (max - min));
+    getStyler().setXAxisMin(min - EDGE * (max - min));
+    getStyler().setXAxisMax(max + EDGE * (max - min));
     return this;
   }
 
   /** Sets the ends of the y axis. */
   public XyPanel y(double min, double max) {
-    chart.getStyler().setYAxisMin(min - EDGE * (max - min));
-    chart.getStyler().setYAxisMax(max + EDGE * (max - min));
+    getStyler().setYAxisMin(min - EDGE * (max - min));
+    getStyler().setYAxisMax(max + EDGE * (max - min));
     return this;
   }
 
   /** Makes both axes logarithmic, with numbers written out and room around what is drawn. */
   public XyPanel logarithmic() {
-    chart.getStyler().setXAxisLogarithmic(true);
-    chart.getStyler().setYAxisLogarithmic(true);
-    chart.getStyler().setXAxisDecimalPattern("#,##0.###");
-    chart.getStyler().setYAxisDecimalPattern("#,##0.###");
-    chart.getStyler().setPlotContentSize(LOGARITHMIC_CONTENT);
+    getStyler().setXAxisLogarithmic(true);
+    getStyler().setYAxisLogarithmic(true);
+    getStyler().setXAxisDecimalPattern("#,##0.###");
+    getStyler().setYAxisDecimalPattern("#,##0.###");
+    getStyler().setPlotContentSize(LOGARITHMIC_CONTENT);
     return this;
   }
 
   /** Names x = 1, 2, 3, ... instead of numbering the axis. */
   public XyPanel names(List<String> names) {
-    chart.getStyler().setPlotGridVerticalLinesVisible(false);
-    chart.getStyler().setXAxisMin(0.5);
-    chart.getStyler().setXAxisMax(names.size() + 0.5);
-    chart.getStyler().setXAxisTickMarkSpacingHint(NAMES_WIDTH / names.size());
-    chart.setCustomXAxisTickLabelsFormatter(x -> PanelStyle.name(names, x));
+    getStyler().setPlotGridVerticalLinesVisible(false);
+    getStyler().setXAxisMin(0.5);
+    getStyler().setXAxisMax(names.size() + 0.5);
+    getStyler().setXAxisTickMarkSpacingHint(NAMES_WIDTH / names.size());
+    setCustomXAxisTickLabelsFormatter(x -> PanelStyle.name(names, x));
     return this;
   }
 
   /** Names y = 1, 2, 3, ..., from the bottom, instead of numbering the axis. */
   public XyPanel rows(List<String> names) {
-    chart.getStyler().setYAxisMin(0.5);
-    chart.getStyler().setYAxisMax(names.size() + 0.5);
-    chart.getStyler().setYAxisTickMarkSpacingHint(ROW_HEIGHT);
-    chart.setCustomYAxisTickLabelsFormatter(y -> PanelStyle.name(names, y));
+    getStyler().setYAxisMin(0.5);
+    getStyler().setYAxisMax(names.size() + 0.5);
+    getStyler().setYAxisTickMarkSpacingHint(ROW_HEIGHT);
+    setCustomYAxisTickLabelsFormatter(y -> PanelStyle.name(names, y));
     return this;
   }
 
@@ -165,11 +163,6 @@ public final class XyPanel {
     return marks(curve, color, SeriesMarkers.DIAMOND);
   }
 
-  /** The panel for a figure. */
-  public XYChart chart() {
-    return chart;
-  }
-
   /** Bent from point to point, as one path: for curves that are smooth themselves. */
   private XyPanel line(Curve curve, Color color, BasicStroke stroke) {
     XYSeries series = add(curve, SeriesMarkers.NONE);
@@ -196,7 +189,7 @@ public final class XyPanel {
 
   private XYSeries add(Curve curve, Marker marker) {
     XYSeries series =
-        chart.addSeries(String.valueOf(chart.getSeriesMap().size()), curve.x(), curve.y());
+        addSeries(String.valueOf(getSeriesMap().size()), curve.x(), curve.y());
     series.setMarker(marker);
     return series;
   }

@@ -80,7 +80,7 @@ public record PackedHeat(
         map.blind(),
         PER_UNIT,
         Arrays.stream(HeatFigure.values()).map(figure -> ShownFigure.of(figure, map)).toList(),
-        Deflated.base64(out -> pack(out, map)));
+        Deflated.base64(Deflated.FAST, out -> pack(out, map)));
   }
 
   private static void pack(OutputStream out, HeatMap map) throws IOException {

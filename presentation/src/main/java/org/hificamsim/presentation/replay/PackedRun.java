@@ -84,6 +84,7 @@ public record PackedRun(
 
   private static String pack(List<Frame> frames, List<FrameColumn> columns) {
     return Deflated.base64(
+        Deflated.FAST,
         out -> {
           pack(out, new FrameColumn(Frame::step, (frame, step) -> {}), frames);
           for (FrameColumn column : columns) {

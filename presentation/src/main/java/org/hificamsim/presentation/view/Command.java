@@ -1,7 +1,6 @@
 package org.hificamsim.presentation.view;
 
 import com.fasterxml.jackson.annotation.JsonSetter;
-import com.fasterxml.jackson.annotation.JsonSubTypes;
 import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import com.fasterxml.jackson.annotation.Nulls;
 import com.fasterxml.jackson.core.JsonProcessingException;
@@ -11,27 +10,14 @@ import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.exc.InvalidNullException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.jsontype.NamedType;
 import java.io.IOException;
+import java.util.Arrays;
+import java.util.Locale;
 import org.hificamsim.core.InputException;
 
-/** What the page may ask for. */
+/** What the page may ask for, each by the name of its record in lower case. */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "command")
-@JsonSubTypes({
-  @JsonSubTypes.Type(value = Command.Run.class, name = "run"),
-  @JsonSubTypes.Type(value = Command.Pause.class, name = "pause"),
-  @JsonSubTypes.Type(value = Command.Step.class, name = "step"),
-  @JsonSubTypes.Type(value = Command.Speed.class, name = "speed"),
-  @JsonSubTypes.Type(value = Command.Restart.class, name = "restart"),
-  @JsonSubTypes.Type(value = Command.Drag.class, name = "drag"),
-  @JsonSubTypes.Type(value = Command.Turn.class, name = "turn"),
-  @JsonSubTypes.Type(value = Command.Add.class, name = "add"),
-  @JsonSubTypes.Type(value = Command.Hold.class, name = "hold"),
-  @JsonSubTypes.Type(value = Command.Wall.class, name = "wall"),
-  @JsonSubTypes.Type(value = Command.Remove.class, name = "remove"),
-  @JsonSubTypes.Type(value = Command.Choose.class, name = "choose"),
-  @JsonSubTypes.Type(value = Command.Compare.class, name = "compare"),
-  @JsonSubTypes.Type(value = Command.Heat.class, name = "heat")
-})
 public sealed interface Command {
   /**
    * Does it; on the session's thread.
@@ -204,6 +190,10 @@ public sealed interface Command {
           .defaultSetterInfo(JsonSetter.Value.forValueNulls(Nulls.FAIL))
           .withConfigOverride(
               Double.class, type -> type.setSetterInfo(JsonSetter.Value.forValueNulls(Nulls.SET)))
+          .registerSubtypes(
+              Arrays.stream(Command.class.getPermittedSubclasses())
+                  .map(type -> new NamedType(type, type.getSimpleName().toLowerCase(Locale.ROOT)))
+                  .toArray(NamedType[]::new))
           .build();
 
   /**

@@ -7,6 +7,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ScheduledFuture;
 import java.util.concurrent.TimeUnit;
+import org.hificamsim.core.parallel.Parallel;
 
 /** The pages that are open, and what happens when the last one has been closed for a while. */
 final class OpenPages implements AutoCloseable {
@@ -15,7 +16,7 @@ final class OpenPages implements AutoCloseable {
   private final Runnable end;
   private final List<EventStream> streams = new ArrayList<>();
   private final ScheduledExecutorService clock =
-      Executors.newSingleThreadScheduledExecutor(OpenPages::daemon);
+      Executors.newSingleThreadScheduledExecutor(Parallel.daemons("view clock"));
   private ScheduledFuture<?> ending;
 
   /**
@@ -46,12 +47,6 @@ final class OpenPages implements AutoCloseable {
     if (streams.isEmpty() && !clock.isShutdown()) {
       ending = clock.schedule(end, grace.toMillis(), TimeUnit.MILLISECONDS);
     }
-  }
-
-  private static Thread daemon(Runnable task) {
-    Thread thread = new Thread(task, "view clock");
-    thread.setDaemon(true);
-    return thread;
   }
 
   /** Ends all streams. */

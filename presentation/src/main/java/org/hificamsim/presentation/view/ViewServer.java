@@ -19,6 +19,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.runs.RunFault;
 
 /**
@@ -57,7 +58,7 @@ public final class ViewServer implements AutoCloseable {
           IDLE_THREAD,
           TimeUnit.SECONDS,
           new SynchronousQueue<>(), // one request more is not answered
-          ViewServer::daemon);
+          Parallel.daemons("view"));
   private final Guard guard;
   private final OpenPages pages;
   private final CompletableFuture<Object> closed = new CompletableFuture<>();
@@ -220,12 +221,6 @@ public final class ViewServer implements AutoCloseable {
       session.unwatch(stream);
       pages.closed(stream);
     }
-  }
-
-  private static Thread daemon(Runnable task) {
-    Thread thread = new Thread(task, "view");
-    thread.setDaemon(true);
-    return thread;
   }
 
   /** Ends the streams, lets answers that are under way get through, and closes the port. */

@@ -65,12 +65,17 @@ function details({summary, command, version}) {
   const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) => row(name,
     el('td', {data: {name: `summary-${name}`}}, decimals(mean, 4)),
     repeated ? el('td', {}, low === high ? '' : `${decimals(low, 4)} to ${decimals(high, 4)}`) : null));
-  const settings = Object.entries(summary.settings).map(([name, value]) => row(name, el('td', {}, Array.isArray(value) ? value.join(' ') : String(value ?? '–'))));
+  const settings = Object.entries(summary.settings).flatMap(([name, value]) => name === 'optics' ? value.map(opticsRow) : [row(name, el('td', {}, words(value)))]);
   return el('section', {class: 'details'},
     table('Whole run', ['figure', ...(repeated ? ['mean of the repeats', '95 % interval'] : ['value'])], rows),
     table('Settings', ['setting', 'value'], settings),
     el('div', {}, el('h2', {}, 'Made with'), el('pre', {tabindex: 0}, command), el('p', {class: 'note'}, `HiFi-CamSim ${version}`)));
 }
+
+/** A kind of optics: its name, and what else the summary says of it. */
+const opticsRow = ({name, ...parts}) => row(`optics ${name}`, el('td', {}, Object.entries(parts).map(([part, value]) => `${part} ${words(value)}`).join(', ')));
+
+const words = value => Array.isArray(value) ? value.join(' ') : String(value ?? '–');
 
 const row = (name, ...cells) => el('tr', {}, el('th', {scope: 'row'}, name), ...cells);
 

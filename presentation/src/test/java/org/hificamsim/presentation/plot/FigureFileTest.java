@@ -45,7 +45,7 @@ class FigureFileTest {
         "A figure",
         "a note",
         List.of(new LegendEntry("blue", Palette.BLUE, LegendEntry.Mark.LINE)),
-        List.of(panel.chart(), stack.chart()),
+        List.of(panel, stack),
         2,
         300,
         200);
@@ -98,7 +98,7 @@ class FigureFileTest {
         new XyPanel("noise", "x", "y").x(0, 500).y(0, 1).straight(Curve.of(noise), Palette.BLUE);
     try {
       return FigureFile.draw(
-          new Figure("Noise " + seed, "", List.of(), List.of(panel.chart()), 1, 300, 200));
+          new Figure("Noise " + seed, "", List.of(), List.of(panel), 1, 300, 200));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

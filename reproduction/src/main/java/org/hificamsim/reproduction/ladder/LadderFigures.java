@@ -82,14 +82,14 @@ final class LadderFigures {
     XyPanel panel = new XyPanel(scenario, "", "").x(-1 - EDGE, 1 + EDGE).rows(names);
     dots(panel, scenario, RungResult::tau, APART, TAU);
     dots(panel, scenario, RungResult::share, -APART, REGRET);
-    return panel.chart();
+    return panel;
   }
 
   private XYChart single(
       String title, double least, Function<RungResult, Estimate> figure, Color color) {
     XyPanel panel = new XyPanel(title, "", "").x(least - EDGE, 1 + EDGE).rows(names);
     dots(panel, RungResult.ALL, figure, 0, color);
-    return panel.chart();
+    return panel;
   }
 
   private void dots(
@@ -114,6 +114,6 @@ final class LadderFigures {
     for (int i = 0; i < cost.length; i++) {
       panel.dots(new Curve(new double[] {cost[i]}, new double[] {i + 1}), COST);
     }
-    return panel.chart();
+    return panel;
   }
 }

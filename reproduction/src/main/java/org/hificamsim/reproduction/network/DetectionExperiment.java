@@ -177,9 +177,8 @@ public final class DetectionExperiment {
       most = values.stream().reduce(most, Math::max);
       panel.layer(values, COLORS.get(i));
     }
-    CategoryChart chart = panel.chart();
-    chart.getStyler().setStacked(false);
-    chart.getStyler().setYAxisMax(1.05 * most);
-    return chart;
+    panel.getStyler().setStacked(false);
+    panel.getStyler().setYAxisMax(1.05 * most);
+    return panel;
   }
 }

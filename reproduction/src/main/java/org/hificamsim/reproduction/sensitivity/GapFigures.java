@@ -82,7 +82,7 @@ final class GapFigures {
     for (String policy : sweep.policies()) {
       line(panel, gapsOf(sweep, layout, policy), colors.of(policy));
     }
-    return panel.chart();
+    return panel;
   }
 
   /** Short enough to fit next to the others. */

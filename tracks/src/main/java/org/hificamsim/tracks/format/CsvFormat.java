@@ -94,11 +94,11 @@ final class CsvFormat implements TrackFormat {
     return name.matches("[1-9][0-9]{0,3}");
   }
 
-  private Sample sample(CsvRow row) {
+  private TrackSample sample(CsvRow row) {
     if (row.text(target).isEmpty()) {
       throw row.invalid(target, "id", "a name or number");
     }
-    return new Sample(
+    return new TrackSample(
         row.place(0),
         row.text(target),
         row.coordinate(tick, "time"),

@@ -38,7 +38,7 @@ final class FcdFormat extends PlainXml implements TrackFormat {
       throw place().error("<" + name + "> outside <timestep time=\"...\">, expected it inside");
     }
     samples.accept(
-        new Sample(
+        new TrackSample(
             place(),
             text(attributes, name, "id"),
             time,

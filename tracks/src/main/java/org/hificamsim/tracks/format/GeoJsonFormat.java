@@ -63,7 +63,7 @@ final class GeoJsonFormat implements TrackFormat {
     for (int i = 0; i < points.size(); i++) {
       Positions.Position point = points.get(i);
       String name = target == null ? "feature " + features : target;
-      samples.accept(new Sample(point.place(), name, times.get(i), point.x(), point.y()));
+      samples.accept(new TrackSample(point.place(), name, times.get(i), point.x(), point.y()));
     }
   }
 

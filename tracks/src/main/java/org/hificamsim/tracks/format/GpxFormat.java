@@ -59,6 +59,6 @@ final class GpxFormat extends PlainXml implements TrackFormat {
     if (Double.isNaN(time)) {
       throw place().error("<trkpt> has no <time>, expected one: a track without times is no track");
     }
-    samples.accept(new Sample(place(), Integer.toString(tracks), time, longitude, latitude));
+    samples.accept(new TrackSample(place(), Integer.toString(tracks), time, longitude, latitude));
   }
 }

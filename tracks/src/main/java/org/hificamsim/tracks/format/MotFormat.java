@@ -22,8 +22,8 @@ final class MotFormat implements TrackFormat {
     return clock;
   }
 
-  private static Sample inPicture(MotRow row) {
-    return new Sample(
+  private static TrackSample inPicture(MotRow row) {
+    return new TrackSample(
         row.place(),
         row.target(),
         row.frame(),
@@ -33,11 +33,11 @@ final class MotFormat implements TrackFormat {
         row.height());
   }
 
-  private static Sample inWorld(MotRow row) {
+  private static TrackSample inWorld(MotRow row) {
     if (!row.inWorld()) {
       throw noWorld(row);
     }
-    return new Sample(row.place(), row.target(), row.frame(), row.x(), row.y());
+    return new TrackSample(row.place(), row.target(), row.frame(), row.x(), row.y());
   }
 
   private static InputException noWorld(MotRow row) {

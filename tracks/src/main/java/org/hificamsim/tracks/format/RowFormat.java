@@ -29,9 +29,9 @@ final class RowFormat implements TrackFormat {
   }
 
   /** The sample of a row, all of whose columns must be there. */
-  Sample sample(Fields fields) {
-    Sample sample =
-        new Sample(
+  TrackSample sample(Fields fields) {
+    TrackSample sample =
+        new TrackSample(
             fields.place(0),
             target(fields, columns.indexOf("id")),
             fields.number(columns.indexOf("frame"), "frame"),

@@ -6,5 +6,5 @@ public interface SampleSink {
   void measuredIn(Unit unit);
 
   /** Takes a sample. */
-  void accept(Sample sample);
+  void accept(TrackSample sample);
 }

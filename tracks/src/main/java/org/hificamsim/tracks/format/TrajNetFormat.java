@@ -37,7 +37,7 @@ final class TrajNetFormat implements TrackFormat {
         : new Clock(fps, true);
   }
 
-  private static Sample track(JsonStream json) {
+  private static TrackSample track(JsonStream json) {
     Place place = json.place();
     Map<String, Double> found = new HashMap<>();
     json.object(
@@ -51,7 +51,7 @@ final class TrajNetFormat implements TrackFormat {
       throw place.error("a track without all of f, p, x and y, expected them");
     }
     String pedestrian = Long.toString(found.get("p").longValue());
-    return new Sample(place, pedestrian, found.get("f"), found.get("x"), found.get("y"));
+    return new TrackSample(place, pedestrian, found.get("f"), found.get("x"), found.get("y"));
   }
 
   private void scene(JsonStream json) {

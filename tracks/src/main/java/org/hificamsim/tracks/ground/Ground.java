@@ -2,13 +2,13 @@ package org.hificamsim.tracks.ground;
 
 import java.util.Optional;
 import org.hificamsim.core.InputException;
-import org.hificamsim.tracks.format.Sample;
+import org.hificamsim.tracks.format.TrackSample;
 import org.hificamsim.tracks.format.Unit;
 
 /** Takes samples to the ground: metres, x to the east and y to the north. */
 public interface Ground {
   /** The same sample in metres. */
-  Sample onGround(Sample sample);
+  TrackSample onGround(TrackSample sample);
 
   /**
    * The ground for a unit.
@@ -31,7 +31,7 @@ public interface Ground {
     };
   }
 
-  private static Sample scaled(Sample sample, double metres) {
+  private static TrackSample scaled(TrackSample sample, double metres) {
     return metres == 1
         ? sample
         : sample.at(

@@ -1,7 +1,7 @@
 package org.hificamsim.tracks.ground;
 
 import java.nio.file.Path;
-import org.hificamsim.tracks.format.Sample;
+import org.hificamsim.tracks.format.TrackSample;
 
 /**
  * Takes pixels (to the right, down) to metres on the ground: (x w, y w, w) = H (u, v, 1). A box as
@@ -25,7 +25,7 @@ public final class Homography implements Ground {
   }
 
   @Override
-  public Sample onGround(Sample sample) {
+  public TrackSample onGround(TrackSample sample) {
     double x = x(sample.x(), sample.y());
     double y = y(sample.x(), sample.y());
     if (!(Math.abs(x) <= 1e9 && Math.abs(y) <= 1e9)) {

@@ -2,7 +2,7 @@ package org.hificamsim.tracks.ground;
 
 import org.hificamsim.core.Place;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.tracks.format.Sample;
+import org.hificamsim.tracks.format.TrackSample;
 
 /**
  * The equirectangular projection about an origin, on the ellipsoid WGS84: x is N cos(phi) times the
@@ -51,7 +51,7 @@ public final class LocalProjection implements Ground {
   }
 
   @Override
-  public Sample onGround(Sample sample) {
+  public TrackSample onGround(TrackSample sample) {
     Point point = metres(sample.place(), sample.x(), sample.y());
     return sample.at(point.x(), point.y(), sample.width(), sample.height());
   }

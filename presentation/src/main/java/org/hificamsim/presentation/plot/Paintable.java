@@ -3,7 +3,7 @@ package org.hificamsim.presentation.plot;
 import java.awt.Graphics2D;
 
 /** Something that can be painted at any size, measured in points, as papers are. */
-public interface Picture {
+public interface Paintable {
   /** Width, points. */
   int width();
 

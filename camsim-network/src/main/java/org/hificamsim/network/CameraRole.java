@@ -9,4 +9,4 @@ import org.hificamsim.network.bandit.BanditAlgorithm;
  *
  * @param limit number of targets owned from which on it claims no other; 0 for no limit
  */
-record Role(ScheduleKind schedule, Comm comm, int limit, Optional<BanditAlgorithm> bandit) {}
+record CameraRole(ScheduleKind schedule, Comm comm, int limit, Optional<BanditAlgorithm> bandit) {}
