@@ -23,7 +23,7 @@ public record AuctionRun(Simulation simulation, Network network) {
   public static AuctionRun of(Scenario scenario, ScheduleKind schedule, int comm) {
     Catalogue catalogue = Catalogue.load();
     NetworkSettings settings = NetworkSettings.CAMSIM.withAll(schedule, comm);
-    Scenario read = scenario.withoutZooms().withOrder(StepOrder.CAMSIM);
+    Scenario read = scenario.with(Scenario.ZOOMS, List.of()).with(Scenario.ORDER, StepOrder.CAMSIM);
     World world = new World(CamSimScenario.as(read, settings), catalogue.movements(), 0);
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
     Network network = new Network(world, detection, settings, 0);

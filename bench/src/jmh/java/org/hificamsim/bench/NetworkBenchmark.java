@@ -57,7 +57,7 @@ public class NetworkBenchmark {
     NetworkSettings settings = NetworkSettings.CAMSIM.withAll(schedule, comm);
     Scenario scenario =
         ScenarioReader.read(Path.of(file), catalogue.movements().names()::contains, warning -> {})
-            .withoutZooms();
+            .with(Scenario.ZOOMS, List.of());
     World world = new World(CamSimScenario.as(scenario, settings), catalogue.movements(), 0);
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
     network = new Network(world, detection, settings, 0);

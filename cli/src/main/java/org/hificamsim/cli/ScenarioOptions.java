@@ -13,7 +13,6 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
@@ -92,7 +91,7 @@ final class ScenarioOptions {
   }
 
   private static void warnAboutNetwork(Path file, Scenario scenario, Consumer<String> warned) {
-    List<String> parts = NetworkParts.of(scenario);
+    List<String> parts = scenario.networkParts();
     if (!parts.isEmpty()) {
       warned.accept(
           "%s: CamSim's network (%s) is kept but not simulated here; 'hificamsim camsim' does"

@@ -41,9 +41,9 @@ public record Overrides(
   public Scenario scenario(Scenario file) {
     return rule.map(file::withDetect)
         .orElse(file)
-        .withObjective(objective.orElse(file.objective()))
-        .withOrder(order.orElse(file.order()))
-        .withHeadings(headings.orElse(file.headings()));
+        .with(Scenario.OBJECTIVE, objective.orElse(file.objective()))
+        .with(Scenario.ORDER, order.orElse(file.order()))
+        .with(Scenario.HEADINGS, headings.orElse(file.headings()));
   }
 
   /**

@@ -41,7 +41,7 @@ final class OpticsFields {
     json.writeStringField("name", optics.name());
     json.writeStringField("law", Spelling.of(optics.law()));
     if (optics.pixels().isPresent()) {
-      json.writeNumberField("pixels", optics.pixels().getAsInt());
+      json.writeNumberField("pixels", optics.pixels().get());
     }
     numbers("hfov", optics.anglesOfView());
     number("reach", optics.reach());
