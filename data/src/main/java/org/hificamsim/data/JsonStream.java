@@ -14,6 +14,7 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.file.Path;
+import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
@@ -87,6 +88,48 @@ public final class JsonStream implements Closeable {
   /** The next token; null at the end. */
   public JsonToken next() {
     return read(parser::nextToken);
+  }
+
+  /**
+   * Reads an object that was begun.
+   *
+   * @param expected what it has to be, in error lines
+   * @param property takes the name of each property, whose value is then being read; what it leaves
+   *     of that is passed over
+   */
+  public void object(String expected, Consumer<String> property) {
+    require(JsonToken.START_OBJECT, expected);
+    while (nextProperty()) {
+      String name = text();
+      next();
+      property.accept(name);
+      skip();
+    }
+  }
+
+  /**
+   * Reads an array that was begun.
+   *
+   * @param expected what it has to be, in error lines
+   * @param item is called for each value; what it leaves of that is passed over
+   */
+  public void array(String expected, Runnable item) {
+    require(JsonToken.START_ARRAY, expected);
+    while (next() != JsonToken.END_ARRAY) {
+      item.run();
+      skip();
+    }
+  }
+
+  private void require(JsonToken token, String expected) {
+    if (token() != token) {
+      throw error("expected " + expected);
+    }
+  }
+
+  /** Whether an object or array was begun. */
+  public boolean isBegun() {
+    return token() == JsonToken.START_OBJECT || token() == JsonToken.START_ARRAY;
   }
 
   /** Whether the next token begins the next property of an object, whose name is then the text. */

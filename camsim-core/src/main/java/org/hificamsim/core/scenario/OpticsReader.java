@@ -60,7 +60,7 @@ final class OpticsReader {
       attributes.require(REACH);
     }
     if (attributes.has(FOCAL_LENGTHS)) {
-      attributes.refuse(ANGLES_OF_VIEW, "none beside focal_length");
+      attributes.refuse(ANGLES_OF_VIEW, "none together with focal_length");
       attributes.require(SENSOR_WIDTH);
     } else {
       attributes.require(ANGLES_OF_VIEW);

@@ -162,7 +162,7 @@ public final class ScenarioReader {
   private static void checkThreshold(Scenario said, Attributes<Scenario> attributes) {
     if (said.threshold().isPresent() && !said.detect().map(DetectionRule::certain).orElse(true)) {
       String rule = said.detect().get().text();
-      throw attributes.invalid(Scenario.THRESHOLD, "none beside detect=\"" + rule + "\"");
+      throw attributes.invalid(Scenario.THRESHOLD, "none together with detect=\"" + rule + "\"");
     }
   }
 

@@ -51,7 +51,7 @@ final class TracksReader {
 
   private TextLines open(XmlElement element, Attributes<Track> attributes) {
     if (!element.text().isBlank()) {
-      throw attributes.invalid(FILE, "none beside tracks that are written here");
+      throw attributes.invalid(FILE, "none together with tracks that are written here");
     }
     try {
       return TextLines.open(scenario.resolveSibling(attributes.get(FILE)));

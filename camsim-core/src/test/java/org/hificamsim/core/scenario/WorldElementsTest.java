@@ -164,7 +164,7 @@ class WorldElementsTest {
         "hfov='5' zoom_time='-1'|<optics> zoom_time is '-1', expected a number from 0",
         "hfov='5' moving='shut'|<optics> moving is 'shut', expected one of blind, sees",
         "focal_length='0.05'|<optics> has no sensor_width, expected",
-        "focal_length='0.05' hfov='5'|expected none beside focal_length",
+        "focal_length='0.05' hfov='5'|expected none together with focal_length",
         "hfov='0.1:100:0.1' pan='0:100:0.5'|at most 10000 views"
       })
   void opticsThatMakeNoSenseAreRefused(String attributes, String message) {
@@ -262,7 +262,7 @@ class WorldElementsTest {
             + CAMERA
             + "</cameras>"
             + OBJECT.replace("speed", "size='1' width='0.5' height='1' speed"),
-        "<object> size is '1', expected none beside width and height");
+        "<object> size is '1', expected none together with width and height");
     assertRefused(
         "<cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT.replace("speed", "width='1' speed"),
         "<object> has no height, expected");

@@ -89,7 +89,7 @@ final class ComparisonReport {
     JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
     data.set("settings", settings);
     if (Table.STEPS.isIn(folder)) {
-      data.set("curves", Curves.of(folder, settings));
+      data.set("curves", CaseCurves.of(folder, settings));
     }
     addColors(summary);
   }

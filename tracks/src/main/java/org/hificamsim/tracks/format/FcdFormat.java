@@ -19,7 +19,7 @@ final class FcdFormat extends PlainXml implements TrackFormat {
     return Clock.SECONDS;
   }
 
-  /** Where SUMO was told to write longitude and latitude, which only its user knows. */
+  /** Whether SUMO was asked for longitude and latitude, which only its user knows. */
   private static boolean geographic(Recording recording) {
     return recording.unit().filter(unit -> unit == Unit.DEG).isPresent();
   }

@@ -49,7 +49,7 @@ final class GpxFormat extends PlainXml implements TrackFormat {
 
   private double time(String written) {
     try {
-      return Instants.seconds(written);
+      return Clock.sinceEpoch(written);
     } catch (DateTimeException e) {
       throw place().error("<time> is '" + written + "', expected as 2024-05-31T12:00:00Z");
     }

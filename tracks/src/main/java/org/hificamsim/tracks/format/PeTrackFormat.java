@@ -9,13 +9,15 @@ import org.hificamsim.core.file.TextLines;
 
 /**
  * PeTrack and the Juelich data archive: {@code id frame x y [z]}, with rate and unit in comments,
- * as {@code # framerate: 25} and {@code # id frame x/cm y/cm}, or in none. What is given beside the
- * file counts before what it says.
+ * as {@code # framerate: 25} and {@code # id frame x/cm y/cm}, or in none. What the user says takes
+ * precedence.
  */
 final class PeTrackFormat implements TrackFormat {
   private static final Pattern RATE =
       Pattern.compile("frame\\s*rate\\W*?\\s*[:=]?\\s*([0-9]+(\\.[0-9]+)?)");
   private static final Pattern UNIT = Pattern.compile("\\bx\\s*(?:/|in|\\[)\\s*(mm|cm|m)\\b");
+
+  private static final RowFormat ROWS = new RowFormat("id frame x y");
 
   private OptionalDouble rate = OptionalDouble.empty();
   private Optional<Unit> unit = Optional.empty();
@@ -31,7 +33,7 @@ final class PeTrackFormat implements TrackFormat {
           comment(lines.text().toLowerCase(Locale.ROOT));
         } else if (lines.count() > 0) {
           clock = clock == null ? begin(recording, samples) : clock;
-          samples.accept(RowFormat.sample(lines, Row.PETRACK));
+          samples.accept(ROWS.sample(lines));
         }
       }
     }

@@ -44,6 +44,6 @@ public final class WallFile {
 
   private static InputException noScale(Path file) {
     return new InputException(
-        file + ": expected --scale M beside an SVG, how many metres a unit of the drawing is");
+        file + ": expected --scale M with an SVG, how many metres a unit of the drawing is");
   }
 }
