@@ -86,13 +86,12 @@ final class EventStory {
   }
 
   private void followCamera(Told one) {
+    one.event.existingCamera().ifPresent(camera -> requireOnline(one, camera));
     if (one.event instanceof AddCamera add) {
       add(add.camera());
     } else if (one.event instanceof ChangeCamera change) {
-      requireOnline(one, change.camera());
       positions.computeIfPresent(change.camera(), (name, from) -> moved(one.xml, change, from));
     } else if (one.event instanceof FailCamera fail) {
-      requireOnline(one, fail.camera());
       fail(fail.camera(), fail.duration());
     }
   }

@@ -1,6 +1,7 @@
 package org.hificamsim.core.scenario;
 
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Something that happens at the beginning of a step. A further kind is declared here and in {@link
@@ -19,6 +20,11 @@ public sealed interface ScenarioEvent {
 
   /** The step at whose beginning it fires, from 0. */
   int step();
+
+  /** The camera that it happens to; empty where it happens to none that is there already. */
+  default Optional<String> existingCamera() {
+    return Optional.empty();
+  }
 
   /** A camera is added after the existing ones. */
   record AddCamera(int step, CameraSpec camera) implements ScenarioEvent {
@@ -93,6 +99,11 @@ public sealed interface ScenarioEvent {
           .put(VIEWING_ANGLE, viewingAngle)
           .put(RANGE, range);
     }
+
+    @Override
+    public Optional<String> existingCamera() {
+      return Optional.of(camera);
+    }
   }
 
   /**
@@ -121,6 +132,11 @@ public sealed interface ScenarioEvent {
             BODY,
             (step, said) -> new FailCamera(step, said.get(CAMERA), said.get(DURATION)),
             fail -> BODY.empty().put(CAMERA, fail.camera).put(DURATION, fail.duration));
+
+    @Override
+    public Optional<String> existingCamera() {
+      return Optional.of(camera);
+    }
   }
 
   /** A target appears. */

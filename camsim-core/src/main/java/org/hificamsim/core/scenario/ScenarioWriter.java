@@ -68,7 +68,8 @@ public final class ScenarioWriter {
   private <C> void member(Group<C> group, C one) {
     group.members().stream()
         .filter(element -> element.type().isInstance(one))
-        .forEach(element -> member(element, one));
+        .findFirst()
+        .ifPresent(element -> member(element, one));
   }
 
   private <S> void member(Element<S> element, Object one) {
