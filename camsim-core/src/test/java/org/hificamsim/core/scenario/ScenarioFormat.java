@@ -18,7 +18,7 @@ import java.util.stream.Stream;
  */
 public final class ScenarioFormat {
   private static final Pattern TABLE =
-      Pattern.compile("(<!-- table of ([\\w, ]+) -->\n).*?(<!-- end of table -->)", Pattern.DOTALL);
+      Pattern.compile("(<!-- table of (\\w+) -->\n).*?(<!-- end of table -->)", Pattern.DOTALL);
 
   private ScenarioFormat() {}
 
@@ -41,24 +41,32 @@ public final class ScenarioFormat {
 
   private static String table(MatchResult mark) {
     String of = mark.group(2);
-    String table = of.equals("events") ? events() : attributes(List.of(of.split(", ")));
+    String table = of.equals("events") ? events() : attributes(elements(of));
     return Matcher.quoteReplacement(mark.group(1) + table + mark.group(3));
   }
 
-  /** The attributes of some elements; of a single one, without its name. */
-  private static String attributes(List<String> names) {
-    List<List<String>> lines = new ArrayList<>();
-    lines.add(List.of("element", "attribute", "value", "default"));
-    for (String name : names) {
-      for (AttributeDoc row : AttributeDoc.all(element(name))) {
-        lines.add(List.of("`" + name + "`", row.named(), row.meaning(), row.standard()));
+  /** The element of this name, or all that it holds any number of. */
+  private static List<Element<?>> elements(String name) {
+    for (Group<?> group : Scenario.GROUPS) {
+      if (group.holder().name().equals(name)) {
+        return List.copyOf(group.members());
       }
     }
-    return markdown(lines.stream().map(row -> row.subList(names.size() > 1 ? 0 : 1, 4)).toList());
+    return Scenario.elements().stream().filter(one -> one.name().equals(name)).limit(1).toList();
   }
 
-  private static Element<?> element(String name) {
-    return Scenario.elements().stream().filter(one -> one.name().equals(name)).findFirst().get();
+  /** The attributes of some elements; of a single one, without its name. */
+  private static String attributes(List<Element<?>> elements) {
+    List<List<String>> lines = new ArrayList<>();
+    lines.add(List.of("element", "attribute", "value", "default"));
+    for (Element<?> element : elements) {
+      for (AttributeDoc row : AttributeDoc.all(element)) {
+        String name = "`" + element.name() + "`";
+        lines.add(List.of(name, row.named(), row.meaning(), row.standard()));
+      }
+    }
+    int first = elements.size() > 1 ? 0 : 1;
+    return markdown(lines.stream().map(row -> row.subList(first, 4)).toList());
   }
 
   private static String events() {
