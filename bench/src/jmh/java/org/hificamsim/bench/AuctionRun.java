@@ -1,5 +1,6 @@
 package org.hificamsim.bench;
 
+import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
@@ -22,7 +23,7 @@ public final class AuctionRun {
   public static NetworkRun of(Scenario scenario, ScheduleKind schedule, int comm) {
     Catalogue catalogue = Catalogue.load();
     NetworkSettings settings = NetworkSettings.CAMSIM.withAll(schedule, comm);
-    Scenario read = scenario.withoutZooms().withOrder(StepOrder.CAMSIM);
+    Scenario read = scenario.with(Scenario.ZOOMS, List.of()).with(Scenario.ORDER, StepOrder.CAMSIM);
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
     RunPlan plan =
         new RunPlan(

@@ -2,9 +2,6 @@ package org.hificamsim.bench;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
@@ -12,12 +9,8 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -78,37 +71,22 @@ public class ChanceBenchmark {
     for (int i = 0; i < CAMERAS; i++) {
       double x = random.nextDouble(-2.5, 2.5);
       double y = random.nextDouble(-2.5, 2.5);
-      cameras.add(new CameraSpec("c" + i, x, y, 0, 360, 7.5, AgentSpec.NONE, Map.of()));
+      cameras.add(new CameraSpec("c" + i, x, y, 7.5));
     }
     List<TargetSpec> targets = new ArrayList<>();
     for (int i = 0; i < TARGETS; i++) {
       targets.add(
-          new TargetSpec(
-              TargetSpec.Origin.OBJECT,
-              i,
-              random.nextDouble(-2.5, 2.5),
-              random.nextDouble(-2.5, 2.5),
-              random.nextDouble(360),
-              0.5,
-              0.66,
-              new MovementSpec("Straight", 0, 0, List.of()),
-              Map.of()));
+          new TargetSpec(i, random.nextDouble(-2.5, 2.5), random.nextDouble(-2.5, 2.5))
+              .with(TargetSpec.HEADING, random.nextDouble(360))
+              .with(TargetSpec.SPEED, 0.5)
+              .with(TargetSpec.MOVE, "Straight")
+              .with(TargetSpec.STD, 0));
     }
-    return new Scenario(
-        "dense",
-        new Field(-2.5, 2.5, -2.5, 2.5),
-        StepOrder.COVERAGE,
-        Headings.DEGREES,
-        OptionalDouble.empty(),
-        Optional.empty(),
-        Objective.kMin(),
-        OptionalDouble.empty(),
-        List.of(2.5, 3.75, 5.0, 6.25, 7.5),
-        cameras,
-        targets,
-        List.of(),
-        Optional.empty(),
-        Map.of());
+    return new Scenario("dense", new Field(-2.5, 2.5, -2.5, 2.5))
+        .with(Scenario.ORDER, StepOrder.COVERAGE)
+        .with(Scenario.ZOOMS, List.of(2.5, 3.75, 5.0, 6.25, 7.5))
+        .with(Scenario.CAMERAS, cameras)
+        .with(Scenario.TARGETS, targets);
   }
 
   /** One step. */

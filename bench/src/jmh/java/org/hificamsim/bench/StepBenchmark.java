@@ -81,18 +81,12 @@ public class StepBenchmark {
     for (int target = 0; target < targets; target++) {
       TargetSpec like = read.targets().get(0);
       strewn.add(
-          new TargetSpec(
-              like.origin(),
-              target,
-              random.nextDouble(field.minX(), field.maxX()),
-              random.nextDouble(field.minY(), field.maxY()),
-              random.nextDouble(360),
-              like.speed(),
-              like.size(),
-              like.movement(),
-              like.extras()));
+          like.with(TargetSpec.FEATURES, target)
+              .with(TargetSpec.X, random.nextDouble(field.minX(), field.maxX()))
+              .with(TargetSpec.Y, random.nextDouble(field.minY(), field.maxY()))
+              .with(TargetSpec.HEADING, random.nextDouble(360)));
     }
-    return read.with(read.name(), strewn, List.of());
+    return read.with(Scenario.TARGETS, strewn).with(Scenario.EVENTS, List.of());
   }
 
   /** One step. */

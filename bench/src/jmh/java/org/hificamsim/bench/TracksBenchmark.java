@@ -74,7 +74,7 @@ public class TracksBenchmark {
     try (BufferedWriter out = Files.newBufferedWriter(tracks)) {
       record(new TrackWriter(out, 1, 0));
     }
-    Scenario empty = scenario.with("recorded", List.of(), List.of());
+    Scenario empty = scenario.with(Scenario.TARGETS, List.of());
     Files.writeString(file, ScenarioWriter.write(empty, "recorded.tracks"));
     Scenario read =
         ScenarioReader.read(file, catalogue.movements().names()::contains, warning -> {});

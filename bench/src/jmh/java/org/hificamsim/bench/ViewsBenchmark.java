@@ -2,10 +2,6 @@ package org.hificamsim.bench;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.catalogue.Catalogue;
@@ -14,18 +10,11 @@ import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.MovementSpec;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.Occlusion;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.World;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -104,53 +93,30 @@ public class ViewsBenchmark {
       obstacles.add(new Obstacle.Wall(x, y, x + 3 * Math.cos(angle), y + 3 * Math.sin(angle), 0));
     }
     Obstacles solid = new Obstacles(obstacles);
-    return new Scenario(
-        "views",
-        new Field(-half, half, -half, half),
-        StepOrder.COVERAGE,
-        Headings.DEGREES,
-        OptionalDouble.empty(),
-        Optional.empty(),
-        Objective.parse(objective),
-        OptionalDouble.empty(),
-        1,
-        new Surroundings(obstacles, Occlusion.NONE, Optional.empty()),
-        List.of(),
-        cameras(half, solid),
-        targets(half, solid),
-        List.of(),
-        Optional.empty(),
-        Map.of());
+    return new Scenario("views", new Field(-half, half, -half, half))
+        .with(Scenario.ORDER, StepOrder.COVERAGE)
+        .with(Scenario.OBJECTIVE, Objective.parse(objective))
+        .with(Scenario.OBSTACLES, obstacles)
+        .with(Scenario.CAMERAS, cameras(half, solid))
+        .with(Scenario.TARGETS, targets(half, solid));
   }
 
   private List<CameraSpec> cameras(double half, Obstacles solid) {
     OpticsSpec optics =
-        new OpticsSpec(
-            "ptz",
-            OpticsLaw.PINHOLE,
-            OptionalInt.of(640),
-            List.of(8.0, 15.0, 25.0, 40.0, 58.0),
-            OptionalDouble.empty(),
-            List.of(-60.0, -30.0, 0.0, 30.0, 60.0),
-            OptionalDouble.empty(),
-            0,
-            Moving.BLIND);
+        new OpticsSpec("ptz")
+            .with(OpticsSpec.PIXELS, 640)
+            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(8.0, 15.0, 25.0, 40.0, 58.0))
+            .with(OpticsSpec.PANS, List.of(-60.0, -30.0, 0.0, 30.0, 60.0));
     List<CameraSpec> all = new ArrayList<>();
     while (all.size() < cameras) {
       double x = random.nextDouble(-half, half);
       double y = random.nextDouble(-half, half);
       if (solid.containing(x, y).isEmpty()) {
         all.add(
-            new CameraSpec(
-                "c" + all.size(),
-                x,
-                y,
-                random.nextDouble(360),
-                60,
-                0,
-                AgentSpec.NONE,
-                Optional.of(optics),
-                Map.of()));
+            new CameraSpec("c" + all.size(), x, y, 0)
+                .with(CameraSpec.HEADING, random.nextDouble(360))
+                .with(CameraSpec.VIEWING_ANGLE, 60)
+                .with(CameraSpec.OPTICS, optics));
       }
     }
     return all;
@@ -163,16 +129,10 @@ public class ViewsBenchmark {
       double y = random.nextDouble(-half, half);
       if (solid.containing(x, y).isEmpty()) {
         all.add(
-            new TargetSpec(
-                TargetSpec.Origin.OBJECT,
-                all.size(),
-                x,
-                y,
-                random.nextDouble(360),
-                0.25,
-                0.66,
-                new MovementSpec("Straight", 0, 1, List.of()),
-                Map.of()));
+            new TargetSpec(all.size(), x, y)
+                .with(TargetSpec.HEADING, random.nextDouble(360))
+                .with(TargetSpec.SPEED, 0.25)
+                .with(TargetSpec.MOVE, "Straight"));
       }
     }
     return all;

@@ -4,11 +4,8 @@ import static org.hificamsim.bridge.NumberOption.requireFor;
 
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.registry.Options;
-import org.hificamsim.core.scenario.Moving;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 
@@ -62,18 +59,16 @@ final class OpticsOptions {
   private OpticsSpec optics(String angles) {
     OpticsLaw used = OpticsLaw.valueOf(law.map(OpticsOptions::lens).orElse(Lens.PINHOLE).name());
     double widest = used == OpticsLaw.PINHOLE ? WIDEST_PINHOLE : HALF_TURN;
-    return new OpticsSpec(
-        NAME,
-        used,
-        pixels
-            .map(text -> OptionalInt.of(NumberOption.integer("pixels", text, 1, MAX_PIXELS)))
-            .orElseGet(OptionalInt::empty),
-        NumberOption.rising("hfov", angles, Double.MIN_VALUE, widest, "angles", "8;15;25;40;58"),
-        OptionalDouble.empty(),
-        pan.map(OpticsOptions::pans).orElse(List.of(0.0)),
-        OptionalDouble.empty(),
-        0,
-        Moving.BLIND);
+    return new OpticsSpec(NAME)
+        .with(OpticsSpec.LAW, used)
+        .with(
+            OpticsSpec.PIXELS,
+            pixels.map(text -> NumberOption.integer("pixels", text, 1, MAX_PIXELS)))
+        .with(
+            OpticsSpec.ANGLES_OF_VIEW,
+            NumberOption.rising(
+                "hfov", angles, Double.MIN_VALUE, widest, "angles", "8;15;25;40;58"))
+        .with(OpticsSpec.PANS, pan.map(OpticsOptions::pans).orElse(List.of(0.0)));
   }
 
   private static Lens lens(String law) {

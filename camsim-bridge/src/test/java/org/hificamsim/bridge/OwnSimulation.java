@@ -4,7 +4,6 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.RunCoverage;
@@ -66,44 +65,13 @@ final class OwnSimulation {
 
   /** The reach is the camera's range, of which CamSim makes 20 m and more 16 m. */
   private static CameraSpec with(CameraSpec camera, OpticsSpec optics) {
-    return new CameraSpec(
-        camera.name(),
-        camera.x(),
-        camera.y(),
-        camera.heading(),
-        camera.viewingAngle(),
-        camera.range(),
-        camera.agent(),
-        Optional.of(
-            new OpticsSpec(
-                optics.name(),
-                optics.law(),
-                optics.pixels(),
-                optics.anglesOfView(),
-                OptionalDouble.of(camera.range() >= 20 ? 16 : camera.range()),
-                optics.pans(),
-                optics.panSpeed(),
-                optics.zoomTime(),
-                optics.moving())),
-        camera.extras());
+    double reach = camera.range() >= 20 ? 16 : camera.range();
+    return camera.with(CameraSpec.OPTICS, optics.with(OpticsSpec.REACH, reach));
   }
 
   static Scenario scenario(Path file, List<Double> zooms) {
-    Scenario read = ScenarioReader.read(file, name -> true, warning -> {});
-    return new Scenario(
-        read.name(),
-        read.field(),
-        StepOrder.CAMSIM,
-        read.headings(),
-        read.threshold(),
-        read.detect(),
-        read.objective(),
-        read.mountHeight(),
-        zooms,
-        read.cameras(),
-        read.targets(),
-        read.events(),
-        read.visionGraph(),
-        read.extras());
+    return ScenarioReader.read(file, name -> true, warning -> {})
+        .with(Scenario.ORDER, StepOrder.CAMSIM)
+        .with(Scenario.ZOOMS, zooms);
   }
 }

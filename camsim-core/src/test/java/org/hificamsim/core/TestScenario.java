@@ -3,20 +3,14 @@ package org.hificamsim.core;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Property;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.scenario.Waypoint;
 import org.hificamsim.core.world.World;
@@ -27,25 +21,29 @@ public final class TestScenario {
   private final List<CameraSpec> cameras = new ArrayList<>();
   private final List<TargetSpec> targets = new ArrayList<>();
   private final List<ScenarioEvent> events = new ArrayList<>();
-  private Field field = new Field(-10, 10, -10, 10);
-  private StepOrder order = StepOrder.CAMSIM;
-  private List<Double> zooms = List.of();
-  private Surroundings surroundings = Surroundings.NONE;
-  private double stepTime = 1;
+  private Scenario rest = new Scenario("test", new Field(-10, 10, -10, 10));
 
   public TestScenario field(double minX, double maxX, double minY, double maxY) {
-    field = new Field(minX, maxX, minY, maxY);
+    rest = new Scenario("test", new Field(minX, maxX, minY, maxY));
     return this;
   }
 
-  public TestScenario order(StepOrder newOrder) {
-    order = newOrder;
+  /** Sets anything but cameras, targets and events; a field goes first. */
+  public <T> TestScenario with(Property<Scenario, T> property, T value) {
+    rest = rest.with(property, value);
     return this;
+  }
+
+  public TestScenario order(StepOrder order) {
+    return with(Scenario.ORDER, order);
   }
 
   public TestScenario zooms(double... radii) {
-    zooms = Arrays.stream(radii).boxed().toList();
-    return this;
+    return with(Scenario.ZOOMS, Arrays.stream(radii).boxed().toList());
+  }
+
+  public TestScenario obstacles(Obstacle... obstacles) {
+    return with(Scenario.OBSTACLES, List.of(obstacles));
   }
 
   /** Adds an all-round camera, named by its number. */
@@ -78,35 +76,15 @@ public final class TestScenario {
     return this;
   }
 
-  public TestScenario surroundings(Surroundings newSurroundings) {
-    surroundings = newSurroundings;
-    return this;
-  }
-
   /** Steps of another length, seconds. */
   public TestScenario stepTime(double seconds) {
-    stepTime = seconds;
-    return this;
+    return with(Scenario.STEP_TIME, seconds);
   }
 
   public Scenario scenario() {
-    return new Scenario(
-        "test",
-        field,
-        order,
-        Headings.DEGREES,
-        OptionalDouble.empty(),
-        Optional.empty(),
-        Objective.kMin(),
-        OptionalDouble.empty(),
-        stepTime,
-        surroundings,
-        zooms,
-        cameras,
-        targets,
-        events,
-        Optional.empty(),
-        Map.of());
+    return rest.with(Scenario.CAMERAS, cameras)
+        .with(Scenario.TARGETS, targets)
+        .with(Scenario.EVENTS, events);
   }
 
   public World world(long seed) {
@@ -124,7 +102,9 @@ public final class TestScenario {
    */
   public static CameraSpec camera(
       String name, double x, double y, double heading, double angle, double range) {
-    return new CameraSpec(name, x, y, heading, angle, range, AgentSpec.NONE, Map.of());
+    return new CameraSpec(name, x, y, range)
+        .with(CameraSpec.HEADING, heading)
+        .with(CameraSpec.VIEWING_ANGLE, angle);
   }
 
   /**
@@ -132,8 +112,7 @@ public final class TestScenario {
    */
   public static CameraSpec camera(
       String name, double x, double y, double heading, OpticsSpec optics) {
-    return new CameraSpec(
-        name, x, y, heading, 60, 5, AgentSpec.NONE, Optional.of(optics), Map.of());
+    return camera(name, x, y, heading, 60, 5).with(CameraSpec.OPTICS, optics);
   }
 
   /**
@@ -141,27 +120,9 @@ public final class TestScenario {
    */
   public static TargetSpec target(
       double features, double x, double y, double heading, double speed) {
-    return target(features, x, y, heading, speed, new MovementSpec("Straight", 0, 1, List.of()));
-  }
-
-  public static TargetSpec target(
-      double features, double x, double y, double heading, double speed, MovementSpec movement) {
-    return new TargetSpec(
-        TargetSpec.Origin.OBJECT, features, x, y, heading, speed, 0.66, movement, Map.of());
-  }
-
-  /** The same target in another size. */
-  public static TargetSpec sized(TargetSpec target, double size) {
-    return new TargetSpec(
-        target.origin(),
-        target.features(),
-        target.x(),
-        target.y(),
-        target.heading(),
-        target.speed(),
-        size,
-        target.movement(),
-        target.extras());
+    return new TargetSpec(features, x, y)
+        .with(TargetSpec.HEADING, heading)
+        .with(TargetSpec.SPEED, speed);
   }
 
   /**
@@ -175,7 +136,8 @@ public final class TestScenario {
     for (int i = 0; i < corners.length; i += 2) {
       path.add(new Waypoint(corners[i], corners[i + 1]));
     }
-    MovementSpec spec = new MovementSpec(movement, 0, 1, path);
-    return target(features, corners[0], corners[1], 0, speed, spec);
+    return target(features, corners[0], corners[1], 0, speed)
+        .with(TargetSpec.MOVE, movement)
+        .with(TargetSpec.WAYPOINTS, path);
   }
 }

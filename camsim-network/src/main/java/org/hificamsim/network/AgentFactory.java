@@ -59,7 +59,7 @@ final class AgentFactory {
               new InputException(
                   "camera '%s': %s: expected %s".formatted(name, attribute, expected));
       CameraSpec spec = world.cameraSpec(camera);
-      roles.add(reader.read(spec.agent(), spec.optics(), camera >= fromFile, fault));
+      roles.add(reader.read(spec, camera >= fromFile, fault));
     }
   }
 

@@ -5,15 +5,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
-import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -42,10 +39,10 @@ public final class CamSimScenario {
                 catalogue.movements().names()::contains,
                 settings.check(),
                 warning -> err.println("warning: " + Place.printable(warning)))
-            .withOrder(StepOrder.CAMSIM);
+            .with(Scenario.ORDER, StepOrder.CAMSIM);
     warnAboutDefaults(file, scenario, settings, err);
     if (!zooming) {
-      scenario = scenario.withoutZooms();
+      scenario = scenario.with(Scenario.ZOOMS, List.of());
     }
     if (movement != null) {
       scenario = scenario.withMovement(movement);
@@ -72,40 +69,36 @@ public final class CamSimScenario {
   /** An event's {@code move} names its movement where {@code fqName} does not. */
   private static TargetSpec withAlias(TargetSpec target) {
     String alias = target.extras().getOrDefault("move", "");
-    return target.origin() == TargetSpec.Origin.EVENT && target.movement().name().isEmpty()
+    return target.origin() == TargetSpec.Origin.EVENT && target.get(TargetSpec.MOVE).isEmpty()
         ? target.withMovement(alias)
         : target;
   }
 
   /** Speed becomes the heading in radians where a class name leads to waypoints. */
   private static TargetSpec withSwap(TargetSpec target, Headings headings) {
-    boolean throughClassName = !target.movement().name().isEmpty();
-    return throughClassName && target.movement().shortName().equals("Waypoints")
-        ? target.withSpeed(headings.radians(target.heading()))
+    boolean throughClassName = !target.get(TargetSpec.MOVE).isEmpty();
+    return throughClassName && target.movement().equals("Waypoints")
+        ? target.with(TargetSpec.SPEED, headings.radians(target.heading()))
         : target;
   }
 
   /** An error, which {@code source} is to blame for, where a path is to be followed without one. */
   private static void requirePaths(Scenario scenario, String source) {
-    Stream<TargetSpec> added =
-        scenario.events().stream()
-            .filter(ScenarioEvent.AddTarget.class::isInstance)
-            .map(event -> ((ScenarioEvent.AddTarget) event).target());
-    Stream.concat(scenario.targets().stream(), added)
-        .forEach(
+    scenario
+        .everyTarget()
+        .filter(target -> target.lacksWaypoints() || target.lacksTrack())
+        .findFirst()
+        .ifPresent(
             target -> {
-              MovementSpec movement = target.movement();
-              if (movement.lacksWaypoints() || movement.lacksTrack()) {
-                throw new InputException(
-                    "%s: object %s has no %s for movement %s"
-                        .formatted(
-                            source,
-                            target.name(),
-                            movement.lacksTrack()
-                                ? "track, expected one of <tracks>"
-                                : "waypoints, expected at least two",
-                            movement.shortName()));
-              }
+              throw new InputException(
+                  "%s: object %s has no %s for movement %s"
+                      .formatted(
+                          source,
+                          target.name(),
+                          target.lacksTrack()
+                              ? "track, expected one of <tracks>"
+                              : "waypoints, expected at least two",
+                          target.movement()));
             });
   }
 
@@ -113,10 +106,11 @@ public final class CamSimScenario {
       Path file, Scenario scenario, NetworkSettings settings, PrintWriter err) {
     List<String> missing = new ArrayList<>();
     if (settings.schedule().isEmpty()
-        && lacks(scenario, camera -> camera.agent().algorithm().isEmpty())) {
+        && lacks(scenario, camera -> camera.find(CameraSpec.ALGORITHM).isEmpty())) {
       missing.add("ai_algorithm, taken as Active");
     }
-    if (settings.comm().isEmpty() && lacks(scenario, camera -> camera.agent().comm().isEmpty())) {
+    if (settings.comm().isEmpty()
+        && lacks(scenario, camera -> camera.find(CameraSpec.COMM).isEmpty())) {
       missing.add("comm, taken as 0");
     }
     if (!missing.isEmpty()) {

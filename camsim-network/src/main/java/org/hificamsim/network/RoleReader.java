@@ -2,7 +2,7 @@ package org.hificamsim.network;
 
 import java.util.Optional;
 import org.hificamsim.core.scenario.AgentCheck.Fault;
-import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.network.agent.CommunicationPolicy;
@@ -35,19 +35,19 @@ final class RoleReader {
   /**
    * The next camera's role.
    *
-   * @param optics the camera's; empty for one that has its range alone
    * @param added whether an event adds it: its schedule is that of the last camera of the file
    * @throws org.hificamsim.core.InputException made by {@code fault} when a name is not known, or
    *     something that it needs is missing
    */
-  CameraRole read(AgentSpec agent, Optional<OpticsSpec> optics, boolean added, Fault fault) {
+  CameraRole read(CameraSpec camera, boolean added, Fault fault) {
     if (!added) {
-      schedule = schedule(agent, fault);
+      schedule = schedule(camera, fault);
     }
     if (schedule == ScheduleKind.BANDIT_ZOOM) {
-      requireRange(optics, fault);
+      requireRange(camera.optics(), fault);
     }
-    return new CameraRole(schedule, comm(agent, added, fault), agent.limit(), bandit(agent, fault));
+    return new CameraRole(
+        schedule, comm(camera, added, fault), camera.get(CameraSpec.LIMIT), bandit(camera, fault));
   }
 
   /** A zoom list and a lens have reaches of their own, whatever range a bandit sets. */
@@ -62,27 +62,31 @@ final class RoleReader {
     }
   }
 
-  private ScheduleKind schedule(AgentSpec agent, Fault fault) {
+  private ScheduleKind schedule(CameraSpec camera, Fault fault) {
     return settings
         .schedule()
-        .or(() -> find(ScheduleKind.class, agent.algorithm(), "ai_algorithm", fault))
+        .or(
+            () ->
+                find(ScheduleKind.class, camera.find(CameraSpec.ALGORITHM), "ai_algorithm", fault))
         .orElse(ScheduleKind.ACTIVE);
   }
 
-  private Comm comm(AgentSpec agent, boolean added, Fault fault) {
+  private Comm comm(CameraSpec camera, boolean added, Fault fault) {
     if (!added && settings.comm().isPresent()) {
       return settings.comm().get();
     }
-    return Comm.of(agent.comm().orElse(0), agent.customComm())
+    return Comm.of(camera.find(CameraSpec.COMM).orElse(0), camera.find(CameraSpec.CUSTOM_COMM))
         .orElseThrow(
             () ->
                 fault.in(
                     "customcom", Named.expected(CommunicationPolicy.class) + " where comm is 4"));
   }
 
-  private Optional<BanditAlgorithm> bandit(AgentSpec agent, Fault fault) {
+  private Optional<BanditAlgorithm> bandit(CameraSpec camera, Fault fault) {
     Optional<BanditAlgorithm> bandit =
-        settings.bandit().or(() -> find(BanditAlgorithm.class, agent.bandit(), "bandit", fault));
+        settings
+            .bandit()
+            .or(() -> find(BanditAlgorithm.class, camera.find(CameraSpec.BANDIT), "bandit", fault));
     if (schedule == ScheduleKind.BANDIT_ZOOM && bandit.isEmpty()) {
       throw fault.in(
           "bandit", Named.expected(BanditAlgorithm.class) + " where the schedule is BanditZoom");

@@ -1,11 +1,8 @@
 package org.hificamsim.network;
 
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -19,7 +16,6 @@ import org.hificamsim.core.scenario.TargetSpec;
 public final class StandingObjects {
   private static final double CLAMPED = 20; // m
   private static final double AS_IT_IS = -1;
-  private static final MovementSpec STRAIGHT = new MovementSpec("", 0, 1, List.of());
 
   private StandingObjects() {}
 
@@ -30,21 +26,17 @@ public final class StandingObjects {
     Stream<ScenarioEvent> later =
         scenario.events().stream().flatMap(event -> seen(event, scenario));
     return scenario
-        .with(scenario.name(), scenario.targets(), Stream.concat(ofTheStart, later).toList())
+        .with(Scenario.EVENTS, Stream.concat(ofTheStart, later).toList())
         .withCameras(camera -> withoutOptics(camera, scenario));
   }
 
   private static CameraSpec withoutOptics(CameraSpec camera, Scenario scenario) {
-    return new CameraSpec(
-        camera.name(),
-        camera.x(),
-        camera.y(),
-        camera.heading(),
-        camera.optics().map(one -> widest(one.anglesOfView())).orElse(camera.viewingAngle()),
-        range(camera, scenario),
-        camera.agent(),
-        Optional.empty(),
-        camera.extras());
+    double angle =
+        camera.optics().map(one -> widest(one.anglesOfView())).orElse(camera.viewingAngle());
+    return camera
+        .with(CameraSpec.VIEWING_ANGLE, angle)
+        .with(CameraSpec.RANGE, range(camera, scenario))
+        .without(CameraSpec.OPTICS);
   }
 
   private static double widest(List<Double> angles) {
@@ -76,23 +68,16 @@ public final class StandingObjects {
   }
 
   private static ScenarioEvent standing(ScenarioEvent event) {
-    return event instanceof ScenarioEvent.AddTarget add
-            && add.target().movement().track().isPresent()
+    return event instanceof ScenarioEvent.AddTarget add && add.target().track().isPresent()
         ? new ScenarioEvent.AddTarget(add.step(), standing(add.target()))
         : event;
   }
 
   private static TargetSpec standing(TargetSpec target) {
-    return new TargetSpec(
-        TargetSpec.Origin.EVENT,
-        target.features(),
-        target.x(),
-        target.y(),
-        0,
-        0,
-        target.size(),
-        target.extent(),
-        STRAIGHT,
-        Map.of());
+    TargetSpec standing =
+        new TargetSpec(target.features(), target.x(), target.y())
+            .with(TargetSpec.ORIGIN, TargetSpec.Origin.EVENT)
+            .with(TargetSpec.MOVE, "");
+    return target.extent().map(standing::withExtent).orElse(standing.withSize(target.size()));
   }
 }

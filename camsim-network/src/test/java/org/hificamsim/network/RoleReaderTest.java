@@ -6,9 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
-import java.util.OptionalInt;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.scenario.AgentSpec;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;
@@ -16,29 +15,27 @@ import org.junit.jupiter.api.Test;
 
 /** What cameras ask for, and what the settings say for all. */
 class RoleReaderTest {
-  private static final AgentSpec SMOOTH =
+  private static final CameraSpec NOTHING = new CameraSpec("a", 0, 0, 5);
+  private static final CameraSpec SMOOTH =
       spec("PassiveAuctionSchedule", 1, null, "epics.learning.UCB1");
 
-  private static AgentSpec spec(String algorithm, int comm, String customComm, String bandit) {
-    return new AgentSpec(
-        Optional.ofNullable(algorithm),
-        OptionalInt.of(comm),
-        Optional.ofNullable(customComm),
-        7,
-        Optional.ofNullable(bandit));
+  private static CameraSpec spec(String algorithm, int comm, String customComm, String bandit) {
+    return NOTHING
+        .with(CameraSpec.ALGORITHM, algorithm)
+        .with(CameraSpec.COMM, comm)
+        .with(CameraSpec.CUSTOM_COMM, Optional.ofNullable(customComm))
+        .with(CameraSpec.LIMIT, 7)
+        .with(CameraSpec.BANDIT, Optional.ofNullable(bandit));
   }
 
-  private static CameraRole read(RoleReader reader, AgentSpec agent, boolean added) {
+  private static CameraRole read(RoleReader reader, CameraSpec camera, boolean added) {
     return reader.read(
-        agent,
-        Optional.empty(),
-        added,
-        (attribute, expected) -> new InputException(attribute + ": " + expected));
+        camera, added, (attribute, expected) -> new InputException(attribute + ": " + expected));
   }
 
-  private static String fault(AgentSpec agent) {
+  private static String fault(CameraSpec camera) {
     RoleReader reader = new RoleReader(NetworkSettings.CAMSIM);
-    return assertThrows(InputException.class, () -> read(reader, agent, false)).getMessage();
+    return assertThrows(InputException.class, () -> read(reader, camera, false)).getMessage();
   }
 
   @Test
@@ -62,7 +59,7 @@ class RoleReaderTest {
   void anAddedCameraHasTheScheduleOfTheLastOneInTheFileAndItsOwnPolicy() {
     NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_PASSIVE, 3);
     RoleReader reader = new RoleReader(all);
-    read(reader, AgentSpec.NONE, false);
+    read(reader, NOTHING, false);
     CameraRole role = read(reader, spec("Nobody", 2, null, null), true);
     assertEquals(ScheduleKind.HISTORICAL_PASSIVE, role.schedule());
     assertEquals(CommunicationPolicy.STEP, role.comm().policy());
@@ -93,7 +90,7 @@ class RoleReaderTest {
 
   @Test
   void aBanditThatSetsRangesRefusesAZoomList() {
-    AgentSpec zooming = spec("BanditZoom", 0, null, "UCB1");
+    CameraSpec zooming = spec("BanditZoom", 0, null, "UCB1");
     CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM), zooming, false);
     assertEquals(ScheduleKind.BANDIT_ZOOM, role.schedule());
     RoleReader reader = new RoleReader(NetworkSettings.CAMSIM, true);

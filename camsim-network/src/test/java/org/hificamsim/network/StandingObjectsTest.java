@@ -3,15 +3,9 @@ package org.hificamsim.network;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
@@ -20,16 +14,9 @@ import org.junit.jupiter.api.Test;
 /** Scenarios that are written for CamSim: the ranges of their cameras. */
 class StandingObjectsTest {
   private static final OpticsSpec DOME =
-      new OpticsSpec(
-          "dome",
-          OpticsLaw.PINHOLE,
-          OptionalInt.empty(),
-          List.of(20.0, 60.0),
-          OptionalDouble.of(25),
-          List.of(0.0),
-          OptionalDouble.empty(),
-          0,
-          Moving.BLIND);
+      new OpticsSpec("dome")
+          .with(OpticsSpec.ANGLES_OF_VIEW, List.of(20.0, 60.0))
+          .with(OpticsSpec.REACH, 25);
 
   private static CameraSpec plain(String name) {
     return camera(name, Optional.empty());
@@ -40,7 +27,10 @@ class StandingObjectsTest {
   }
 
   private static CameraSpec camera(String name, Optional<OpticsSpec> optics) {
-    return new CameraSpec(name, 1, 2, 30, 60, 25, AgentSpec.NONE, optics, Map.of());
+    return new CameraSpec(name, 1, 2, 25)
+        .with(CameraSpec.HEADING, 30)
+        .with(CameraSpec.VIEWING_ANGLE, 60)
+        .with(CameraSpec.OPTICS, optics);
   }
 
   private static ScenarioEvent widened(int step, String name) {

@@ -27,7 +27,7 @@ final class Descriptions {
     long optics =
         scenario.cameras().stream().flatMap(one -> one.optics().stream()).distinct().count();
     if (optics > 0) {
-      int obstacles = scenario.surroundings().obstacles().size();
+      int obstacles = scenario.obstacles().size();
       return optics
           + (optics == 1 ? " kind" : " kinds")
           + " of optics, "

@@ -10,7 +10,6 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.scenario.NetworkParts;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.Settings;
@@ -45,7 +44,7 @@ final class ScenarioOptions {
   Scenario read(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
     Consumer<String> warned = on(err);
     Scenario scenario = ScenarioReader.read(file, catalogue.movements()::knows, warned);
-    List<String> parts = NetworkParts.of(scenario);
+    List<String> parts = scenario.networkParts();
     if (!parts.isEmpty()) {
       warned.accept(
           "%s: CamSim's network (%s) is kept but not simulated here; 'hificamsim camsim' does"

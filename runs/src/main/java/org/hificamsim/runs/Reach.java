@@ -6,13 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.OnAxis;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.World;
 
@@ -35,11 +33,8 @@ public record Reach(double radius, double detected) {
 
   /** The edge of the largest target that a scenario has at any time, metres. */
   public static double largestTarget(Scenario scenario) {
-    Stream<TargetSpec> added =
-        scenario.events().stream()
-            .filter(ScenarioEvent.AddTarget.class::isInstance)
-            .map(event -> ((ScenarioEvent.AddTarget) event).target());
-    return Stream.concat(scenario.targets().stream(), added)
+    return scenario
+        .everyTarget()
         .mapToDouble(TargetSpec::size)
         .max()
         .orElse(TargetSpec.DEFAULT_SIZE);

@@ -10,6 +10,7 @@ import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Headings;
+import org.hificamsim.core.scenario.Property;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 
@@ -61,7 +62,7 @@ public enum Setting {
       new Holder(
           plan -> plan.objective().text(),
           (name, text) -> Objective.parse(text),
-          (scenario, text) -> scenario.withObjective(Objective.parse(text))),
+          (scenario, text) -> scenario.with(Scenario.OBJECTIVE, Objective.parse(text))),
       "What a step is scored by, and optimal, one-hop and best-fixed maximise; before the"
           + " scenario's own. See docs/objectives.md."),
   STEPS(Kind.INT, "N", "1000", own(range(1, RunPlan.MAX_STEPS)), "Steps, 1 to 1,000,000,000."),
@@ -76,13 +77,13 @@ public enum Setting {
       Kind.TEXT,
       "coverage|camsim",
       null,
-      choice(StepOrder.class, Scenario::order, Scenario::withOrder),
+      choice(StepOrder.class, Scenario.ORDER),
       "Whether targets move after (coverage) or before (camsim) the observation."),
   HEADINGS(
       Kind.TEXT,
       "degrees|as-radians",
       null,
-      choice(Headings.class, Scenario::headings, Scenario::withHeadings),
+      choice(Headings.class, Scenario.HEADINGS),
       "How targets' headings are read; as-radians is the coverage study's way.");
 
   /** What the values are. */
@@ -142,12 +143,11 @@ public enum Setting {
     return new Holder(of, check, (scenario, text) -> scenario);
   }
 
-  private static <E extends Enum<E>> Holder choice(
-      Class<E> type, Function<Scenario, E> of, BiFunction<Scenario, E, Scenario> with) {
+  private static <E extends Enum<E>> Holder choice(Class<E> type, Property<Scenario, E> property) {
     return new Holder(
-        plan -> Spelling.of(of.apply(plan.scenario())),
+        plan -> Spelling.of(plan.scenario().get(property)),
         (name, text) -> Spelling.require(type, name, text),
-        (scenario, text) -> with.apply(scenario, Spelling.require(type, "", text)));
+        (scenario, text) -> scenario.with(property, Spelling.require(type, "", text)));
   }
 
   private static Check range(long min, long max) {

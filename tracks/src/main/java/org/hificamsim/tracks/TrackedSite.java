@@ -1,21 +1,13 @@
 package org.hificamsim.tracks;
 
-import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.tracks.place.DraftCameras;
 
 /** The scenario around imported tracks: field, cameras as a first draft, walls, floor plan. */
@@ -67,27 +59,15 @@ public final class TrackedSite {
   }
 
   private Scenario scenario() {
-    Obstacles obstacles = new Obstacles(settings.walls());
-    return new Scenario(
-        settings.name(),
-        field,
-        StepOrder.COVERAGE,
-        Headings.DEGREES,
-        OptionalDouble.empty(),
-        Optional.empty(),
-        Objective.parse("covered:k=1"),
-        OptionalDouble.empty(),
-        step(),
-        surroundings(settings.walls()),
-        List.of(),
-        DraftCameras.of(settings.cameras(), field, obstacles),
-        List.of(),
-        List.of(),
-        Optional.empty(),
-        Map.of());
-  }
-
-  private Surroundings surroundings(List<Obstacle> walls) {
-    return new Surroundings(walls, Occlusion.NONE, settings.floorplan());
+    Scenario empty =
+        new Scenario(settings.name(), field)
+            .with(Scenario.ORDER, StepOrder.COVERAGE)
+            .with(Scenario.OBJECTIVE, Objective.parse("covered:k=1"))
+            .with(Scenario.STEP_TIME, step())
+            .with(Scenario.OBSTACLES, settings.walls())
+            .with(
+                Scenario.CAMERAS,
+                DraftCameras.of(settings.cameras(), field, new Obstacles(settings.walls())));
+    return settings.floorplan().map(empty::withFloorplan).orElse(empty);
   }
 }

@@ -2,12 +2,10 @@ package org.hificamsim.bridge.run;
 
 import java.util.Arrays;
 import java.util.BitSet;
-import java.util.Map;
 import org.hificamsim.bridge.camsim.Aim;
 import org.hificamsim.bridge.camsim.Aiming;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.world.ViewSet;
@@ -165,16 +163,10 @@ final class LiveCamera {
 
   /** The camera as a scenario describes one. */
   CameraSpec spec() {
-    return new CameraSpec(
-        name,
-        mounted.x(),
-        mounted.y(),
-        Math.toDegrees(mounted.heading()),
-        Math.toDegrees(angle),
-        now.range(),
-        AgentSpec.NONE,
-        kind.optics(),
-        Map.of());
+    return new CameraSpec(name, mounted.x(), mounted.y(), now.range())
+        .with(CameraSpec.HEADING, Math.toDegrees(mounted.heading()))
+        .with(CameraSpec.VIEWING_ANGLE, Math.toDegrees(angle))
+        .with(CameraSpec.OPTICS, kind.optics());
   }
 
   /** The targets seen at the last look. */

@@ -2,16 +2,11 @@ package org.hificamsim.bridge.run;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Headings;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.SingleRun;
@@ -189,21 +184,11 @@ final class Run {
 
   /** What result files say of the scenario; the field and what moves in it are not asked for. */
   private Scenario described() {
-    return new Scenario(
-        scenario.map(ScenarioFile::name).orElse(NO_SCENARIO),
-        new Field(Double.NaN, Double.NaN, Double.NaN, Double.NaN),
-        StepOrder.CAMSIM,
-        Headings.DEGREES,
-        OptionalDouble.empty(),
-        Optional.empty(),
-        settings.objective(),
-        OptionalDouble.empty(),
-        settings.zooms(),
-        network.cameraSpecs(),
-        List.of(),
-        List.of(),
-        Optional.empty(),
-        Map.of());
+    Field unknown = new Field(Double.NaN, Double.NaN, Double.NaN, Double.NaN);
+    return new Scenario(scenario.map(ScenarioFile::name).orElse(NO_SCENARIO), unknown)
+        .with(Scenario.OBJECTIVE, settings.objective())
+        .with(Scenario.ZOOMS, settings.zooms())
+        .with(Scenario.CAMERAS, network.cameraSpecs());
   }
 
   private long seed() {

@@ -21,7 +21,7 @@ public final class Tracks {
     Tracks tracks = new Tracks();
     for (ScenarioEvent event : scenario.events()) {
       if (event instanceof ScenarioEvent.AddTarget add) {
-        add.target().movement().track().ifPresent(track -> tracks.add(add.target(), track));
+        add.target().track().ifPresent(track -> tracks.add(add.target(), track));
       }
     }
     return tracks;

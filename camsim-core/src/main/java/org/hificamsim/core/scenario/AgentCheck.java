@@ -1,13 +1,12 @@
 package org.hificamsim.core.scenario;
 
-import java.util.Optional;
 import org.hificamsim.core.InputException;
 
 /** Checks what a camera asks of CamSim's network, which a scenario carries and does not read. */
 @FunctionalInterface
 public interface AgentCheck {
   /** Accepts everything. */
-  AgentCheck NONE = (agent, optics, added, fault) -> {};
+  AgentCheck NONE = (camera, added, fault) -> {};
 
   /** Makes the error about an attribute of the camera. */
   @FunctionalInterface
@@ -19,9 +18,8 @@ public interface AgentCheck {
   /**
    * Checks the next camera: those of the file, then those that events add, in their order.
    *
-   * @param optics the camera's; empty for one that has its range alone
    * @param added whether an event adds it
    * @throws InputException made by {@code fault}
    */
-  void check(AgentSpec agent, Optional<OpticsSpec> optics, boolean added, Fault fault);
+  void check(CameraSpec camera, boolean added, Fault fault);
 }

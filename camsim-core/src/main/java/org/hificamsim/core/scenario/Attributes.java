@@ -1,188 +1,132 @@
 package org.hificamsim.core.scenario;
 
-import java.util.Arrays;
-import java.util.LinkedHashMap;
+import java.util.HashMap;
 import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.function.Consumer;
-import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.Spelling;
+import org.hificamsim.core.Place;
 
 /**
- * The attributes of one element, read by name, type and range; what was not read is left over.
+ * The attributes of one element of a file, read as they are declared.
  *
- * <p>Each getter that finds something wrong throws an {@link InputException} that names the place,
- * the value and what was expected.
+ * <p>What is wrong is an {@link InputException} that names the place, the value and what was
+ * expected.
  */
-final class Attributes {
-  /** Characters of a value that an error line shows. */
-  static final int MAX_QUOTED = 60;
+final class Attributes<S> {
+  private static final Predicate<String> XML_OWN =
+      Pattern.compile("xmlns(:.*)?|xml:.*|xsi:.*").asMatchPredicate();
 
-  private static final Pattern XML_OWN = Pattern.compile("xmlns(:.*)?|xml:.*|xsi:.*");
+  private final XmlElement xml;
+  private final Element<S> element;
+  private final Map<Property<?, ?>, Type<?>> narrowed = new HashMap<>(0);
 
-  private final XmlElement element;
-  private final Map<String, String> rest;
-
-  Attributes(XmlElement element) {
+  Attributes(XmlElement xml, Element<S> element) {
+    this.xml = xml;
     this.element = element;
-    this.rest = new LinkedHashMap<>(element.attributes());
   }
 
-  /** A finite number. */
-  double number(String name) {
-    return number(name, Range.FINITE);
+  /** Expects a narrower type of an attribute than what is declared. */
+  <T> Attributes<S> narrow(Property<?, T> attribute, Type<T> type) {
+    narrowed.put(attribute, type);
+    return this;
   }
 
-  /** A number in a range. */
-  double number(String name, Range range) {
-    return parse(name, required(name, range.expected()), range);
+  @SuppressWarnings("unchecked") // narrow() lets nothing else in
+  private <T> Type<T> type(Property<S, T> attribute) {
+    return (Type<T>) narrowed.getOrDefault(attribute, attribute.type());
   }
 
-  /** A number in a range; empty where the attribute is missing. */
-  OptionalDouble optionalNumber(String name, Range range) {
-    String text = rest.remove(name);
-    return text == null ? OptionalDouble.empty() : OptionalDouble.of(parse(name, text, range));
+  /** What the element is read as. */
+  S read() {
+    try {
+      return element.make(said());
+    } catch (IllegalArgumentException e) { // of the whole, not of one attribute
+      throw xml.place().error("<" + xml.name() + "> " + e.getMessage());
+    }
   }
 
-  int integer(String name, int min, int max) {
-    String expected = wholeNumber(min, max);
-    return parse(name, required(name, expected), min, max);
+  /** What the element says. */
+  Spec<S> said() {
+    return said(Faults.thrown());
   }
 
-  OptionalInt optionalInteger(String name, int min, int max) {
-    String text = rest.remove(name);
-    return text == null ? OptionalInt.empty() : OptionalInt.of(parse(name, text, min, max));
+  /** What the element says; an attribute that has a fault takes its default. */
+  Spec<S> said(Faults faults) {
+    Object[] values = element.standards();
+    for (Property<S, ?> attribute : element.attributes()) {
+      faults.check(() -> values[attribute.number()] = get(attribute));
+    }
+    Map<String, String> extras =
+        unknown()
+            .filter(name -> !name.contains(":")) // a prefix belongs to others
+            .collect(Collectors.toUnmodifiableMap(name -> name, xml.attributes()::get));
+    return new Spec<>(element, values, extras);
   }
 
-  /** Whether the file gives an attribute that has not been read. */
-  boolean has(String name) {
-    return rest.containsKey(name);
+  /** The value of an attribute, or its default; null where it has neither. */
+  <T> T get(Property<S, T> attribute) {
+    String text = xml.attributes().get(attribute.name());
+    if (text == null) {
+      return attribute.isRequired() ? require(attribute) : attribute.standard();
+    }
+    try {
+      return type(attribute).parser().apply(text);
+    } catch (InputException e) {
+      throw xml.place(attribute.name()).error("<" + xml.name() + "> " + e.getMessage());
+    } catch (IllegalArgumentException e) {
+      throw invalid(attribute, type(attribute).expected());
+    }
+  }
+
+  /** The value of an attribute that must be given here. */
+  <T> T require(Property<S, T> attribute) {
+    if (!has(attribute)) {
+      throw invalid(attribute, type(attribute).expected());
+    }
+    return get(attribute);
   }
 
   /** An error where the file gives an attribute that has no place here. */
-  void refuse(String name, String expected) {
-    if (has(name)) {
-      throw invalid(name, expected);
+  void refuse(Property<S, ?> attribute, String expected) {
+    if (has(attribute)) {
+      throw invalid(attribute, expected);
     }
   }
 
-  /** Any text, even none. */
-  String text(String name, String expected) {
-    return required(name, expected);
-  }
-
-  Optional<String> optionalText(String name) {
-    return Optional.ofNullable(rest.remove(name));
-  }
-
-  /**
-   * A value that another class reads; empty where the attribute is missing.
-   *
-   * @param parser says in an InputException what it expected
-   */
-  <T> Optional<T> optional(String name, Function<String, T> parser) {
-    try {
-      return optionalText(name).map(parser);
-    } catch (InputException e) {
-      throw element.place(name).error("<" + element.name() + "> " + e.getMessage());
-    }
-  }
-
-  /** A constant, written in lower case with {@code -} for {@code _}. */
-  <E extends Enum<E>> E choice(String name, E defaultValue) {
-    String text = rest.remove(name);
-    if (text == null) {
-      return defaultValue;
-    }
-    Class<E> type = defaultValue.getDeclaringClass();
-    return Spelling.find(type, text)
-        .orElseThrow(() -> invalid(name, "one of " + Spelling.all(type)));
-  }
-
-  /**
-   * What was not read; each is a warning, except for those that are {@code known} to have no
-   * effect, and for XML's own: names with a prefix belong to others and are left out.
-   */
-  Map<String, String> leftOver(Consumer<String> warnings, String... known) {
-    rest.keySet().removeIf(XML_OWN.asMatchPredicate());
-    for (Map.Entry<String, String> one : rest.entrySet()) {
-      if (!Arrays.asList(known).contains(one.getKey())) {
-        warnings.accept(
-            element.place(one.getKey())
-                + ": unknown attribute "
-                + one.getKey()
-                + "=\""
-                + XmlText.shortened(one.getValue(), MAX_QUOTED)
-                + "\" of <"
-                + element.name()
-                + ">, ignored");
-      }
-    }
-    rest.keySet().removeIf(name -> name.contains(":"));
-    Map<String, String> kept = Map.copyOf(rest);
-    rest.clear();
-    return kept;
+  /** Whether the file gives an attribute. */
+  boolean has(Property<S, ?> attribute) {
+    return xml.attributes().containsKey(element.own(attribute).name());
   }
 
   /** An error about one attribute's value, or that it has none. */
-  InputException invalid(String name, String expected) {
-    if (!element.attributes().containsKey(name)) {
-      return element
-          .place()
-          .error("<" + element.name() + "> has no " + name + ", expected " + expected);
-    }
-    return element
-        .place(name)
-        .error(
-            "<"
-                + element.name()
-                + "> "
-                + name
-                + " is '"
-                + XmlText.shortened(element.attributes().get(name), MAX_QUOTED)
-                + "', expected "
-                + expected);
+  InputException invalid(Property<S, ?> attribute, String expected) {
+    return xml.invalid(element.own(attribute).name(), expected);
   }
 
-  private String required(String name, String expected) {
-    String text = rest.remove(name);
-    if (text == null) {
-      throw invalid(name, expected);
-    }
-    return text;
+  /** Warns of attributes that are not declared, with their places. */
+  void warnOfUnknown(Consumer<String> warnings) {
+    unknown()
+        .filter(name -> element.ignored().stream().noneMatch(one -> one.name().equals(name)))
+        .forEach(name -> warnings.accept(unknown(name)));
   }
 
-  private double parse(String name, String text, Range range) {
-    try {
-      double value = Double.parseDouble(text);
-      if (range.contains(value)) {
-        return value;
-      }
-    } catch (NumberFormatException e) {
-      // reported below
-    }
-    throw invalid(name, range.expected());
+  private String unknown(String name) {
+    String value = Place.shortened(xml.attributes().get(name));
+    return xml.place(name)
+        .line("unknown attribute %s=\"%s\" of <%s>, ignored".formatted(name, value, xml.name()));
   }
 
-  private int parse(String name, String text, int min, int max) {
-    try {
-      int value = Integer.parseInt(text);
-      if (value >= min && value <= max) {
-        return value;
-      }
-    } catch (NumberFormatException e) {
-      // reported below
-    }
-    throw invalid(name, wholeNumber(min, max));
+  private Stream<String> unknown() {
+    return xml.attributes().keySet().stream()
+        .filter(name -> !element.has(name) && !XML_OWN.test(name))
+        .filter(name -> !isEvent() || !EventReader.ELEMENT.has(name));
   }
 
-  private static String wholeNumber(int min, int max) {
-    return max == Integer.MAX_VALUE
-        ? "a whole number of " + min + " or more"
-        : "a whole number from " + min + " to " + max;
+  private boolean isEvent() {
+    return element.name().equals(EventReader.ELEMENT.name());
   }
 }

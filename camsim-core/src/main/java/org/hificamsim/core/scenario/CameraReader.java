@@ -2,126 +2,86 @@ package org.hificamsim.core.scenario;
 
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalInt;
 import java.util.Set;
 import java.util.function.Consumer;
 
 /** Reads cameras, from their own element or from an event that adds one. */
 final class CameraReader {
-  private final Range across;
-  private final Range along;
+  private final Type<Double> across;
+  private final Type<Double> along;
+  private final Type<OpticsSpec> optics;
   private final Clearing clearing;
-  private final OpticsReader optics;
   private final AgentCheck agents;
   private final Consumer<String> warnings;
   private final Set<String> names = new HashSet<>();
 
+  /**
+   * @param optics those of the file, by name
+   */
   CameraReader(
       Field field,
       Clearing clearing,
-      OpticsReader optics,
+      Map<String, OpticsSpec> optics,
       AgentCheck agents,
       Consumer<String> warnings) {
+    this.across = inField(field.minX(), field.maxX());
+    this.along = inField(field.minY(), field.maxY());
+    this.optics = oneOf(optics);
     this.clearing = clearing;
-    this.optics = optics;
-    across = inField(field.minX(), field.maxX());
-    along = inField(field.minY(), field.maxY());
     this.agents = agents;
     this.warnings = warnings;
   }
 
-  CameraSpec camera(XmlElement element) {
-    return camera(new Attributes(element), false);
+  private static Type<Double> inField(double min, double max) {
+    return Type.number(new Range("a number inside the field, " + min + " to " + max, min, max));
   }
 
-  /** The camera that an event adds; the event's own attributes have been read already. */
-  CameraSpec added(Attributes attributes) {
-    return camera(attributes, true);
+  private static Type<OpticsSpec> oneOf(Map<String, OpticsSpec> optics) {
+    List<String> names = optics.keySet().stream().sorted().toList();
+    return Type.named(
+        names.isEmpty() ? "none: the file has no <optics>" : "one of " + String.join(", ", names),
+        name -> Optional.ofNullable(optics.get(name)).orElseThrow(IllegalArgumentException::new),
+        OpticsSpec::name);
   }
 
-  private CameraSpec camera(Attributes attributes, boolean added) {
-    String name = attributes.text("name", "a name that no other camera has");
-    if (!names.add(name)) {
-      throw attributes.invalid("name", "a camera name that is not taken");
+  /** Reads a camera. */
+  CameraSpec camera(XmlElement xml, Element<CameraSpec> as) {
+    Attributes<CameraSpec> attributes =
+        new Attributes<>(xml, as)
+            .narrow(CameraSpec.X, across)
+            .narrow(CameraSpec.Y, along)
+            .narrow(CameraSpec.OPTICS, optics);
+    CameraSpec camera = withView(attributes.read(), attributes);
+    if (!names.add(camera.name())) {
+      throw attributes.invalid(CameraSpec.NAME, "a camera name that is not taken");
     }
-    double x = attributes.number("x", across);
-    double y = attributes.number("y", along);
-    clearing.requireFree(attributes, x, y);
-    double heading = attributes.number("heading");
-    Optional<OpticsSpec> itsOptics = optics.named(attributes);
-    double angle = viewingAngle(attributes, itsOptics);
-    double range = range(attributes, itsOptics);
-    AgentSpec agent = agent(attributes);
-    agents.check(agent, itsOptics, added, attributes::invalid);
-    return new CameraSpec(
-        name,
-        x,
-        y,
-        heading,
-        angle,
-        range,
-        agent,
-        itsOptics,
-        attributes.leftOver(warnings, "min_zoom", "max_zoom", "zoom_steps"));
+    clearing.requireFree(xml, camera.x(), camera.y());
+    agents.check(camera, as == CameraSpec.ADDED, xml::invalid);
+    attributes.warnOfUnknown(warnings);
+    return camera;
   }
 
-  /** A camera with a lens needs none: it has its widest angle of view. */
-  private static double viewingAngle(Attributes attributes, Optional<OpticsSpec> optics) {
-    List<Double> angles = optics.map(OpticsSpec::anglesOfView).orElse(List.of());
-    return angles.isEmpty() || attributes.has("viewing_angle")
-        ? attributes.number("viewing_angle", Range.OPENING_ANGLE)
-        : angles.get(angles.size() - 1);
+  /** A camera with a lens needs no angle, which is then its widest, and no range. */
+  private static CameraSpec withView(CameraSpec camera, Attributes<CameraSpec> attributes) {
+    Optional<OpticsSpec> lens = camera.optics().filter(one -> one.law() != OpticsLaw.ROUND);
+    if (lens.isEmpty()) {
+      attributes.require(CameraSpec.VIEWING_ANGLE);
+      attributes.require(CameraSpec.RANGE);
+      return camera;
+    }
+    List<Double> angles = lens.get().anglesOfView();
+    double widest = angles.get(angles.size() - 1);
+    double reach = lens.get().reach().orElse(0);
+    return camera
+        .with(CameraSpec.VIEWING_ANGLE, camera.find(CameraSpec.VIEWING_ANGLE).orElse(widest))
+        .with(CameraSpec.RANGE, camera.find(CameraSpec.RANGE).orElse(reach));
   }
 
-  /** A camera with a lens needs none: it has its reach, or 0 for one without an end. */
-  private static double range(Attributes attributes, Optional<OpticsSpec> optics) {
-    return optics.filter(one -> one.law() != OpticsLaw.ROUND).isEmpty() || attributes.has("range")
-        ? attributes.number("range", Range.LENGTH)
-        : optics.get().reach().orElse(0);
-  }
-
-  /** An event that changes a camera, some of whose attributes have been read already. */
-  ScenarioEvent.ChangeCamera change(Attributes attributes, int step) {
-    String name = attributes.text("name", "the name of a camera");
-    double x = attributes.number("x", across.orUnchanged());
-    double y = attributes.number("y", along.orUnchanged());
-    return new ScenarioEvent.ChangeCamera(
-        step,
-        name,
-        x,
-        y,
-        attributes.number("heading"),
-        attributes.number("viewing_angle", Range.OPENING_ANGLE.orUnchanged()),
-        attributes.number("range", Range.LENGTH.orUnchanged()));
-  }
-
-  /** Where a change puts a camera, off all obstacles. */
-  Waypoint moved(XmlElement element, ScenarioEvent.ChangeCamera change, Waypoint before) {
-    double x = change.x() == -1 ? before.x() : change.x();
-    double y = change.y() == -1 ? before.y() : change.y();
-    clearing.requireFree(new Attributes(element), x, y);
-    return new Waypoint(x, y);
-  }
-
-  /** Whether a camera of this name has been read. */
-  boolean knows(String name) {
-    return names.contains(name);
-  }
-
-  private static Range inField(double min, double max) {
-    return new Range(
-        "a number inside the field, " + min + " to " + max, value -> value >= min && value <= max);
-  }
-
-  private static AgentSpec agent(Attributes attributes) {
-    OptionalInt limit = attributes.optionalInteger("limit", 0, Integer.MAX_VALUE);
-    Optional<String> bandit = attributes.optionalText("bandit").filter(text -> !text.isEmpty());
-    return new AgentSpec(
-        attributes.optionalText("ai_algorithm"),
-        attributes.optionalInteger("comm", 0, 4),
-        attributes.optionalText("customcom"),
-        limit.orElse(0),
-        bandit);
+  /** Expects an event that changes a camera to leave it in the field. */
+  void narrow(Attributes<?> change) {
+    change.narrow(ScenarioEvent.ChangeCamera.X, Type.orUnchanged(across));
+    change.narrow(ScenarioEvent.ChangeCamera.Y, Type.orUnchanged(along));
   }
 }

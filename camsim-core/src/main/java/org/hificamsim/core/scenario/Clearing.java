@@ -2,6 +2,7 @@ package org.hificamsim.core.scenario;
 
 import java.util.List;
 import java.util.function.Consumer;
+import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 
 /** Says where cameras and targets may stand: in no solid obstacle, nor on its border. */
@@ -9,15 +10,15 @@ final class Clearing {
   private final Obstacles obstacles;
   private final Consumer<String> warnings;
 
-  Clearing(Surroundings surroundings, Consumer<String> warnings) {
-    this.obstacles = new Obstacles(surroundings.obstacles());
+  Clearing(List<Obstacle> obstacles, Consumer<String> warnings) {
+    this.obstacles = new Obstacles(obstacles);
     this.warnings = warnings;
   }
 
   /** An error at the attribute {@code x} for what stands in an obstacle. */
-  void requireFree(Attributes attributes, double x, double y) {
+  void requireFree(XmlElement element, double x, double y) {
     if (obstacles.containing(x, y).isPresent()) {
-      throw attributes.invalid(
+      throw element.invalid(
           "x", "a place off all obstacles; (" + x + ", " + y + ") is in or on a solid one");
     }
   }
@@ -29,16 +30,8 @@ final class Clearing {
       Waypoint to = path.get((i + 1) % path.size());
       if (!obstacles.clear(from.x(), from.y(), to.x(), to.y())) {
         warnings.accept(
-            element.place()
-                + ": the way from ("
-                + from.x()
-                + ", "
-                + from.y()
-                + ") to ("
-                + to.x()
-                + ", "
-                + to.y()
-                + ") leads through a solid obstacle");
+            "%s: the way from (%s, %s) to (%s, %s) leads through a solid obstacle"
+                .formatted(element.place(), from.x(), from.y(), to.x(), to.y()));
         return;
       }
     }

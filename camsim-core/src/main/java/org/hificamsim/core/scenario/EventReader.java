@@ -1,157 +1,79 @@
 package org.hificamsim.core.scenario;
 
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
-import java.util.Set;
 import java.util.function.Consumer;
-import org.hificamsim.core.InputException;
+import java.util.function.Function;
 
-/** Reads events and checks that their story holds: who is added, changed and removed when. */
+/** Reads events, each as its kind is declared. */
 final class EventReader {
+  /** What all kinds have in common. */
+  static final Element<ScenarioEvent> ELEMENT =
+      Element.<ScenarioEvent>of(
+              "event",
+              """
+              Something that happens at the beginning of a step.
+              timestep: the step, from 0
+              participant: to whom it happens; `grc` is CamSim's global registration
+              event: what happens
+              """)
+          .holds(TargetSpec.ADDED.content());
+
+  static final Property<ScenarioEvent, Integer> STEP = ELEMENT.required("timestep", Type.whole(0));
+  static final Property<ScenarioEvent, String> PARTICIPANT =
+      ELEMENT.required("participant", oneOf(ScenarioEvent.KINDS, EventKind::participant));
+  static final Property<ScenarioEvent, String> HAPPENING =
+      ELEMENT.required("event", oneOf(ScenarioEvent.KINDS, EventKind::happening));
+
   private final CameraReader cameras;
   private final TargetReader targets;
   private final Consumer<String> warnings;
-  private final Faults faults;
 
-  EventReader(
-      CameraReader cameras, TargetReader targets, Consumer<String> warnings, Faults faults) {
+  EventReader(CameraReader cameras, TargetReader targets, Consumer<String> warnings) {
     this.cameras = cameras;
     this.targets = targets;
     this.warnings = warnings;
-    this.faults = faults;
   }
 
-  /**
-   * Reads them all: those of the elements, then those that come and go with the tracks.
-   *
-   * @param start the cameras of the start
-   * @param tracks one element at most
-   */
-  List<ScenarioEvent> events(
-      List<CameraSpec> start,
-      List<XmlElement> elements,
-      List<XmlElement> tracks,
-      TracksReader reader) {
-    List<Placed> placed = new ArrayList<>(faults.each(elements, this::event));
-    faults.each(tracks, reader::events).stream()
-        .flatMap(List::stream)
-        .forEach(event -> placed.add(new Placed(event, tracks.get(0))));
-    if (tracks.size() > 1) {
-      faults.check(
-          () -> {
-            throw tracks.get(1).place().error("a second <tracks>, expected one");
-          });
+  private static Type<String> oneOf(
+      List<EventKind<?, ?>> kinds, Function<EventKind<?, ?>, String> word) {
+    return Type.word(kinds.stream().map(word).distinct().toList());
+  }
+
+  /** Reads one. */
+  ScenarioEvent event(XmlElement xml) {
+    Attributes<ScenarioEvent> head = new Attributes<>(xml, ELEMENT);
+    int step = head.get(STEP);
+    String participant = head.get(PARTICIPANT);
+    List<EventKind<?, ?>> its =
+        ScenarioEvent.KINDS.stream().filter(one -> one.participant().equals(participant)).toList();
+    if (head.has(HAPPENING)) {
+      head.narrow(HAPPENING, oneOf(its, EventKind::happening));
     }
-    if (faults.none()) { // else who is missing in the story may be one of those with a fault
-      checkTargets(placed);
-      checkCameras(placed, start);
+    String happening = head.get(HAPPENING);
+    return its.stream()
+        .filter(one -> one.happening().equals(happening))
+        .findFirst()
+        .map(kind -> event(step, kind, xml))
+        .orElseThrow();
+  }
+
+  private <E extends ScenarioEvent, B> E event(int step, EventKind<E, B> kind, XmlElement xml) {
+    return kind.make().apply(step, body(kind.body(), xml));
+  }
+
+  /** Who comes by an event is read as who is there from the start. */
+  @SuppressWarnings("unchecked") // a spec of its type
+  private <B> Spec<B> body(Element<B> body, XmlElement xml) {
+    if (body.type() == CameraSpec.class) {
+      return (Spec<B>) cameras.camera(xml, CameraSpec.ADDED);
     }
-    return placed.stream().map(Placed::event).toList();
-  }
-
-  private record Placed(ScenarioEvent event, XmlElement element) {
-    boolean isOfTracks() {
-      return element.name().equals("tracks");
+    if (body.type() == TargetSpec.class) {
+      return (Spec<B>) targets.added(xml);
     }
-  }
-
-  private Placed event(XmlElement element) {
-    Attributes attributes = new Attributes(element);
-    int step = attributes.integer("timestep", 0, Integer.MAX_VALUE);
-    String participant = attributes.text("participant", "camera, object or grc");
-    String kind = attributes.text("event", "add, change or error");
-    ScenarioEvent event =
-        switch (participant) {
-          case "camera" -> cameraEvent(attributes, step, kind);
-          case "object" -> targetEvent(element, attributes, step, kind);
-          case "grc" -> registrationEvent(attributes, step, kind);
-          default -> throw attributes.invalid("participant", "camera, object or grc");
-        };
-    attributes.leftOver(warnings, "name");
-    return new Placed(event, element);
-  }
-
-  private ScenarioEvent cameraEvent(Attributes attributes, int step, String kind) {
-    return switch (kind) {
-      case "add" -> new ScenarioEvent.AddCamera(step, cameras.added(attributes));
-      case "change" -> cameras.change(attributes, step);
-      case "error" ->
-          new ScenarioEvent.FailCamera(
-              step,
-              attributes.text("name", "the name of a camera"),
-              attributes.integer("duration", -1, Integer.MAX_VALUE));
-      default -> throw attributes.invalid("event", "add, change or error");
-    };
-  }
-
-  private ScenarioEvent targetEvent(
-      XmlElement element, Attributes attributes, int step, String kind) {
-    double identity = attributes.number("name");
-    return switch (kind) {
-      case "add" -> {
-        if (element.attributes().containsKey("move")) {
-          warnings.accept(
-              element.place("move")
-                  + ": an event's move is ignored, as in CamSim (unless camsim --quirks says"
-                  + " otherwise); fqName counts");
-        }
-        yield new ScenarioEvent.AddTarget(step, targets.added(element, attributes, identity));
-      }
-      case "error" -> new ScenarioEvent.RemoveTarget(step, identity);
-      default -> throw attributes.invalid("event", "add or error");
-    };
-  }
-
-  private static ScenarioEvent registrationEvent(Attributes attributes, int step, String kind) {
-    if (!kind.equals("error")) {
-      throw attributes.invalid("event", "error");
-    }
-    return new ScenarioEvent.FailRegistration(
-        step, attributes.integer("duration", -1, Integer.MAX_VALUE));
-  }
-
-  private void checkTargets(List<Placed> placed) {
-    Set<Double> present = targets.present();
-    inTime(placed).forEach(one -> faults.check(() -> checkTarget(one, present)));
-  }
-
-  private void checkTarget(Placed one, Set<Double> present) {
-    if (one.event() instanceof ScenarioEvent.AddTarget add
-        && !present.add(add.target().features())) {
-      throw taken(one, add);
-    }
-    if (one.event() instanceof ScenarioEvent.RemoveTarget remove
-        && !present.remove(remove.features())
-        && !one.isOfTracks()) {
-      warnings.accept(
-          one.element().place("name")
-              + ": no object "
-              + remove.features()
-              + " is there at step "
-              + remove.step()
-              + ", nothing is removed");
-    }
-  }
-
-  private static InputException taken(Placed one, ScenarioEvent.AddTarget add) {
-    return one.isOfTracks()
-        ? one.element()
-            .place()
-            .error(
-                "target %s of the tracks comes at step %s while another one is there, expected features that no object present has"
-                    .formatted(add.target().name(), add.step()))
-        : new Attributes(one.element()).invalid("name", "features that no object present has");
-  }
-
-  private void checkCameras(List<Placed> placed, List<CameraSpec> start) {
-    CameraStory story = new CameraStory(start, cameras, warnings);
-    inTime(placed).forEach(one -> faults.check(() -> story.goOn(one.event(), one.element())));
-  }
-
-  private static List<Placed> inTime(List<Placed> placed) {
-    List<Placed> sorted = new ArrayList<>(placed);
-    sorted.sort(Comparator.comparingInt(one -> one.event().step()));
-    return sorted;
+    Attributes<B> attributes = new Attributes<>(xml, body);
+    cameras.narrow(attributes);
+    Spec<B> said = attributes.said();
+    attributes.warnOfUnknown(warnings);
+    return said;
   }
 }

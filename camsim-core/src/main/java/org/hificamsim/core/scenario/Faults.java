@@ -1,7 +1,7 @@
 package org.hificamsim.core.scenario;
 
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Supplier;
@@ -35,28 +35,31 @@ final class Faults {
     return none;
   }
 
-  /** A part of the file; empty where it has a fault. */
-  <T> Optional<T> of(Supplier<T> part) {
+  /** A part of the file; what stands in for it where it has a fault. */
+  <T> T or(T substitute, Supplier<T> part) {
     try {
-      return Optional.of(part.get());
+      return part.get();
     } catch (InputException fault) {
       none = false;
       report.accept(fault);
-      return Optional.empty();
+      return substitute;
     }
   }
 
-  /** Makes a check that may find a fault. */
+  /** Does something that may find a fault. */
   void check(Runnable check) {
-    of(
+    or(
+        none,
         () -> {
           check.run();
-          return true;
+          return none;
         });
   }
 
-  /** The elements that have no fault. */
+  /** What is made of the elements that have no fault. */
   <T> List<T> each(List<XmlElement> elements, Function<XmlElement, T> reader) {
-    return elements.stream().flatMap(one -> of(() -> reader.apply(one)).stream()).toList();
+    List<T> read = new ArrayList<>();
+    elements.forEach(one -> check(() -> read.add(reader.apply(one))));
+    return read;
   }
 }

@@ -1,42 +1,115 @@
 package org.hificamsim.core.scenario;
 
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 
 /**
- * The optics of a camera, as the scenario gives them: which views it can choose, and how long it
- * takes from one to another.
- *
- * @param name unique in the scenario
- * @param pixels width of the picture, 1 or more
- * @param anglesOfView horizontal, degrees, from the narrowest; empty for {@link OpticsLaw#ROUND}
- * @param reach metres: of the narrowest angle with {@link OpticsLaw#CONSTANT_AREA}, of every level
- *     with {@link OpticsLaw#PINHOLE}; none with {@link OpticsLaw#ROUND}, or where it is left to
- *     each camera
- * @param pans degrees off the mounted heading, rising, at least one
- * @param panSpeed degrees a second, above 0; none where a camera turns at once
- * @param zoomTime seconds from the first level to the last, 0 or more, evenly spread over the
- *     levels between
+ * The optics of a camera: which views it can choose, and how long it takes from one to another.
+ * With a name alone they are a lens without angles of view that looks ahead and moves at once.
  */
-public record OpticsSpec(
-    String name,
-    OpticsLaw law,
-    OptionalInt pixels,
-    List<Double> anglesOfView,
-    OptionalDouble reach,
-    List<Double> pans,
-    OptionalDouble panSpeed,
-    double zoomTime,
-    Moving moving) {
-  /** Copies what could change. */
-  public OpticsSpec {
-    anglesOfView = List.copyOf(anglesOfView);
-    pans = List.copyOf(pans);
+public final class OpticsSpec extends Spec<OpticsSpec> {
+  /** As cameras say which they have; the reader finds the optics. */
+  static final Type<OpticsSpec> BY_NAME = Type.named("", OpticsSpec::new, OpticsSpec::name);
+
+  static final Element<OpticsSpec> ELEMENT =
+      Element.of(
+          "optics",
+          OpticsSpec.class,
+          OpticsSpec::new,
+          """
+What a camera can choose from, zoom levels times pan angles, and how fast it moves (ours).
+name: unique among optics
+law: `pinhole`: a lens, which reaches as far as the detection model does. \
+`constant-area`: the sector's area is the same at every level. `round`: the camera's own \
+`viewing_angle` and the radii of the zoom list, or its `range`
+pixels: width of the picture, 1 to 100,000; density models count by it \
+| the model's, 1920
+hfov: horizontal angles of view, degrees, one for each zoom level, in any order; with \
+`pinhole` below 180, with `constant-area` at most 180 | required, but with `round`
+focal_length: in place of `hfov`: focal lengths, in the unit of `sensor_width` (Eq 3.1)
+sensor_width: width of the sensor; required with `focal_length`
+reach: m; with `constant-area` (required) of the narrowest level, with `pinhole` of all \
+levels | `pinhole`: no end
+pan: angles off the camera's heading, degrees, clockwise
+pan_speed: degrees a second | it turns at once
+zoom_time: seconds from the first level to the last, spread evenly over the levels between
+moving: what is seen on the way: `blind` nothing, `sees` the nearest of its views
+""");
+
+  public static final Property<OpticsSpec, String> NAME =
+      ELEMENT.required("name", Type.text("a name that no other optics have"));
+  public static final Property<OpticsSpec, OpticsLaw> LAW =
+      ELEMENT.attribute("law", Type.choice(OpticsLaw.class), OpticsLaw.PINHOLE);
+  public static final Property<OpticsSpec, Integer> PIXELS =
+      ELEMENT.optional("pixels", Type.whole(1, 100_000));
+  public static final Property<OpticsSpec, List<Double>> ANGLES_OF_VIEW =
+      ELEMENT.attribute("hfov", Type.numbers(Range.UP_TO_180), List.<Double>of()).quiet();
+  static final Property<OpticsSpec, List<Double>> FOCAL_LENGTHS =
+      ELEMENT.optional("focal_length", Type.numbers(Range.POSITIVE));
+  static final Property<OpticsSpec, Double> SENSOR_WIDTH =
+      ELEMENT.optional("sensor_width", Type.POSITIVE);
+  public static final Property<OpticsSpec, Double> REACH =
+      ELEMENT.optional("reach", Type.POSITIVE_LENGTH);
+  public static final Property<OpticsSpec, List<Double>> PANS =
+      ELEMENT.attribute("pan", Type.numbers(Range.TURN), List.of(0.0));
+  public static final Property<OpticsSpec, Double> PAN_SPEED =
+      ELEMENT.optional("pan_speed", Type.POSITIVE);
+  public static final Property<OpticsSpec, Double> ZOOM_TIME =
+      ELEMENT.attribute("zoom_time", Type.number(Range.TIME), 0.0);
+  public static final Property<OpticsSpec, Moving> MOVING =
+      ELEMENT.attribute("moving", Type.choice(Moving.class), Moving.BLIND);
+
+  private OpticsSpec(Spec<OpticsSpec> said) {
+    super(said);
+  }
+
+  /** Optics of this name. */
+  public OpticsSpec(String name) {
+    super(ELEMENT.empty().put(NAME, name));
+  }
+
+  public String name() {
+    return get(NAME);
+  }
+
+  public OpticsLaw law() {
+    return get(LAW);
+  }
+
+  /** Width of the picture, 1 or more. */
+  public Optional<Integer> pixels() {
+    return find(PIXELS);
+  }
+
+  public List<Double> anglesOfView() {
+    return get(ANGLES_OF_VIEW);
+  }
+
+  public OptionalDouble reach() {
+    return number(REACH);
+  }
+
+  public List<Double> pans() {
+    return get(PANS);
+  }
+
+  /** Degrees a second, above 0; none where a camera turns at once. */
+  public OptionalDouble panSpeed() {
+    return number(PAN_SPEED);
+  }
+
+  /** Seconds from the first level to the last, 0 or more. */
+  public double zoomTime() {
+    return get(ZOOM_TIME);
+  }
+
+  public Moving moving() {
+    return get(MOVING);
   }
 
   /** Whether the camera needs time for a move. */
   public boolean takesTime() {
-    return panSpeed.isPresent() || zoomTime > 0;
+    return panSpeed().isPresent() || zoomTime() > 0;
   }
 }

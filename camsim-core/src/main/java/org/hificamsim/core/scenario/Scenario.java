@@ -1,165 +1,322 @@
 package org.hificamsim.core.scenario;
 
+import static java.util.stream.Collectors.joining;
+
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.obstacle.Obstacle;
 
-/**
- * A scenario: the field, the cameras, the targets, and what happens when.
- *
- * @param name the file's name without its ending
- * @param order when targets move within a step
- * @param headings the unit of the targets' headings
- * @param threshold detection threshold, if the file sets one
- * @param detect how a confidence becomes a detection, if the file says so
- * @param objective what a step is scored by
- * @param mountHeight height of all cameras over the target plane, metres (Eq 3.2), if given
- * @param stepTime how long a step takes, seconds, above 0; 1 unless the file says otherwise
- * @param surroundings obstacles and what else stands in the field
- * @param zooms candidate radii common to all cameras, metres, rising; empty for a plain CamSim
- *     scenario, where each camera has its range alone
- * @param cameras those of the start, in file order, with unique names
- * @param targets those of the start: objects, then objects with waypoints, in file order
- * @param events in file order
- * @param visionGraph the initial links, if given
- * @param extras attributes of {@code simulation} that nothing here reads, kept for the writer
- */
-public record Scenario(
-    String name,
-    Field field,
-    StepOrder order,
-    Headings headings,
-    OptionalDouble threshold,
-    Optional<DetectionRule> detect,
-    Objective objective,
-    OptionalDouble mountHeight,
-    double stepTime,
-    Surroundings surroundings,
-    List<Double> zooms,
-    List<CameraSpec> cameras,
-    List<TargetSpec> targets,
-    List<ScenarioEvent> events,
-    Optional<VisionGraph> visionGraph,
-    Map<String, String> extras) {
-  /** Copies what could change. */
-  public Scenario {
-    zooms = List.copyOf(zooms);
-    cameras = List.copyOf(cameras);
-    targets = List.copyOf(targets);
-    events = List.copyOf(events);
-    extras = Map.copyOf(extras);
+/** A scenario: the field and what stands in it, cameras, targets, and what happens when. */
+public final class Scenario extends Spec<Scenario> {
+  static final Element<Scenario> ELEMENT =
+      Element.of(
+          "simulation",
+          Scenario.class,
+          Scenario::new,
+          """
+The field, a rectangle whose border belongs to it, and what is in it.
+min_x, max_x, min_y, max_y: borders of the field, m; min below max
+order: `coverage`: cameras look, then targets move; `camsim`: targets move, then \
+cameras look (ours) | `coverage` where there is a zoom list, else `camsim`
+headings: of targets: `degrees`, or `as-radians`: sine and cosine take the number as it \
+is, as the coverage study's simulator did (ours)
+threshold: least confidence that counts as a detection, 0 to 1 (ours) \
+| the detection model's
+detect: [how a confidence becomes a detection](detection.md), as `chance:alpha=0.01`; no \
+`threshold` in addition to one of chance (ours) | `threshold`
+objective: [what a step is scored by](objectives.md): `kmin`, `covered:k=1`, \
+`lexicographic` or `sum:cap=3` (ours)
+mount_height: height of the cameras, m, above 0; it gives each zoom radius its \
+[focal length](#the-lens) (ours) | the height at which the narrowest radius has 85 mm
+step: how long a step takes, s, above 0; it says how far a camera moves in one. Speeds \
+of targets are in metres a step whatever it is (ours)
+occlusion: `targets`: a target hides those behind it, as a disc of its width. `none`: \
+obstacles alone hide (ours)
+floorplan: a PNG or JPEG that pictures and pages draw under the field; a path from the \
+scenario's folder (ours)
+floorplan_min_x, floorplan_max_x, floorplan_min_y, floorplan_max_y: what the floorplan \
+shows, m (ours) | the field's borders
+""");
+
+  /** West, east, south and north. */
+  static final List<Property<Scenario, Double>> BORDERS =
+      Stream.of("min_x", "max_x", "min_y", "max_y")
+          .map(name -> ELEMENT.required(name, Type.COORDINATE))
+          .toList();
+
+  public static final Property<Scenario, StepOrder> ORDER =
+      ELEMENT.attribute("order", Type.choice(StepOrder.class), StepOrder.CAMSIM);
+  public static final Property<Scenario, Headings> HEADINGS =
+      ELEMENT.attribute("headings", Type.choice(Headings.class), Headings.DEGREES);
+  public static final Property<Scenario, Double> THRESHOLD =
+      ELEMENT.optional("threshold", Type.PROPORTION);
+  public static final Property<Scenario, DetectionRule> DETECT =
+      ELEMENT.optional("detect", Type.named("", DetectionRule::parse, DetectionRule::text));
+  public static final Property<Scenario, Objective> OBJECTIVE =
+      ELEMENT
+          .attribute(
+              "objective", Type.named("", Objective::parse, Objective::text), Objective.kMin())
+          .quiet();
+  public static final Property<Scenario, Double> MOUNT_HEIGHT =
+      ELEMENT.optional("mount_height", Type.POSITIVE_LENGTH);
+  public static final Property<Scenario, Double> STEP_TIME =
+      ELEMENT.attribute("step", Type.number(Range.POSITIVE_TIME), 1.0).quiet();
+  public static final Property<Scenario, Occlusion> OCCLUSION =
+      ELEMENT.attribute("occlusion", Type.choice(Occlusion.class), Occlusion.NONE).quiet();
+  static final Property<Scenario, String> FLOORPLAN = ELEMENT.optional("floorplan", Type.TEXT);
+
+  /** West, east, south and north of what the floorplan shows. */
+  static final List<Property<Scenario, Double>> FLOORPLAN_BORDERS =
+      BORDERS.stream()
+          .map(border -> ELEMENT.optional("floorplan_" + border.name(), Type.COORDINATE))
+          .toList();
+
+  /** The file's name without its ending. */
+  public static final Property<Scenario, String> NAME = ELEMENT.property("scenario");
+
+  /**
+   * Candidate radii common to all cameras, metres, rising; empty for a plain CamSim scenario, where
+   * each camera has its range alone.
+   */
+  public static final Property<Scenario, List<Double>> ZOOMS = ELEMENT.property(List.of());
+
+  /** The cameras of the start, in file order, with unique names. */
+  public static final Property<Scenario, List<CameraSpec>> CAMERAS = ELEMENT.property(List.of());
+
+  /** The targets of the start: objects, then objects with waypoints, in file order. */
+  public static final Property<Scenario, List<TargetSpec>> TARGETS = ELEMENT.property(List.of());
+
+  /** In file order. */
+  public static final Property<Scenario, List<ScenarioEvent>> EVENTS = ELEMENT.property(List.of());
+
+  /** The links between cameras at the start. */
+  public static final Property<Scenario, VisionGraph> VISION_GRAPH = ELEMENT.property(null);
+
+  private static final Group<Obstacle> ALL_OBSTACLES =
+      Group.of(
+          "obstacles",
+          "What hides targets from cameras; where `transmittance` is 0 no target walks (ours).",
+          ObstacleElements.ALL);
+
+  /** In file order. */
+  public static final Property<Scenario, List<Obstacle>> OBSTACLES = ALL_OBSTACLES.property();
+
+  /** Elements of any number that are read as they are declared. */
+  static final List<Group<?>> GROUPS = List.of(ALL_OBSTACLES);
+
+  static final Element<Scenario> ROOT =
+      Element.<Scenario>of("root", "A scenario.").holds("simulation");
+  static final Element<Scenario> CAMERAS_HOLDER =
+      Element.<Scenario>of("cameras", "The cameras of the start.").holds("optics*, zoom?, camera+");
+  static final Element<Scenario> TARGETS_HOLDER =
+      Element.<Scenario>of("objects", "The targets of the start, and recorded ones.")
+          .holds("(object | object_with_waypoints | tracks)*");
+  static final Element<Scenario> EVENTS_HOLDER =
+      Element.<Scenario>of("events", "What happens when.").holds("event*");
+
+  static {
+    String groups = GROUPS.stream().map(one -> one.holder().name() + "? & ").collect(joining());
+    ELEMENT.holds(groups + "zoom? & cameras & objects? & events? & visiongraph?");
   }
 
-  /** A scenario in an open field, whose steps take a second. */
-  public Scenario(
-      String name,
-      Field field,
-      StepOrder order,
-      Headings headings,
-      OptionalDouble threshold,
-      Optional<DetectionRule> detect,
-      Objective objective,
-      OptionalDouble mountHeight,
-      List<Double> zooms,
-      List<CameraSpec> cameras,
-      List<TargetSpec> targets,
-      List<ScenarioEvent> events,
-      Optional<VisionGraph> visionGraph,
-      Map<String, String> extras) {
-    this(
-        name,
-        field,
-        order,
-        headings,
-        threshold,
-        detect,
-        objective,
-        mountHeight,
-        1,
-        Surroundings.NONE,
-        zooms,
-        cameras,
-        targets,
-        events,
-        visionGraph,
-        extras);
+  private Scenario(Spec<Scenario> said) {
+    super(said);
+  }
+
+  /** An empty field. */
+  public Scenario(String name, Field field) {
+    super(withArea(ELEMENT.empty().put(NAME, name), BORDERS, field));
+  }
+
+  /** All elements of scenario files. */
+  static List<Element<?>> elements() {
+    List<Element<?>> all = new ArrayList<>(List.of(ROOT, ELEMENT));
+    for (Group<?> group : GROUPS) {
+      all.add(group.holder());
+      all.addAll(group.members());
+    }
+    all.addAll(
+        List.of(
+            CAMERAS_HOLDER,
+            OpticsSpec.ELEMENT,
+            ZoomListReader.ELEMENT,
+            CameraSpec.ELEMENT,
+            TARGETS_HOLDER,
+            TargetSpec.ELEMENT,
+            TargetSpec.WITH_WAYPOINTS,
+            Waypoint.ELEMENT,
+            TracksReader.ELEMENT,
+            EVENTS_HOLDER,
+            EventReader.ELEMENT,
+            VisionGraph.ELEMENT,
+            VisionGraph.NODE,
+            VisionGraph.NEIGHBOUR));
+    return all;
+  }
+
+  private static Spec<Scenario> withArea(
+      Spec<Scenario> said, List<Property<Scenario, Double>> borders, Field area) {
+    return said.put(borders.get(0), area.minX())
+        .put(borders.get(1), area.maxX())
+        .put(borders.get(2), area.minY())
+        .put(borders.get(3), area.maxY());
+  }
+
+  /** The area that borders make. */
+  static Field area(
+      List<Property<Scenario, Double>> borders,
+      Function<Property<Scenario, Double>, Double> value) {
+    List<Double> sides = borders.stream().map(value).toList();
+    return new Field(sides.get(0), sides.get(1), sides.get(2), sides.get(3));
+  }
+
+  public String name() {
+    return get(NAME);
+  }
+
+  public Field field() {
+    return area(BORDERS, this::get);
+  }
+
+  public StepOrder order() {
+    return get(ORDER);
+  }
+
+  public Headings headings() {
+    return get(HEADINGS);
+  }
+
+  /** The detection threshold, if the file sets one. */
+  public OptionalDouble threshold() {
+    return number(THRESHOLD);
+  }
+
+  /** The rule of detection, if the file sets one. */
+  public Optional<DetectionRule> detect() {
+    return find(DETECT);
+  }
+
+  public Objective objective() {
+    return get(OBJECTIVE);
+  }
+
+  /** Metres, if given. */
+  public OptionalDouble mountHeight() {
+    return number(MOUNT_HEIGHT);
+  }
+
+  /** Seconds. */
+  public double stepTime() {
+    return get(STEP_TIME);
+  }
+
+  public Occlusion occlusion() {
+    return get(OCCLUSION);
+  }
+
+  /** The picture that is drawn under the field. */
+  public Optional<Floorplan> floorplan() {
+    return find(FLOORPLAN).map(file -> new Floorplan(file, area(FLOORPLAN_BORDERS, this::get)));
+  }
+
+  /** The same scenario with another picture under the field. */
+  public Scenario withFloorplan(Floorplan floorplan) {
+    return new Scenario(
+        withArea(put(FLOORPLAN, floorplan.file()), FLOORPLAN_BORDERS, floorplan.area()));
+  }
+
+  /** The same scenario without a picture under the field. */
+  public Scenario withoutFloorplan() {
+    Scenario without = without(FLOORPLAN);
+    for (Property<Scenario, Double> border : FLOORPLAN_BORDERS) {
+      without = without.without(border);
+    }
+    return without;
+  }
+
+  public List<Obstacle> obstacles() {
+    return get(OBSTACLES);
+  }
+
+  public List<Double> zooms() {
+    return get(ZOOMS);
+  }
+
+  public List<CameraSpec> cameras() {
+    return get(CAMERAS);
+  }
+
+  public List<TargetSpec> targets() {
+    return get(TARGETS);
+  }
+
+  public List<ScenarioEvent> events() {
+    return get(EVENTS);
+  }
+
+  public Optional<VisionGraph> visionGraph() {
+    return find(VISION_GRAPH);
   }
 
   /** Whether the file is in the coverage study's dialect, recognised by its zoom list. */
   public boolean inCoverageDialect() {
-    return !zooms.isEmpty();
+    return !zooms().isEmpty();
   }
 
   /** The cameras of the start, and those that events add. */
   public Stream<CameraSpec> everyCamera() {
     return Stream.concat(
-        cameras.stream(),
-        events.stream()
-            .filter(ScenarioEvent.AddCamera.class::isInstance)
-            .map(event -> ((ScenarioEvent.AddCamera) event).camera()));
+        cameras().stream(),
+        events(ScenarioEvent.AddCamera.class).map(ScenarioEvent.AddCamera::camera));
   }
 
-  /** The same scenario with targets moving at another time within the step. */
-  public Scenario withOrder(StepOrder newOrder) {
-    return changed(draft -> draft.order = newOrder);
+  /** The targets of the start, and those that events add. */
+  public Stream<TargetSpec> everyTarget() {
+    return Stream.concat(
+        targets().stream(),
+        events(ScenarioEvent.AddTarget.class).map(ScenarioEvent.AddTarget::target));
+  }
+
+  /** The events of a kind, in file order. */
+  public <E extends ScenarioEvent> Stream<E> events(Class<E> kind) {
+    return events().stream().filter(kind::isInstance).map(kind::cast);
+  }
+
+  /** The same scenario with every camera, now or later, changed. */
+  public Scenario withCameras(UnaryOperator<CameraSpec> change) {
+    return with(CAMERAS, cameras().stream().map(change).toList())
+        .withEvents(
+            event ->
+                event instanceof ScenarioEvent.AddCamera add
+                    ? new ScenarioEvent.AddCamera(add.step(), change.apply(add.camera()))
+                    : event);
+  }
+
+  /** The same scenario with every target, now or later, changed. */
+  public Scenario withTargets(UnaryOperator<TargetSpec> change) {
+    return with(TARGETS, targets().stream().map(change).toList())
+        .withEvents(
+            event ->
+                event instanceof ScenarioEvent.AddTarget add
+                    ? new ScenarioEvent.AddTarget(add.step(), change.apply(add.target()))
+                    : event);
+  }
+
+  private Scenario withEvents(UnaryOperator<ScenarioEvent> change) {
+    return with(EVENTS, events().stream().map(change).toList());
   }
 
   /** The same scenario with another rule of detection; its threshold goes with the old one. */
   public Scenario withDetect(DetectionRule rule) {
-    return changed(
-        draft -> {
-          draft.detect = Optional.of(rule);
-          draft.threshold = rule.certain() ? threshold : OptionalDouble.empty();
-        });
-  }
-
-  /** The same scenario, its steps scored by another objective. */
-  public Scenario withObjective(Objective newObjective) {
-    return changed(draft -> draft.objective = newObjective);
-  }
-
-  /** The same scenario with another reading of the targets' headings. */
-  public Scenario withHeadings(Headings newHeadings) {
-    return changed(draft -> draft.headings = newHeadings);
-  }
-
-  /**
-   * The same scenario under another name with its cameras at another height.
-   *
-   * @param height metres, above 0
-   */
-  public Scenario withMountHeight(String newName, double height) {
-    return changed(
-        draft -> {
-          draft.name = newName;
-          draft.mountHeight = OptionalDouble.of(height);
-        });
-  }
-
-  /** The same world under another name with other targets and events. */
-  public Scenario with(String newName, List<TargetSpec> newTargets, List<ScenarioEvent> newEvents) {
-    return changed(
-        draft -> {
-          draft.name = newName;
-          draft.targets = newTargets;
-          draft.events = newEvents;
-        });
-  }
-
-  /** The same scenario without its zoom list: each camera has its range alone, as in CamSim. */
-  public Scenario withoutZooms() {
-    return withZooms(List.of());
-  }
-
-  /** The same scenario with other radii common to all cameras, metres, rising. */
-  public Scenario withZooms(List<Double> radii) {
-    return changed(draft -> draft.zooms = radii);
+    Scenario ruled = with(DETECT, rule);
+    return rule.certain() ? ruled : ruled.without(THRESHOLD);
   }
 
   /** The same scenario with every target, now or later, under one movement. */
@@ -167,100 +324,21 @@ public record Scenario(
     return withTargets(target -> target.withMovement(movement));
   }
 
-  /** The same scenario with other obstacles, occlusion or floorplan. */
-  public Scenario withSurroundings(Surroundings newSurroundings) {
-    return changed(draft -> draft.surroundings = newSurroundings);
-  }
-
-  /** The same scenario with one camera more, after those of the start. */
-  public Scenario withCamera(CameraSpec added) {
-    return changed(
-        draft -> draft.cameras = Stream.concat(cameras.stream(), Stream.of(added)).toList());
-  }
-
-  /** The same scenario with every camera, now or later, changed. */
-  public Scenario withCameras(UnaryOperator<CameraSpec> change) {
-    return changed(
-        draft -> {
-          draft.cameras = cameras.stream().map(change).toList();
-          draft.events = events.stream().map(event -> withCamera(event, change)).toList();
-        });
-  }
-
-  /** The same scenario with every target, now or later, changed. */
-  public Scenario withTargets(UnaryOperator<TargetSpec> change) {
-    return with(
-        name,
-        targets.stream().map(change).toList(),
-        events.stream().map(event -> withTarget(event, change)).toList());
-  }
-
-  private Scenario changed(Consumer<Draft> change) {
-    Draft draft = new Draft(this);
-    change.accept(draft);
-    return draft.scenario(this);
-  }
-
-  /** What a change may set; it begins as the scenario is. */
-  private static final class Draft {
-    private String name;
-    private StepOrder order;
-    private Headings headings;
-    private OptionalDouble threshold;
-    private Optional<DetectionRule> detect;
-    private Objective objective;
-    private OptionalDouble mountHeight;
-    private Surroundings surroundings;
-    private List<Double> zooms;
-    private List<CameraSpec> cameras;
-    private List<TargetSpec> targets;
-    private List<ScenarioEvent> events;
-
-    Draft(Scenario of) {
-      name = of.name;
-      order = of.order;
-      headings = of.headings;
-      threshold = of.threshold;
-      detect = of.detect;
-      objective = of.objective;
-      mountHeight = of.mountHeight;
-      surroundings = of.surroundings;
-      zooms = of.zooms;
-      cameras = of.cameras;
-      targets = of.targets;
-      events = of.events;
-    }
-
-    Scenario scenario(Scenario of) {
-      return new Scenario(
-          name,
-          of.field,
-          order,
-          headings,
-          threshold,
-          detect,
-          objective,
-          mountHeight,
-          of.stepTime,
-          surroundings,
-          zooms,
-          cameras,
-          targets,
-          events,
-          of.visionGraph,
-          of.extras);
-    }
-  }
-
-  private static ScenarioEvent withCamera(ScenarioEvent event, UnaryOperator<CameraSpec> change) {
-    return event instanceof ScenarioEvent.AddCamera add
-        ? new ScenarioEvent.AddCamera(add.step(), change.apply(add.camera()))
-        : event;
-  }
-
-  private static ScenarioEvent withTarget(ScenarioEvent event, UnaryOperator<TargetSpec> change) {
-    return event instanceof ScenarioEvent.AddTarget add
-        ? new ScenarioEvent.AddTarget(add.step(), change.apply(add.target()))
-        : event;
+  /**
+   * The attributes and elements of CamSim's network of cameras that it uses; empty where it asks
+   * for none. Not every command simulates the network.
+   */
+  public List<String> networkParts() {
+    List<String> parts =
+        new ArrayList<>(
+            CameraSpec.OF_NETWORK.stream()
+                .filter(one -> everyCamera().anyMatch(camera -> one.text(camera) != null))
+                .map(Property::name)
+                .toList());
+    visionGraph().ifPresent(graph -> parts.add(VisionGraph.ELEMENT.name()));
+    events(ScenarioEvent.FailRegistration.class)
+        .findAny()
+        .ifPresent(any -> parts.add("grc events"));
+    return parts;
   }
 }

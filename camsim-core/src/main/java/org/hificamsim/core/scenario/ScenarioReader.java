@@ -1,58 +1,27 @@
 package org.hificamsim.core.scenario;
 
 import java.nio.file.Path;
-import java.util.HashSet;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
-import java.util.function.UnaryOperator;
-import java.util.stream.Stream;
+import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.detection.DetectionRule;
-import org.hificamsim.core.metrics.Objective;
 
 /**
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
  * attributes ({@code docs/scenario-format.md}).
  *
  * <p>Elements are found by name at any depth, as CamSim does. Whatever is malformed, out of range
- * or contradictory is an {@link org.hificamsim.core.InputException} with its place; what is merely
- * odd or unknown is a warning.
+ * or contradictory is an {@link InputException} with its place; what is merely odd or unknown is a
+ * warning.
  */
 public final class ScenarioReader {
-  private static final Set<String> ELEMENTS =
-      Set.of(
-          "simulation",
-          "cameras",
-          "camera",
-          "zoom",
-          "optics",
-          "obstacles",
-          "wall",
-          "polygon",
-          "pillar",
-          "objects",
-          "object",
-          "object_with_waypoints",
-          "waypoint",
-          "tracks",
-          "events",
-          "event",
-          "visiongraph",
-          "graphnode",
-          "neighbour");
-
-  private static final Set<String> WITHOUT_ATTRIBUTES =
-      Set.of("cameras", "zoom", "obstacles", "objects", "events");
-
-  private static final Range STEP_TIME =
-      new Range("a number above 0 and at most 1e9 (s)", value -> value > 0 && value <= 1e9);
-
   private final Path path;
   private final XmlElement root;
   private final Predicate<String> movements;
@@ -79,7 +48,7 @@ public final class ScenarioReader {
    *
    * @param movements whether a movement of this short name exists
    * @param warnings takes one line for each thing that is odd, with its place
-   * @throws org.hificamsim.core.InputException when the file is missing or wrong
+   * @throws InputException when the file is missing or wrong
    */
   public static Scenario read(Path path, Predicate<String> movements, Consumer<String> warnings) {
     return read(path, movements, AgentCheck.NONE, warnings);
@@ -90,7 +59,7 @@ public final class ScenarioReader {
    *
    * @param movements whether a movement of this short name exists
    * @param warnings takes one line for each thing that is odd, with its place
-   * @throws org.hificamsim.core.InputException when the file is missing or wrong
+   * @throws InputException when the file is missing or wrong
    */
   public static Scenario read(
       Path path, Predicate<String> movements, AgentCheck agents, Consumer<String> warnings) {
@@ -112,121 +81,54 @@ public final class ScenarioReader {
       Consumer<String> warnings,
       Consumer<InputException> faults) {
     Faults reported = Faults.reported(faults);
-    Optional<Scenario> scenario =
-        reported.of(
-            () -> new ScenarioReader(path, movements, agents, warnings, reported).scenario());
-    return scenario.filter(one -> reported.none());
+    return reported
+        .or(
+            Optional.<Scenario>empty(),
+            () ->
+                Optional.of(
+                    new ScenarioReader(path, movements, agents, warnings, reported).scenario()))
+        .filter(one -> reported.none());
   }
 
   private Scenario scenario() {
-    if (!root.name().equals("root")) {
+    if (!root.name().equals(Scenario.ROOT.name())) {
       throw root.place().error("the root element is <" + root.name() + ">, expected <root>");
     }
-    warnAboutUnknownElements();
+    warnOfUnknown();
     XmlElement simulation = simulation();
-    Attributes attributes = new Attributes(simulation);
-    Field field = field(simulation, attributes);
-    boolean zooming = !root.all("zoom").isEmpty();
-    StepOrder order = zooming ? StepOrder.COVERAGE : StepOrder.CAMSIM;
-    order = or(order, standard -> attributes.choice("order", standard));
-    Headings headings = or(Headings.DEGREES, standard -> attributes.choice("headings", standard));
-    OptionalDouble threshold = number(attributes, "threshold", Range.PROPORTION);
-    Optional<DetectionRule> detect =
-        or(Optional.empty(), none -> detect(attributes, threshold.isPresent()));
-    Objective objective =
-        or(
-            Objective.kMin(),
-            kMin -> attributes.optional("objective", Objective::parse).orElse(kMin));
-    OptionalDouble mountHeight = number(attributes, "mount_height", Range.POSITIVE_LENGTH);
-    double stepTime = number(attributes, "step", STEP_TIME).orElse(1);
-    Surroundings surroundings =
-        new SurroundingsReader(root, field, warnings, faults).surroundings(attributes);
-    List<Double> zooms = or(List.of(), none -> new ZoomListReader(root).zooms());
-    Clearing clearing = new Clearing(surroundings, warnings);
-    OpticsReader opticsReader = new OpticsReader(warnings);
-    faults.each(root.all("optics"), opticsReader::optics);
-    CameraReader cameraReader = new CameraReader(field, clearing, opticsReader, agents, warnings);
-    TargetReader targetReader = new TargetReader(field, clearing, zooming, movements, warnings);
-    List<CameraSpec> cameras = faults.each(root.all("camera"), cameraReader::camera);
-    List<TargetSpec> targets = targets(targetReader);
-    List<ScenarioEvent> events =
-        new EventReader(cameraReader, targetReader, warnings, faults)
-            .events(
-                cameras,
-                root.all("event"),
-                root.all("tracks"),
-                new TracksReader(path, field, stepTime, warnings));
+    Attributes<Scenario> attributes = new Attributes<>(simulation, Scenario.ELEMENT);
+    checkArea(Scenario.area(Scenario.BORDERS, attributes::get), Scenario.BORDERS, attributes);
+    Scenario said = Scenario.ELEMENT.make(attributes.said(faults)).with(Scenario.NAME, name());
+    faults.check(() -> checkThreshold(said, attributes));
+    Scenario scenario = faults.or(said, () -> withFloorplan(said, attributes));
+    for (Group<?> group : Scenario.GROUPS) {
+      scenario = with(group, scenario);
+    }
+    scenario = withStory(withZooms(scenario, attributes));
     if (faults.none()) {
-      requireSome(simulation, cameras, targets, events);
+      requireSome(simulation, scenario);
     }
-    return new Scenario(
-        name(),
-        field,
-        order,
-        headings,
-        threshold,
-        detect,
-        objective,
-        mountHeight,
-        stepTime,
-        surroundings,
-        zooms,
-        cameras,
-        targets,
-        events,
-        visionGraph(),
-        attributes.leftOver(warnings));
+    scenario = scenario.with(Scenario.VISION_GRAPH, visionGraph());
+    attributes.warnOfUnknown(warnings);
+    return scenario;
   }
 
-  private <T> T or(T standard, UnaryOperator<T> reader) {
-    return faults.of(() -> reader.apply(standard)).orElse(standard);
-  }
-
-  private OptionalDouble number(Attributes attributes, String name, Range range) {
-    return or(OptionalDouble.empty(), none -> attributes.optionalNumber(name, range));
-  }
-
-  /** A rule of chance has a threshold of its own. */
-  private static Optional<DetectionRule> detect(Attributes attributes, boolean hasThreshold) {
-    Optional<DetectionRule> detect = attributes.optional("detect", DetectionRule::parse);
-    if (hasThreshold && detect.isPresent() && !detect.get().certain()) {
-      throw attributes.invalid("threshold", "none beside detect=\"" + detect.get().text() + "\"");
-    }
-    return detect;
-  }
-
-  private List<TargetSpec> targets(TargetReader reader) {
-    return Stream.concat(
-            faults.each(root.all("object"), reader::object).stream(),
-            faults.each(root.all("object_with_waypoints"), reader::objectWithWaypoints).stream())
-        .toList();
-  }
-
-  private static void requireSome(
-      XmlElement simulation,
-      List<CameraSpec> cameras,
-      List<TargetSpec> targets,
-      List<ScenarioEvent> events) {
-    if (cameras.isEmpty() && events.stream().noneMatch(ScenarioEvent.AddCamera.class::isInstance)) {
-      throw simulation.place().error("no <camera>, expected at least one");
-    }
-    if (targets.isEmpty() && events.stream().noneMatch(ScenarioEvent.AddTarget.class::isInstance)) {
-      throw simulation
-          .place()
-          .error(
-              "no <object>, no <tracks> and no event that adds one, expected at least one target");
-    }
-  }
-
-  private String name() {
-    String file = path.getFileName().toString();
-    int dot = file.lastIndexOf('.');
-    String base = dot > 0 ? file.substring(0, dot) : file;
-    return base.replace(".", "").isEmpty() ? "scenario" : base;
+  private void warnOfUnknown() {
+    new Attributes<>(root, Scenario.ROOT).warnOfUnknown(warnings);
+    Map<String, Element<?>> known =
+        Scenario.elements().stream().collect(Collectors.toMap(Element::name, one -> one));
+    root.below()
+        .filter(xml -> !known.containsKey(xml.name()))
+        .map(xml -> xml.place() + ": unknown element <" + xml.name() + ">, ignored")
+        .forEach(warnings);
+    root.below()
+        .filter(xml -> known.containsKey(xml.name()))
+        .filter(xml -> known.get(xml.name()).attributes().isEmpty())
+        .forEach(xml -> new Attributes<>(xml, known.get(xml.name())).warnOfUnknown(warnings));
   }
 
   private XmlElement simulation() {
-    List<XmlElement> all = root.all("simulation");
+    List<XmlElement> all = all(Scenario.ELEMENT);
     if (all.isEmpty()) {
       throw root.place().error("no <simulation>, expected one with min_x, max_x, min_y, max_y");
     }
@@ -236,64 +138,167 @@ public final class ScenarioReader {
     return all.get(0);
   }
 
-  private static Field field(XmlElement simulation, Attributes attributes) {
-    Field field =
-        new Field(
-            attributes.number("min_x", Range.COORDINATE),
-            attributes.number("max_x", Range.COORDINATE),
-            attributes.number("min_y", Range.COORDINATE),
-            attributes.number("max_y", Range.COORDINATE));
-    if (!(field.width() > 0)) {
-      throw new Attributes(simulation).invalid("max_x", "more than min_x, " + field.minX());
+  private String name() {
+    String file = path.getFileName().toString();
+    int dot = file.lastIndexOf('.');
+    String base = dot > 0 ? file.substring(0, dot) : file;
+    return base.replace(".", "").isEmpty() ? "scenario" : base;
+  }
+
+  private static void checkArea(
+      Field area, List<Property<Scenario, Double>> borders, Attributes<Scenario> attributes) {
+    String more = "more than %s, %s";
+    if (!(area.width() > 0)) {
+      String expected = more.formatted(borders.get(0).name(), area.minX());
+      throw attributes.invalid(borders.get(1), expected);
     }
-    if (!(field.height() > 0)) {
-      throw new Attributes(simulation).invalid("max_y", "more than min_y, " + field.minY());
+    if (!(area.height() > 0)) {
+      String expected = more.formatted(borders.get(2).name(), area.minY());
+      throw attributes.invalid(borders.get(3), expected);
     }
-    return field;
+  }
+
+  /** Rules of chance have a threshold of their own. */
+  private static void checkThreshold(Scenario said, Attributes<Scenario> attributes) {
+    if (said.threshold().isPresent() && !said.detect().map(DetectionRule::certain).orElse(true)) {
+      String rule = said.detect().get().text();
+      throw attributes.invalid(Scenario.THRESHOLD, "none together with detect=\"" + rule + "\"");
+    }
+  }
+
+  /** A floorplan without borders of its own shows the field. */
+  private static Scenario withFloorplan(Scenario said, Attributes<Scenario> attributes) {
+    if (said.find(Scenario.FLOORPLAN).isEmpty()) {
+      Scenario.FLOORPLAN_BORDERS.forEach(
+          border -> attributes.refuse(border, "none without floorplan"));
+      return said;
+    }
+    Scenario shown = said;
+    for (int side = 0; side < Scenario.BORDERS.size(); side++) {
+      Property<Scenario, Double> border = Scenario.FLOORPLAN_BORDERS.get(side);
+      shown = shown.with(border, said.find(border).orElse(said.get(Scenario.BORDERS.get(side))));
+    }
+    checkArea(
+        Scenario.area(Scenario.FLOORPLAN_BORDERS, shown::get),
+        Scenario.FLOORPLAN_BORDERS,
+        attributes);
+    return shown;
+  }
+
+  private <C> Scenario with(Group<C> group, Scenario scenario) {
+    List<XmlElement> members =
+        root.below().filter(xml -> group.named(xml.name()).isPresent()).toList();
+    return scenario.with(
+        group.property(),
+        faults.each(members, xml -> read(xml, group.named(xml.name()).orElseThrow())));
+  }
+
+  private <S> S read(XmlElement xml, Element<S> element) {
+    Attributes<S> attributes = new Attributes<>(xml, element);
+    S read = attributes.read();
+    attributes.warnOfUnknown(warnings);
+    return read;
+  }
+
+  private <T> T said(
+      XmlElement xml, Element<VisionGraph> element, Property<VisionGraph, T> property) {
+    Attributes<VisionGraph> attributes = new Attributes<>(xml, element);
+    attributes.warnOfUnknown(warnings);
+    return attributes.get(property);
+  }
+
+  /** The zoom list is what tells the dialect. */
+  private Scenario withZooms(Scenario scenario, Attributes<Scenario> attributes) {
+    Scenario ordered =
+        hasZooms() && !attributes.has(Scenario.ORDER)
+            ? scenario.with(Scenario.ORDER, StepOrder.COVERAGE)
+            : scenario;
+    return ordered.with(Scenario.ZOOMS, faults.or(List.of(), () -> ZoomListReader.zooms(root)));
+  }
+
+  private boolean hasZooms() {
+    return !all(ZoomListReader.ELEMENT).isEmpty();
+  }
+
+  private Scenario withStory(Scenario scenario) {
+    Field field = scenario.field();
+    Clearing clearing = new Clearing(scenario.obstacles(), warnings);
+    Map<String, OpticsSpec> optics =
+        new OpticsReader(warnings).all(all(OpticsSpec.ELEMENT), faults);
+    CameraReader cameraReader = new CameraReader(field, clearing, optics, agents, warnings);
+    TargetReader targetReader = new TargetReader(field, clearing, hasZooms(), movements, warnings);
+    EventReader eventReader = new EventReader(cameraReader, targetReader, warnings);
+    List<CameraSpec> cameras =
+        faults.each(all(CameraSpec.ELEMENT), xml -> cameraReader.camera(xml, CameraSpec.ELEMENT));
+    List<TargetSpec> targets =
+        new ArrayList<>(faults.each(all(TargetSpec.ELEMENT), targetReader::object));
+    targets.addAll(faults.each(all(TargetSpec.WITH_WAYPOINTS), targetReader::withWaypoints));
+    List<EventStory.Told> story =
+        new ArrayList<>(
+            faults.each(
+                all(EventReader.ELEMENT), xml -> new EventStory.Told(eventReader.event(xml), xml)));
+    story.addAll(tracks(scenario));
+    if (faults.none()) { // else who is missing in the story may be one of those with a fault
+      new EventStory(story, cameras, targets, clearing, warnings).check(faults);
+    }
+    return scenario
+        .with(Scenario.CAMERAS, cameras)
+        .with(Scenario.TARGETS, targets)
+        .with(Scenario.EVENTS, story.stream().map(EventStory.Told::event).toList());
+  }
+
+  private List<EventStory.Told> tracks(Scenario scenario) {
+    List<XmlElement> elements = all(TracksReader.ELEMENT);
+    TracksReader reader = new TracksReader(path, scenario.field(), scenario.stepTime(), warnings);
+    List<List<ScenarioEvent>> events = faults.each(elements, reader::events);
+    if (elements.size() > 1) {
+      faults.check(
+          () -> {
+            throw elements.get(1).place().error("a second <tracks>, expected one");
+          });
+    }
+    return events.stream()
+        .flatMap(List::stream)
+        .map(event -> new EventStory.Told(event, elements.get(0)))
+        .toList();
+  }
+
+  private List<XmlElement> all(Element<?> element) {
+    return root.all(element.name());
+  }
+
+  private static void requireSome(XmlElement simulation, Scenario scenario) {
+    if (scenario.everyCamera().findAny().isEmpty()) {
+      throw simulation.place().error("no <camera>, expected at least one");
+    }
+    if (scenario.everyTarget().findAny().isEmpty()) {
+      throw simulation
+          .place()
+          .error(
+              "no <object>, no <tracks> and no event that adds one, expected at least one target");
+    }
   }
 
   private Optional<VisionGraph> visionGraph() {
-    List<XmlElement> graphs = root.all("visiongraph");
-    if (graphs.isEmpty() || graphs.get(0).all("graphnode").isEmpty()) {
+    List<XmlElement> graphs = all(VisionGraph.ELEMENT);
+    if (graphs.isEmpty() || graphs.get(0).all(VisionGraph.NODE.name()).isEmpty()) {
       return Optional.empty();
     }
     Map<String, List<String>> neighbours = new LinkedHashMap<>();
-    Set<String> seen = new HashSet<>();
-    for (XmlElement node : root.all("graphnode")) {
-      String camera = nameOf(node);
-      if (!seen.add(camera)) {
+    for (XmlElement node : all(VisionGraph.NODE)) {
+      String camera = said(node, VisionGraph.NODE, VisionGraph.NODE_NAME);
+      if (neighbours.remove(camera) != null) {
         warnings.accept(
-            node.place("name")
-                + ": a second <graphnode> for '"
-                + XmlText.shortened(camera, Attributes.MAX_QUOTED)
-                + "', the last one counts");
-        neighbours.remove(camera);
+            "%s: a second <graphnode> for '%s', the last one counts"
+                .formatted(node.place("name"), Place.shortened(camera)));
       }
-      neighbours.put(camera, node.all("neighbour").stream().map(this::nameOf).toList());
+      neighbours.put(
+          camera,
+          node.all(VisionGraph.NEIGHBOUR.name()).stream()
+              .map(xml -> said(xml, VisionGraph.NEIGHBOUR, VisionGraph.NEIGHBOUR_NAME))
+              .toList());
     }
-    Attributes attributes = new Attributes(graphs.get(0));
-    String isStatic = attributes.optionalText("static").orElse("false");
-    attributes.leftOver(warnings);
-    return Optional.of(new VisionGraph(Boolean.parseBoolean(isStatic), neighbours));
-  }
-
-  private String nameOf(XmlElement element) {
-    Attributes attributes = new Attributes(element);
-    String name = attributes.text("name", "the name of a camera");
-    attributes.leftOver(warnings);
-    return name;
-  }
-
-  private void warnAboutUnknownElements() {
-    new Attributes(root).leftOver(warnings);
-    root.below()
-        .filter(element -> !ELEMENTS.contains(element.name()))
-        .forEach(
-            element ->
-                warnings.accept(
-                    element.place() + ": unknown element <" + element.name() + ">, ignored"));
-    root.below()
-        .filter(element -> WITHOUT_ATTRIBUTES.contains(element.name()))
-        .forEach(element -> new Attributes(element).leftOver(warnings));
+    boolean isStatic = said(graphs.get(0), VisionGraph.ELEMENT, VisionGraph.STATIC);
+    return Optional.of(new VisionGraph(isStatic, neighbours));
   }
 }

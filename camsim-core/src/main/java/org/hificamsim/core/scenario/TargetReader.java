@@ -2,15 +2,16 @@ package org.hificamsim.core.scenario;
 
 import java.util.HashSet;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 
-/** Reads targets, from their own element or from an event that adds one. */
+/** Reads targets, from their own elements or from an event that adds one. */
 final class TargetReader {
   /** A movement that starts on its first waypoint, and may leave the field. */
   private static final String SCRIPTED = "Scripted";
+
+  private static final String WAYPOINTS = "Waypoints";
 
   private final Field field;
   private final Clearing clearing;
@@ -35,158 +36,114 @@ final class TargetReader {
     this.warnings = warnings;
   }
 
-  TargetSpec object(XmlElement element) {
-    Attributes attributes = new Attributes(element);
-    double identity = identity(attributes);
-    String movement = attributes.optionalText("move").orElse("epics.movement.Straight");
-    return target(element, attributes, TargetSpec.Origin.OBJECT, identity, movement);
+  /** A target of the start. */
+  TargetSpec object(XmlElement xml) {
+    return unique(xml, object(xml, TargetSpec.ELEMENT));
   }
 
-  TargetSpec objectWithWaypoints(XmlElement element) {
-    Attributes attributes = new Attributes(element);
-    double identity = identity(attributes);
-    double speed = attributes.number("speed", Range.SPEED);
-    Optional<Extent> extent = extent(attributes);
-    double size = size(attributes, extent);
-    List<Waypoint> waypoints = waypoints(element, coverageDialect);
-    if (waypoints.isEmpty()) {
-      throw element.place().error("no <waypoint>, expected at least two");
+  /** A target of the start that walks from waypoint to waypoint. */
+  TargetSpec withWaypoints(XmlElement xml) {
+    Attributes<TargetSpec> attributes = new Attributes<>(xml, TargetSpec.WITH_WAYPOINTS);
+    TargetSpec read = unique(xml, sized(attributes));
+    List<Waypoint> path = waypoints(xml, coverageDialect);
+    if (path.isEmpty()) {
+      throw xml.place().error("no <waypoint>, expected at least two");
     }
-    return new TargetSpec(
-        TargetSpec.Origin.OBJECT_WITH_WAYPOINTS,
-        identity,
-        waypoints.get(0).x(),
-        waypoints.get(0).y(),
-        -1,
-        speed,
-        size,
-        extent,
-        new MovementSpec("epics.movement.Waypoints", 0, 1, waypoints),
-        attributes.leftOver(warnings));
+    attributes.warnOfUnknown(warnings);
+    return read.with(TargetSpec.ORIGIN, TargetSpec.Origin.OBJECT_WITH_WAYPOINTS)
+        .with(TargetSpec.MOVE, "epics.movement.Waypoints")
+        .with(TargetSpec.WAYPOINTS, path)
+        .with(TargetSpec.X, path.get(0).x())
+        .with(TargetSpec.Y, path.get(0).y())
+        .with(TargetSpec.HEADING, -1);
   }
 
-  /** The target that an event adds; the event's own attributes have been read already. */
-  TargetSpec added(XmlElement event, Attributes attributes, double identity) {
-    String movement = attributes.optionalText("fqName").orElse("");
-    return target(event, attributes, TargetSpec.Origin.EVENT, identity, movement);
+  /** The target that an event adds. */
+  TargetSpec added(XmlElement event) {
+    if (event.attributes().containsKey(TargetSpec.MOVE.name())) {
+      warnings.accept(
+          event.place(TargetSpec.MOVE.name())
+              + ": an event's move is ignored, as in CamSim (unless camsim --quirks says"
+              + " otherwise); fqName counts");
+    }
+    return object(event, TargetSpec.ADDED).with(TargetSpec.ORIGIN, TargetSpec.Origin.EVENT);
   }
 
-  private TargetSpec target(
-      XmlElement element,
-      Attributes attributes,
-      TargetSpec.Origin origin,
-      double identity,
-      String movement) {
-    Waypoint position = point(attributes);
-    double heading = attributes.number("heading");
-    double speed = attributes.number("speed", Range.SPEED);
-    Optional<Extent> extent = extent(attributes);
-    double size = size(attributes, extent);
-    MovementSpec spec = movement(element, attributes, origin, movement);
-    boolean scripted = spec.shortName().equals(SCRIPTED);
-    boolean onPath = spec.shortName().equals("Waypoints");
-    boolean fromFirst = scripted || (onPath && movement.isEmpty());
-    Waypoint start = fromFirst ? spec.waypoints().get(0) : position;
-    clearing.requireFree(new Attributes(element), start.x(), start.y());
+  private TargetSpec unique(XmlElement xml, TargetSpec target) {
+    if (!features.add(target.features())) {
+      throw xml.invalid("features", "features that no other object has");
+    }
+    return target;
+  }
+
+  private TargetSpec object(XmlElement xml, Element<TargetSpec> as) {
+    Attributes<TargetSpec> attributes = new Attributes<>(xml, as);
+    TargetSpec target = sized(attributes);
+    boolean anywhere = coverageDialect || target.movement().equals(SCRIPTED);
+    target = target.with(TargetSpec.WAYPOINTS, waypoints(xml, anywhere));
+    checkMovement(xml, target, attributes);
+    checkStart(xml, target);
+    attributes.warnOfUnknown(warnings);
+    return target;
+  }
+
+  /** Has a size, or a width and a height. */
+  private static TargetSpec sized(Attributes<TargetSpec> attributes) {
+    TargetSpec target = attributes.read();
+    if (!attributes.has(TargetSpec.WIDTH) && !attributes.has(TargetSpec.HEIGHT)) {
+      return target;
+    }
+    attributes.refuse(TargetSpec.SIZE, "none together with width and height, from which it follows");
+    return target.withExtent(
+        new Extent(attributes.require(TargetSpec.WIDTH), attributes.require(TargetSpec.HEIGHT)));
+  }
+
+  private void checkMovement(XmlElement xml, TargetSpec target, Attributes<TargetSpec> attributes) {
+    String movement = target.movement();
+    if (!movements.test(movement) || movement.equals(TargetSpec.TRACKS)) {
+      throw attributes.invalid(TargetSpec.MOVE, TargetSpec.MOVE.type().expected());
+    }
+    if (target.lacksWaypoints()) {
+      throw xml.place()
+          .error("movement " + movement + " without <waypoint>, expected at least two of them");
+    }
+  }
+
+  private void checkStart(XmlElement xml, TargetSpec target) {
+    boolean scripted = target.movement().equals(SCRIPTED);
+    boolean onPath = target.movement().equals(WAYPOINTS);
+    boolean fromFirst = scripted || (onPath && target.get(TargetSpec.MOVE).isEmpty());
+    Waypoint start = fromFirst ? target.waypoints().get(0) : new Waypoint(target.x(), target.y());
+    clearing.requireFree(xml, start.x(), start.y());
     if (!field.contains(start.x(), start.y()) && !scripted && !(onPath && coverageDialect)) {
       warnings.accept(
           "%s: <%s> starts outside the field at (%s, %s); it stays there, turning, unless one step"
-                  .formatted(element.place("x"), element.name(), start.x(), start.y())
+                  .formatted(xml.place("x"), xml.name(), start.x(), start.y())
               + " leads inside");
     }
-    return new TargetSpec(
-        origin,
-        identity,
-        position.x(),
-        position.y(),
-        heading,
-        speed,
-        size,
-        extent,
-        spec,
-        attributes.leftOver(warnings, "move"));
-  }
-
-  private MovementSpec movement(
-      XmlElement element, Attributes attributes, TargetSpec.Origin origin, String name) {
-    double mean = attributes.optionalNumber("mean", Range.COORDINATE).orElse(0);
-    double std = attributes.optionalNumber("std", Range.LENGTH).orElse(1);
-    boolean anywhere = coverageDialect || MovementSpec.shortName(name).equals(SCRIPTED);
-    List<Waypoint> path = waypoints(element, anywhere);
-    MovementSpec spec = new MovementSpec(name, mean, std, path);
-    if (!movements.test(spec.shortName()) || spec.shortName().equals(MovementSpec.TRACKS)) {
-      throw attributes.invalid(
-          origin == TargetSpec.Origin.EVENT ? "fqName" : "move",
-          "a movement such as Straight, Waypoints, Brownian, DirectedBrownian, or one in a jar");
-    }
-    if (spec.lacksWaypoints()) {
-      throw element
-          .place()
-          .error(
-              "movement "
-                  + spec.shortName()
-                  + " without <waypoint>, expected at least two of them");
-    }
-    return spec;
-  }
-
-  private static Waypoint point(Attributes attributes) {
-    return new Waypoint(
-        attributes.number("x", Range.COORDINATE), attributes.number("y", Range.COORDINATE));
-  }
-
-  private double identity(Attributes attributes) {
-    double identity = attributes.number("features");
-    if (!features.add(identity)) {
-      throw attributes.invalid("features", "features that no other object has");
-    }
-    return identity;
-  }
-
-  private static double size(Attributes attributes, Optional<Extent> extent) {
-    if (extent.isPresent()) {
-      attributes.refuse("size", "none beside width and height, from which it follows");
-    }
-    double standard = extent.map(Extent::size).orElse(TargetSpec.DEFAULT_SIZE);
-    return attributes.optionalNumber("size", Range.POSITIVE_LENGTH).orElse(standard);
-  }
-
-  private static Optional<Extent> extent(Attributes attributes) {
-    if (!attributes.has("width") && !attributes.has("height")) {
-      return Optional.empty();
-    }
-    return Optional.of(
-        new Extent(
-            attributes.number("width", Range.POSITIVE_LENGTH),
-            attributes.number("height", Range.POSITIVE_LENGTH)));
   }
 
   /**
    * @param anywhere whether they may lie outside the field
    */
-  private List<Waypoint> waypoints(XmlElement element, boolean anywhere) {
-    List<XmlElement> children = element.all("waypoint");
+  private List<Waypoint> waypoints(XmlElement xml, boolean anywhere) {
+    List<XmlElement> children = xml.all(Waypoint.ELEMENT.name());
     if (children.size() == 1) {
       throw children.get(0).place().error("one <waypoint>, expected none or at least two");
     }
     List<Waypoint> path = children.stream().map(child -> waypoint(child, anywhere)).toList();
-    clearing.warnOfPath(element, path);
+    clearing.warnOfPath(xml, path);
     return path;
   }
 
-  private Waypoint waypoint(XmlElement element, boolean anywhere) {
-    Attributes attributes = new Attributes(element);
-    Waypoint waypoint = point(attributes);
-    attributes.leftOver(warnings);
-    clearing.requireFree(new Attributes(element), waypoint.x(), waypoint.y());
+  private Waypoint waypoint(XmlElement xml, boolean anywhere) {
+    Attributes<Waypoint> attributes = new Attributes<>(xml, Waypoint.ELEMENT);
+    Waypoint waypoint = attributes.read();
+    attributes.warnOfUnknown(warnings);
+    clearing.requireFree(xml, waypoint.x(), waypoint.y());
     if (!field.contains(waypoint.x(), waypoint.y()) && !anywhere) {
-      warnings.accept(element.place() + ": <waypoint> lies outside the field, out of reach");
+      warnings.accept(xml.place() + ": <waypoint> lies outside the field, out of reach");
     }
     return waypoint;
-  }
-
-  /** The features of the targets that are there at the start. */
-  Set<Double> present() {
-    return new HashSet<>(features);
   }
 }

@@ -14,9 +14,6 @@ final class TrackReader {
   /** Samples of one file; they take 24 bytes each. */
   static final int MAX_SAMPLES = 20_000_000;
 
-  private static final Range INTERVAL =
-      new Range("a number above 0 and at most 1e9 (s)", value -> value > 0 && value <= 1e9);
-
   private static final String START = "a number of seconds from 0, later than before";
 
   /**
@@ -77,7 +74,7 @@ final class TrackReader {
     if (!lines.nextFields() || !lines.text(0).equals("interval")) {
       throw lines.place().error("expected 'interval' and a number of seconds");
     }
-    interval = number(1, "interval", INTERVAL);
+    interval = number(1, "interval", Range.POSITIVE_TIME);
     requireFields(2);
   }
 

@@ -61,10 +61,10 @@ record TrackedTargets(List<ScenarioEvent.AddTarget> additions) {
   }
 
   private static boolean isTracked(ScenarioEvent.AddTarget add) {
-    return add.target().movement().track().isPresent();
+    return add.target().track().isPresent();
   }
 
   private static Track track(ScenarioEvent.AddTarget add) {
-    return add.target().movement().track().orElseThrow();
+    return add.target().track().orElseThrow();
   }
 }

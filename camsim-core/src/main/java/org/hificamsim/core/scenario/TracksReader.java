@@ -4,16 +4,26 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import org.hificamsim.core.file.TextLines;
 
 /**
- * Reads the element {@code tracks}: the targets of a file beside the scenario, or of the element's
+ * Reads the element {@code tracks}: the targets of a file next to the scenario, or of the element's
  * own text, each as two events, one that adds it and one that removes it.
  */
 final class TracksReader {
+  static final Element<Track> ELEMENT =
+      Element.<Track>of(
+              "tracks",
+              """
+              Targets that come, move and go as they were recorded; once in a file (ours).
+              file: path of the file of tracks, from the scenario's folder \
+              | the tracks are the element's text
+              """)
+          .holds("#xs:string");
+  static final Property<Track, String> FILE = ELEMENT.optional("file", Type.TEXT);
+
   private final Path scenario;
   private final Field field;
   private final double stepTime;
@@ -32,22 +42,21 @@ final class TracksReader {
 
   /** The events of all targets of an element. */
   List<ScenarioEvent> events(XmlElement element) {
-    Attributes attributes = new Attributes(element);
-    Optional<String> file = attributes.optionalText("file");
-    attributes.leftOver(warnings);
-    try (TextLines lines = file.map(one -> open(element, one)).orElseGet(element::lines)) {
+    Attributes<Track> attributes = new Attributes<>(element, ELEMENT);
+    attributes.warnOfUnknown(warnings);
+    try (TextLines lines = attributes.has(FILE) ? open(element, attributes) : element.lines()) {
       return events(element, new TrackReader(lines, stepTime).tracks());
     }
   }
 
-  private TextLines open(XmlElement element, String file) {
+  private TextLines open(XmlElement element, Attributes<Track> attributes) {
     if (!element.text().isBlank()) {
-      throw new Attributes(element).invalid("file", "none beside tracks that are written here");
+      throw attributes.invalid(FILE, "none together with tracks that are written here");
     }
     try {
-      return TextLines.open(scenario.resolveSibling(file));
+      return TextLines.open(scenario.resolveSibling(attributes.get(FILE)));
     } catch (InvalidPathException e) {
-      throw new Attributes(element).invalid("file", "a path from the scenario's folder");
+      throw attributes.invalid(FILE, "a path from the scenario's folder");
     }
   }
 
@@ -95,16 +104,13 @@ final class TracksReader {
 
   private static TargetSpec target(TrackReader.Tracked one) {
     Track track = one.track();
-    return new TargetSpec(
-        TargetSpec.Origin.TRACK,
-        one.features(),
-        track.x(0),
-        track.y(0),
-        track.heading(),
-        track.meanSpeed(),
-        one.size(),
-        one.extent(),
-        MovementSpec.along(track),
-        Map.of());
+    TargetSpec target =
+        new TargetSpec(one.features(), track.x(0), track.y(0))
+            .with(TargetSpec.ORIGIN, TargetSpec.Origin.TRACK)
+            .with(TargetSpec.HEADING, track.heading())
+            .with(TargetSpec.SPEED, track.meanSpeed())
+            .with(TargetSpec.MOVE, TargetSpec.TRACKS)
+            .with(TargetSpec.TRACK, Optional.of(track));
+    return one.extent().map(target::withExtent).orElseGet(() -> target.withSize(one.size()));
   }
 }

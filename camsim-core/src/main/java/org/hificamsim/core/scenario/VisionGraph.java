@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 
 /**
  * The links between cameras that a scenario starts with.
@@ -12,6 +13,44 @@ import java.util.Map;
  * @param neighbours names linked to, by camera name, in document order; names need not exist
  */
 public record VisionGraph(boolean isStatic, Map<String, List<String>> neighbours) {
+  static final Element<VisionGraph> ELEMENT =
+      Element.<VisionGraph>of(
+              "visiongraph",
+              """
+              Which cameras each camera hands targets over to at the start.
+              static: whether links also go the other way round
+              """)
+          .holds("graphnode*");
+  static final Property<VisionGraph, Boolean> STATIC =
+      ELEMENT.attribute(
+          "static",
+          new Type<>(
+              "true or false",
+              Type.words(Stream.of("true", "false")),
+              Boolean::parseBoolean,
+              String::valueOf),
+          false);
+
+  static final Element<VisionGraph> NODE =
+      Element.<VisionGraph>of(
+              "graphnode",
+              """
+              A camera that hands over.
+              name: a camera; of two nodes with one name the later counts
+              """)
+          .holds("neighbour*");
+  static final Property<VisionGraph, String> NODE_NAME = NODE.required("name", Type.CAMERA);
+
+  static final Element<VisionGraph> NEIGHBOUR =
+      Element.of(
+          "neighbour",
+          """
+          A camera that it hands over to.
+          name: a camera; need not exist
+          """);
+  static final Property<VisionGraph, String> NEIGHBOUR_NAME =
+      NEIGHBOUR.required("name", Type.CAMERA);
+
   /** Copies what could change. */
   public VisionGraph {
     neighbours = Collections.unmodifiableMap(new LinkedHashMap<>(neighbours));

@@ -2,12 +2,10 @@ package org.hificamsim.core.scenario;
 
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
 import java.nio.charset.CharsetDecoder;
 import java.nio.charset.CoderResult;
 import java.nio.charset.CodingErrorAction;
-import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
 import java.util.regex.Matcher;
@@ -25,7 +23,6 @@ final class XmlDecoder {
       Pattern.compile("\\A<\\?xml\\s[^>]*?\\s(encoding\\s*=\\s*([\"'])(.*?)\\2)", Pattern.DOTALL);
   private static final Pattern BYTE_ORDER_MARK = Pattern.compile("\\A(ï»¿|þÿ|ÿþ|\uFEFF)");
   private static final int MAX_DECLARATION = 400;
-  private static final char REPLACEMENT = '\uFFFD';
 
   private final String file;
   private final byte[] bytes;
@@ -48,36 +45,44 @@ final class XmlDecoder {
     String head = start(StandardCharsets.ISO_8859_1).replace("\0", "");
     Matcher declaration = DECLARED.matcher(head);
     Charset charset = declaration.find() ? declared(head, declaration) : detected();
-    String text = new String(bytes, charset);
-    if (text.indexOf(REPLACEMENT) >= 0) {
-      checkEveryByte(charset);
+    CharsetDecoder decoder = charset.newDecoder().onMalformedInput(CodingErrorAction.REPORT);
+    ByteBuffer in = ByteBuffer.wrap(bytes);
+    CharBuffer out = CharBuffer.allocate((int) (bytes.length * (double) decoder.maxCharsPerByte()));
+    CoderResult result = decoder.decode(in, out, true);
+    String text = withoutMark(out.flip().toString());
+    if (result.isError()) {
+      throw new XmlText(file, text)
+          .at(text.length())
+          .error(
+              String.format(
+                  Locale.ROOT,
+                  "byte 0x%02X is not %s, expected text in that encoding",
+                  bytes[in.position()],
+                  charset.name()));
     }
-    return withoutMark(text);
+    return text;
   }
 
   private Charset declared(String head, Matcher declaration) {
     String name = declaration.group(3);
     Charset charset = find(name);
-    if (charset == null) {
+    if (charset == null || !start(charset).startsWith("<?xml")) {
       throw new XmlText(file, head)
           .at(declaration.start(1))
-          .error(
-              "the encoding is '"
-                  + XmlText.shortened(name, Attributes.MAX_QUOTED)
-                  + "', expected UTF-8 or another one that is known");
-    }
-    if (!start(charset).startsWith("<?xml")) {
-      throw new XmlText(file, head)
-          .at(declaration.start(1))
-          .error("the encoding is '" + name + "', expected the one that the file is in");
+          .invalid(
+              "the encoding",
+              name,
+              charset == null
+                  ? "UTF-8 or another one that is known"
+                  : "the one that the file is in");
     }
     return charset;
   }
 
   private static Charset find(String name) {
     try {
-      return Charset.isSupported(name) ? Charset.forName(name) : null;
-    } catch (IllegalCharsetNameException e) {
+      return Charset.forName(name);
+    } catch (IllegalArgumentException e) {
       return null;
     }
   }
@@ -98,26 +103,5 @@ final class XmlDecoder {
   private static String withoutMark(String text) {
     Matcher mark = BYTE_ORDER_MARK.matcher(text);
     return mark.lookingAt() ? text.substring(mark.end()) : text;
-  }
-
-  private void checkEveryByte(Charset charset) {
-    CharsetDecoder decoder = charset.newDecoder().onMalformedInput(CodingErrorAction.REPORT);
-    decoder.onUnmappableCharacter(CodingErrorAction.REPORT);
-    ByteBuffer in = ByteBuffer.wrap(bytes);
-    CharBuffer out = CharBuffer.allocate((int) (bytes.length * (double) decoder.maxCharsPerByte()));
-    CoderResult result = decoder.decode(in, out, true);
-    if (result.isError()) {
-      String before = withoutMark(out.flip().toString());
-      throw new InputException(
-          new XmlText(file, before)
-              .at(before.length())
-              .line(
-                  String.format(
-                      Locale.ROOT,
-                      "byte 0x%02X is not %s, expected text in that encoding",
-                      bytes[in.position()],
-                      charset.name())),
-          new CharacterCodingException());
-    }
   }
 }

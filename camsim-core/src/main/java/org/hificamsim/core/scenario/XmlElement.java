@@ -6,27 +6,26 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
 
 /** An element of a scenario file, which knows where it stands. */
 final class XmlElement {
   private final XmlText source;
-  private final int endLine;
-  private final int endColumn;
   private final String name;
+  private final Place end;
   private final Map<String, String> attributes = new LinkedHashMap<>(0);
   private final List<XmlElement> children = new ArrayList<>(0);
   private StringBuilder text;
 
   /**
-   * @param endLine where the start tag ends, as the parser reports it
+   * @param end where the start tag ends
    */
-  XmlElement(XmlText source, String name, int endLine, int endColumn) {
+  XmlElement(XmlText source, String name, Place end) {
     this.source = source;
     this.name = name;
-    this.endLine = endLine;
-    this.endColumn = endColumn;
+    this.end = end;
   }
 
   void add(XmlElement child) {
@@ -59,17 +58,25 @@ final class XmlElement {
 
   /** The lines of that text, which know where they stand. */
   TextLines lines() {
-    return source.lines(text(), endLine);
+    return source.lines(text(), end.line());
   }
 
   /** Where the start tag begins. */
   Place place() {
-    return source.tag(endLine, endColumn);
+    return source.tag(end);
   }
 
   /** Where an attribute of the start tag begins. */
   Place place(String attribute) {
-    return source.attribute(endLine, endColumn, attribute);
+    return source.attribute(end, attribute);
+  }
+
+  /** An error about an attribute's value, or that it is missing. */
+  InputException invalid(String attribute, String expected) {
+    String value = attributes.get(attribute);
+    return value == null
+        ? place().error("<%s> has no %s, expected %s".formatted(name, attribute, expected))
+        : place(attribute).invalid("<" + name + "> " + attribute, value, expected);
   }
 
   /** The elements below with this name, at any depth, in document order. */

@@ -12,13 +12,11 @@ import java.util.Deque;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.PlainXml;
-import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
 import org.xml.sax.SAXParseException;
 
 /**
- * Reads untrusted XML: no document types, no entities but the five of XML itself, bounded size and
- * depth.
+ * Reads untrusted XML of bounded size and depth as a tree of elements.
  *
  * <p>Namespaces are not looked at: {@code a:camera} is a name like any other.
  */
@@ -35,17 +33,14 @@ final class XmlParser extends PlainXml {
   // Parts of the parser's messages.
   private static final String NO_DOCTYPE = "disallow-doctype-decl";
   private static final String CUT_OFF = "must start and end within the same entity";
-  private static final int MAX_WORDS = 300;
 
-  private final String file;
   private final XmlText text;
   private final Deque<XmlElement> open = new ArrayDeque<>();
   private XmlElement root;
   private int parts;
 
-  private XmlParser(String file, String content) {
-    this.file = file;
-    this.text = new XmlText(file, content);
+  private XmlParser(XmlText text) {
+    this.text = text;
   }
 
   /**
@@ -54,8 +49,11 @@ final class XmlParser extends PlainXml {
    * @throws InputException when the file cannot be read, is too big, or is not plain XML
    */
   static XmlElement parse(Path path) {
-    String content = XmlDecoder.decode(path.toString(), bytes(path));
-    return new XmlParser(path.toString(), content).parse(content);
+    String file = path.toString();
+    String content = XmlDecoder.decode(file, bytes(path));
+    XmlParser parser = new XmlParser(new XmlText(file, content));
+    parser.readSource(file, new InputSource(new StringReader(content)));
+    return parser.root;
   }
 
   private static byte[] bytes(Path path) {
@@ -64,33 +62,28 @@ final class XmlParser extends PlainXml {
       throw start.error("is a folder, expected a scenario file (XML)");
     }
     try (InputStream in = Files.newInputStream(path)) {
-      byte[] bytes = Files.size(path) > MAX_BYTES ? null : in.readNBytes(MAX_BYTES + 1);
-      if (bytes == null || bytes.length > MAX_BYTES) {
+      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
+      if (bytes.length > MAX_BYTES) {
         throw start.error("the file is too big, expected at most " + MAX_BYTES + " bytes");
       }
       return bytes;
     } catch (NoSuchFileException e) {
       throw new InputException(start + ": no such file, expected a scenario file (XML)", e);
     } catch (IOException e) {
+      String reason = e instanceof FileSystemException fault ? fault.getReason() : null;
       throw new InputException(
-          start + ": cannot be read (" + reason(e) + "), expected a scenario file (XML)", e);
+          start
+              + ": cannot be read ("
+              + (reason == null ? e.getClass().getSimpleName() : reason)
+              + "), expected a scenario file (XML)",
+          e);
     }
   }
 
-  private static String reason(IOException e) {
-    return e instanceof FileSystemException fault && fault.getReason() != null
-        ? fault.getReason()
-        : e.getClass().getSimpleName();
-  }
-
-  private XmlElement parse(String content) {
-    readSource(file, new InputSource(new StringReader(content)));
-    return root;
-  }
-
   @Override
-  public void startElement(String uri, String local, String name, Attributes attributes) {
-    XmlElement element = new XmlElement(text, name, place().line(), place().column());
+  public void startElement(
+      String uri, String local, String name, org.xml.sax.Attributes attributes) {
+    XmlElement element = new XmlElement(text, name, place());
     for (int i = 0; i < attributes.getLength(); i++) {
       element.attributes().put(attributes.getQName(i), attributes.getValue(i));
     }
@@ -108,11 +101,8 @@ final class XmlParser extends PlainXml {
       throw element
           .place()
           .error(
-              "<"
-                  + element.name()
-                  + "> is nested too deep, expected at most "
-                  + MAX_DEPTH
-                  + " levels");
+              "<%s> is nested too deep, expected at most %s levels"
+                  .formatted(element.name(), MAX_DEPTH));
     }
     parts += 1 + element.attributes().size();
     if (parts > MAX_PARTS) {
@@ -135,16 +125,15 @@ final class XmlParser extends PlainXml {
   @Override
   protected InputException fault(SAXParseException e) {
     String words = String.valueOf(e.getMessage());
+    Place place = place(e.getLineNumber(), e.getColumnNumber());
     if (words.contains(NO_DOCTYPE)) {
-      return text.tag(e.getLineNumber(), e.getColumnNumber())
+      return text.tag(place)
           .error("a document type declaration (<!DOCTYPE), expected a scenario without one");
     }
-    Place place = place(e.getLineNumber(), e.getColumnNumber());
     if (words.contains(CUT_OFF) && !open.isEmpty()) {
       String name = open.getLast().name();
       return place.error("the file ends inside <" + name + ">, expected </" + name + ">");
     }
-    return place.error(
-        "not well-formed XML, expected a scenario file: " + XmlText.shortened(words, MAX_WORDS));
+    return place.error("not well-formed XML, expected a scenario file: " + words);
   }
 }

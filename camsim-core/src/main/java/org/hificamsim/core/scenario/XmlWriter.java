@@ -2,14 +2,12 @@ package org.hificamsim.core.scenario;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.util.ArrayDeque;
-import java.util.Deque;
 import java.util.Map;
 
 /** An XML document under way, an element a line. */
 final class XmlWriter {
   private final StringBuilder out = new StringBuilder("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
-  private final Deque<String> open = new ArrayDeque<>();
+  private int depth;
 
   /** What fills an element with lines of its own. */
   @FunctionalInterface
@@ -18,21 +16,18 @@ final class XmlWriter {
     void write(Appendable out) throws IOException;
   }
 
-  /** Starts an element that others follow in. */
-  void open(String name, Map<String, Object> attributes) {
+  /** An element with others in it. */
+  void element(String name, Map<String, String> attributes, Runnable content) {
     tag(name, attributes, ">");
-    open.addLast(name);
-  }
-
-  /** Ends the element that was started last. */
-  void close() {
-    String name = open.removeLast();
+    depth++;
+    content.run();
+    depth--;
     indent();
     end(name);
   }
 
   /** An element without content. */
-  void empty(String name, Map<String, Object> attributes) {
+  void element(String name, Map<String, String> attributes) {
     tag(name, attributes, "/>");
   }
 
@@ -52,7 +47,7 @@ final class XmlWriter {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    out.append("    ");
+    out.append("  ".repeat(depth));
     end(name);
   }
 
@@ -61,7 +56,7 @@ final class XmlWriter {
     return out + "\n";
   }
 
-  private void tag(String name, Map<String, Object> attributes, String end) {
+  private void tag(String name, Map<String, String> attributes, String end) {
     indent();
     out.append('<').append(name);
     attributes.forEach(
@@ -70,14 +65,17 @@ final class XmlWriter {
     out.append(end);
   }
 
+  private void indent() {
+    out.append('\n').append("  ".repeat(depth));
+  }
+
   private void end(String name) {
     out.append("</").append(name).append('>');
   }
 
   /** A value between double quotes; tabs and line ends would be read as spaces if left as is. */
-  private static String escaped(Object value) {
+  private static String escaped(String value) {
     return value
-        .toString()
         .replace("&", "&amp;")
         .replace("<", "&lt;")
         .replace(">", "&gt;")
@@ -85,9 +83,5 @@ final class XmlWriter {
         .replace("\t", "&#9;")
         .replace("\n", "&#10;")
         .replace("\r", "&#13;");
-  }
-
-  private void indent() {
-    out.append('\n').append("  ".repeat(open.size()));
   }
 }

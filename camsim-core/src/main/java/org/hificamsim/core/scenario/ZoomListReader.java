@@ -2,20 +2,24 @@ package org.hificamsim.core.scenario;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
 
 /** Reads the coverage study's list of candidate radii. */
 final class ZoomListReader {
+  /** The list. */
+  static final Element<Scenario> ELEMENT =
+      Element.<Scenario>of(
+              "zoom", "The radii that every camera can choose from, between spaces, rising, m.")
+          .holds("#[" + Type.POSITIVE_LENGTH.schema() + "] minLength=1 maxLength=1000");
+
   private static final int MAX_LEVELS = 1000;
 
-  private final XmlElement root;
-
-  ZoomListReader(XmlElement root) {
-    this.root = root;
-  }
+  private ZoomListReader() {}
 
   /** The radii, rising; empty where the file has no zoom list. */
-  List<Double> zooms() {
-    List<XmlElement> lists = root.all("zoom");
+  static List<Double> zooms(XmlElement root) {
+    List<XmlElement> lists = root.all(ELEMENT.name());
     if (lists.isEmpty()) {
       return List.of();
     }
@@ -29,17 +33,7 @@ final class ZoomListReader {
     }
     List<Double> radii = new ArrayList<>();
     for (String item : text.split("\\s+")) {
-      double radius = radius(list, item);
-      if (!radii.isEmpty() && radius <= radii.get(radii.size() - 1)) {
-        throw list.place()
-            .error(
-                "<zoom> has '"
-                    + XmlText.shortened(item, Attributes.MAX_QUOTED)
-                    + "' after "
-                    + radii.get(radii.size() - 1)
-                    + ", expected rising radii, each once");
-      }
-      radii.add(radius);
+      radii.add(radius(list, item, radii));
     }
     if (radii.size() > MAX_LEVELS) {
       throw list.place()
@@ -48,19 +42,25 @@ final class ZoomListReader {
     return radii;
   }
 
+  private static double radius(XmlElement list, String item, List<Double> before) {
+    double last = before.isEmpty() ? 0 : before.get(before.size() - 1);
+    double radius = radius(list, item);
+    if (radius <= last) {
+      throw invalid(list, item, "' after " + last + ", expected rising radii, each once");
+    }
+    return radius;
+  }
+
   private static double radius(XmlElement list, String item) {
     try {
-      double radius = Double.parseDouble(item);
-      if (Range.POSITIVE_LENGTH.contains(radius)) {
-        return radius;
-      }
-    } catch (NumberFormatException e) {
-      // reported below
+      return Range.POSITIVE_LENGTH.parse(item);
+    } catch (IllegalArgumentException e) {
+      throw invalid(list, item, "', expected radii above 0 and at most 1e9 (m), between spaces");
     }
-    throw list.place()
-        .error(
-            "<zoom> has '"
-                + XmlText.shortened(item, Attributes.MAX_QUOTED)
-                + "', expected radii above 0 and at most 1e9 (m), between spaces");
+  }
+
+  private static InputException invalid(XmlElement list, String item, String problem) {
+    String quoted = Place.shortened(item);
+    return list.place().error("<zoom> has '" + quoted + problem);
   }
 }

@@ -18,7 +18,7 @@ import org.hificamsim.core.visibility.Pose;
  * those that events add, in the order in which they appear.
  */
 public final class World {
-  private final Cast cast;
+  private final Participants participants;
   private final Cameras cameras;
   private final Targets targets;
   private final SightLines sightLines;
@@ -36,20 +36,20 @@ public final class World {
    * @throws InputException when a target asks for a movement that is not registered
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
-    this(new Cast(scenario), registry, seed);
+    this(new Participants(scenario), registry, seed);
   }
 
-  private World(Cast cast, Registry<Movement> registry, long seed) {
-    this.cast = cast;
+  private World(Participants participants, Registry<Movement> registry, long seed) {
+    this.participants = participants;
     this.registry = registry;
     this.random = new RandomStreams(seed);
-    Scenario scenario = cast.scenario();
-    cameras = new Cameras(cast.cameras());
-    Obstacles obstacles = new Obstacles(scenario.surroundings().obstacles());
-    targets = new Targets(scenario.field(), obstacles, scenario.order(), cast.targets());
-    movements = new Movement[cast.targets()];
+    Scenario scenario = participants.scenario();
+    cameras = new Cameras(participants.cameras());
+    Obstacles obstacles = new Obstacles(scenario.obstacles());
+    targets = new Targets(scenario.field(), obstacles, scenario.order(), participants.targets());
+    movements = new Movement[participants.targets()];
     start();
-    sightLines = new SightLines(obstacles, scenario.surroundings().occlusion(), cameras, targets);
+    sightLines = new SightLines(obstacles, scenario.occlusion(), cameras, targets);
   }
 
   /**
@@ -57,7 +57,7 @@ public final class World {
    * otherwise they have nothing to do with each other, and threads of their own may run them.
    */
   public World another(long seed) {
-    return new World(cast, registry, seed);
+    return new World(participants, registry, seed);
   }
 
   /** Defines all there will ever be, and adds those of the start. */
@@ -97,7 +97,7 @@ public final class World {
 
   /** The scenario that this world was made from. */
   public Scenario scenario() {
-    return cast.scenario();
+    return participants.scenario();
   }
 
   /** The cameras, live. */
@@ -117,12 +117,12 @@ public final class World {
 
   /** How the scenario describes a camera, also one that is yet to be added. */
   public CameraSpec cameraSpec(int camera) {
-    return cast.camera(camera);
+    return participants.camera(camera);
   }
 
   /** How the scenario describes a target, also one that is yet to appear. */
   public TargetSpec targetSpec(int target) {
-    return cast.target(target);
+    return participants.target(target);
   }
 
   /** Sets the one observer of the events that fire from now on. */
@@ -157,7 +157,7 @@ public final class World {
 
   /** Fires the events of this step. */
   public void fireEvents(long step) {
-    while (nextEvent < cast.events() && cast.event(nextEvent).step() <= step) {
+    while (nextEvent < participants.events() && participants.event(nextEvent).step() <= step) {
       fire(nextEvent++);
     }
     sightLines.refresh();
@@ -173,7 +173,7 @@ public final class World {
   }
 
   private void fire(int number) {
-    ScenarioEvent event = cast.event(number);
+    ScenarioEvent event = participants.event(number);
     if (event instanceof ScenarioEvent.AddCamera) {
       observer.cameraAdded(addCamera());
     } else if (event instanceof ScenarioEvent.ChangeCamera change) {
@@ -182,13 +182,13 @@ public final class World {
       failCamera(fail);
     } else if (event instanceof ScenarioEvent.AddTarget) {
       observer.targetAppeared(addTarget());
-    } else if (cast.removed(number) != Cast.NONE) {
-      removeTarget(cast.removed(number));
+    } else if (participants.removed(number) != Participants.NONE) {
+      removeTarget(participants.removed(number));
     }
   }
 
   private int addCamera() {
-    cameras.place(nextCamera, cast.mount(nextCamera));
+    cameras.place(nextCamera, participants.mount(nextCamera));
     cameras.switchTo(nextCamera, true);
     return nextCamera++;
   }
@@ -214,8 +214,8 @@ public final class World {
 
   /** A camera with optics keeps its views, but for round ones. */
   private void refit(int camera, double range, double viewingAngle) {
-    ViewSet set = cast.views().of(range, viewingAngle, cast.camera(camera));
-    cameras.place(camera, cast.views().mount(cameras.pose(camera), set));
+    ViewSet set = participants.views().of(range, viewingAngle, participants.camera(camera));
+    cameras.place(camera, participants.views().mount(cameras.pose(camera), set));
   }
 
   private static double changed(double given, double before) {
@@ -231,12 +231,12 @@ public final class World {
   }
 
   private int onlineCamera(String name) {
-    int camera = cast.cameraNumber(name);
+    int camera = participants.cameraNumber(name);
     return camera >= 0 && cameras.online(camera) ? camera : -1;
   }
 
   private int addTarget() {
-    TargetSpec spec = cast.target(nextTarget);
+    TargetSpec spec = participants.target(nextTarget);
     double heading = scenario().headings().radians(spec.heading());
     targets.appear(nextTarget, spec.x(), spec.y(), heading, spec.speed());
     movements[nextTarget].start(nextTarget, targets, spec);
@@ -249,19 +249,19 @@ public final class World {
   }
 
   private void defineAll() {
-    for (int camera = 0; camera < cast.cameras(); camera++) {
-      cameras.define(camera, cast.camera(camera).name(), cast.mount(camera));
+    for (int camera = 0; camera < participants.cameras(); camera++) {
+      cameras.define(camera, participants.camera(camera).name(), participants.mount(camera));
     }
     cameras.startMotion(scenario().stepTime());
     for (int target = 0; target < movements.length; target++) {
-      TargetSpec spec = cast.target(target);
+      TargetSpec spec = participants.target(target);
       targets.define(target, spec.name(), spec.size(), spec.width());
       movements[target] = registry.create(movementName(spec));
     }
   }
 
   private String movementName(TargetSpec spec) {
-    String name = spec.movement().shortName();
+    String name = spec.movement();
     return scenario().inCoverageDialect() && name.equals("Waypoints") ? "Scripted" : name;
   }
 }

@@ -10,7 +10,6 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -71,9 +70,8 @@ class AllocationTest {
   }
 
   private static TargetSpec target(int i, String movement) {
-    TargetSpec walker = TestScenario.walker(i, movement, 0.4, i, 0, 5, 5, -5, i);
-    MovementSpec path = walker.movement();
-    return TestScenario.target(
-        i, i, 0, 70 * i, 0.4, new MovementSpec(movement, 0, 0.1, path.waypoints()));
+    return TestScenario.walker(i, movement, 0.4, i, 0, 5, 5, -5, i)
+        .with(TargetSpec.HEADING, 70 * i)
+        .with(TargetSpec.STD, 0.1);
   }
 }

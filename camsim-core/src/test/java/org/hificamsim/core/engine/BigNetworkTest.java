@@ -241,9 +241,8 @@ class BigNetworkTest {
       double x = coordinate(random) * (random.nextInt(9) == 0 ? 1.5 : 1);
       double heading = random.nextDouble(360);
       scenario.target(
-          TestScenario.sized(
-              TestScenario.target(target, x, coordinate(random), heading, random.nextDouble(3)),
-              sizes[random.nextInt(3)]));
+          TestScenario.target(target, x, coordinate(random), heading, random.nextDouble(3))
+              .withSize(sizes[random.nextInt(3)]));
     }
     return scenario.events(events(random));
   }

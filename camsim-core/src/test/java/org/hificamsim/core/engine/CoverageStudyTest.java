@@ -40,6 +40,6 @@ class CoverageStudyTest {
 
   private static Scenario scenario(Path file) {
     return ScenarioReader.read(file, anyMovement -> true, new ArrayList<>()::add)
-        .withHeadings(Headings.AS_RADIANS);
+        .with(Scenario.HEADINGS, Headings.AS_RADIANS);
   }
 }

@@ -12,9 +12,9 @@ import org.hificamsim.core.detection.camsim.CamSimRangeDetection;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
 import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
+import org.hificamsim.core.scenario.TargetSpec;
 import org.junit.jupiter.api.Test;
 
 /** Equal arguments give equal runs, in everything that can be observed. */
@@ -67,9 +67,9 @@ class DeterminismTest {
     for (int i = 0; i < 5; i++) {
       scenario.camera(4 * i - 8, 2 * i - 4).target(i, -i, 60 * i, 0.8);
     }
-    MovementSpec brownian = new MovementSpec("Brownian", 0, 0.4, List.of());
     scenario
-        .target(TestScenario.target(9, 0, 0, 0, 0, brownian))
+        .target(
+            TestScenario.target(9, 0, 0, 0, 0).withMovement("Brownian").with(TargetSpec.STD, 0.4))
         .target(TestScenario.walker(10, "Scripted", 0.3, 0, 0, 5, 5, 5, 0))
         .events(
             new AddTarget(700, TestScenario.target(11, 3, 3, 20, 1)),

@@ -5,16 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
@@ -96,16 +92,10 @@ class MovingCamerasTest {
 
   private static Simulation simulation(ZoomPolicy policy) {
     OpticsSpec optics =
-        new OpticsSpec(
-            "turning",
-            OpticsLaw.PINHOLE,
-            OptionalInt.empty(),
-            List.of(30.0, 60.0),
-            OptionalDouble.empty(),
-            List.of(-40.0, 0.0, 40.0),
-            OptionalDouble.of(20),
-            0,
-            Moving.BLIND);
+        new OpticsSpec("turning")
+            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(30.0, 60.0))
+            .with(OpticsSpec.PANS, List.of(-40.0, 0.0, 40.0))
+            .with(OpticsSpec.PAN_SPEED, 20);
     World world =
         new TestScenario().camera(TestScenario.camera("a", 0, 0, 0, optics)).target(0, 3).world();
     return new Simulation(world, Detection.of(new GeometricDetection()), policy, 0, List.of());

@@ -8,7 +8,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
@@ -18,10 +17,10 @@ import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.policy.SeenPairs;
-import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.RemoveTarget;
 import org.hificamsim.core.scenario.Surroundings;
+import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -31,9 +30,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** What the network of a step answers, whichever way its cameras look. */
 class ObservedNetworkTest {
-  private static final Surroundings HALF_LIGHT =
-      new Surroundings(
-          List.of(new Obstacle.Wall(-9, 1, 9, 1, 0.5)), Occlusion.NONE, Optional.empty());
+  private static final Obstacle HALF_LIGHT = new Obstacle.Wall(-9, 1, 9, 1, 0.5);
 
   /** The same value everywhere. */
   private record Constant(double value, boolean dependsOnBearing) implements DetectionModel {
@@ -120,7 +117,7 @@ class ObservedNetworkTest {
   @ParameterizedTest
   @CsvSource({"threshold, false", "threshold, true", "probability, false"})
   void whatIsHalfHiddenIsSeenWithHalfTheConfidence(String rule, boolean bearing) {
-    World world = new TestScenario().camera(0, 0).target(0, 3).surroundings(HALF_LIGHT).world();
+    World world = new TestScenario().camera(0, 0).target(0, 3).obstacles(HALF_LIGHT).world();
     Detection detection =
         Detection.by(DetectionRule.parse(rule), "constant", new Constant(0.7, bearing));
     ObservedNetwork network = network(world, detection);
@@ -131,7 +128,7 @@ class ObservedNetworkTest {
   @ParameterizedTest
   @CsvSource({"0.3, 1", "0.4, 0"})
   void whatIsHalfHiddenIsDetectedWhereHalfTheValueReachesTheThreshold(double threshold, int seen) {
-    World world = new TestScenario().camera(0, 0).target(0, 3).surroundings(HALF_LIGHT).world();
+    World world = new TestScenario().camera(0, 0).target(0, 3).obstacles(HALF_LIGHT).world();
     ObservedNetwork network = network(world, new Detection(new Constant(0.7, false), threshold));
     network.observe();
     assertEquals(seen, network.detected(0));
@@ -293,7 +290,7 @@ class ObservedNetworkTest {
     World world =
         new TestScenario()
             .camera(0, 0)
-            .target(TestScenario.sized(TestScenario.target(0, 1, 1, 0, 0), 1.5))
+            .target(TestScenario.target(0, 1, 1, 0, 0).withSize(1.5))
             .world();
     assertEquals(1.5, network(world, certain("threshold")).targetSize(0));
   }

@@ -3,15 +3,11 @@ package org.hificamsim.core.engine;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.List;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
@@ -53,17 +49,7 @@ class SightGridTest {
   /** 7.6 m at 30 degrees and 3.8 m at 60: 5.4 m. */
   @Test
   void throughALensTheSideIsBetweenTheNarrowestAndTheWidest() {
-    OpticsSpec optics =
-        new OpticsSpec(
-            "lens",
-            OpticsLaw.PINHOLE,
-            OptionalInt.empty(),
-            List.of(30.0, 60.0),
-            OptionalDouble.empty(),
-            List.of(0.0),
-            OptionalDouble.empty(),
-            0,
-            Moving.BLIND);
+    OpticsSpec optics = new OpticsSpec("lens").with(OpticsSpec.ANGLES_OF_VIEW, List.of(30.0, 60.0));
     TestScenario scenario = new TestScenario().field(0, 40, 0, 40);
     for (int camera = 0; camera < 80; camera++) {
       scenario.camera(TestScenario.camera("c" + camera, 1, 1, 0, optics));

@@ -313,8 +313,7 @@ class SightTest {
       double x = onGrid ? random.nextInt(-8, 9) : random.nextDouble(-10, 10);
       double y = onGrid ? random.nextInt(-8, 9) : random.nextDouble(-10, 10);
       scenario.target(
-          TestScenario.sized(
-              TestScenario.target(target, x, y, 0, 0), sizes[random.nextInt(sizes.length)]));
+          TestScenario.target(target, x, y, 0, 0).withSize(sizes[random.nextInt(sizes.length)]));
     }
     return scenario.world();
   }

@@ -319,7 +319,7 @@ class SimulationTest {
     TestScenario two = new TestScenario().zooms(2, 4, 7).camera(0, 0).camera(5, 0);
     IntStream.range(0, 70).forEach(i -> two.target(-9 + i * 0.25, 1, 90, 0.1));
     for (String text : List.of("kmin", "covered:k=2", "lexicographic", "sum:cap=1")) {
-      Scenario scenario = two.scenario().withObjective(Objective.parse(text));
+      Scenario scenario = two.scenario().with(Scenario.OBJECTIVE, Objective.parse(text));
       RunCoverage total = new RunCoverage();
       double[] sum = new double[1];
       StepListener bruteForce =

@@ -7,8 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -22,12 +20,11 @@ import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.core.scenario.Moving;
 import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
-import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
@@ -86,10 +83,9 @@ class ViewsTest {
     Pose pose = world.cameras().pose(camera);
     double x = world.targets().x(target);
     double y = world.targets().y(target);
-    Surroundings surroundings = world.scenario().surroundings();
-    double through =
-        new Obstacles(surroundings.obstacles()).transmittance(pose.x(), pose.y(), x, y);
-    if (surroundings.occlusion() == Occlusion.TARGETS && isHidden(world, pose, target)) {
+    Scenario scenario = world.scenario();
+    double through = new Obstacles(scenario.obstacles()).transmittance(pose.x(), pose.y(), x, y);
+    if (scenario.occlusion() == Occlusion.TARGETS && isHidden(world, pose, target)) {
       through = 0;
     }
     double pan = world.cameras().pan(camera, view);
@@ -226,7 +222,10 @@ class ViewsTest {
     }
     scenario.events(
         new ScenarioEvent.ChangeCamera(2, "c0", place(random), place(random), 45, -1, -1));
-    return scenario.surroundings(surroundings(random)).world(seed);
+    return scenario
+        .with(Scenario.OBSTACLES, obstacles(random))
+        .with(Scenario.OCCLUSION, random.nextInt(3) == 0 ? Occlusion.TARGETS : Occlusion.NONE)
+        .world(seed);
   }
 
   /** On a lattice, where lines of sight graze corners and run along walls. */
@@ -234,14 +233,13 @@ class ViewsTest {
     return random.nextInt(-9, 10);
   }
 
-  private static Surroundings surroundings(SplittableRandom random) {
+  private static List<Obstacle> obstacles(SplittableRandom random) {
     List<Obstacle> obstacles = new ArrayList<>();
     int count = random.nextInt(6);
     for (int i = 0; i < count; i++) {
       obstacles.add(obstacle(random, random.nextInt(3) == 0 ? 0.8 : 0));
     }
-    Occlusion occlusion = random.nextInt(3) == 0 ? Occlusion.TARGETS : Occlusion.NONE;
-    return new Surroundings(obstacles, occlusion, Optional.empty());
+    return obstacles;
   }
 
   private static Obstacle obstacle(SplittableRandom random, double transmittance) {
@@ -262,28 +260,20 @@ class ViewsTest {
   private static OpticsSpec optics(SplittableRandom random) {
     OpticsLaw law = OpticsLaw.values()[random.nextInt(3)];
     List<Double> pans = random.nextBoolean() ? List.of(0.0) : List.of(-40.0, 0.0, 40.0);
-    return new OpticsSpec(
-        "optics" + random.nextInt(),
-        law,
-        OptionalInt.of(640),
-        law == OpticsLaw.ROUND ? List.of() : List.of(10.0, 30.0, 90.0),
-        law == OpticsLaw.CONSTANT_AREA ? OptionalDouble.of(12) : OptionalDouble.empty(),
-        pans,
-        OptionalDouble.empty(),
-        0,
-        Moving.BLIND);
+    return new OpticsSpec("optics" + random.nextInt())
+        .with(OpticsSpec.LAW, law)
+        .with(OpticsSpec.PIXELS, 640)
+        .with(
+            OpticsSpec.ANGLES_OF_VIEW,
+            law == OpticsLaw.ROUND ? List.of() : List.of(10.0, 30.0, 90.0))
+        .with(
+            OpticsSpec.REACH, law == OpticsLaw.CONSTANT_AREA ? Optional.of(12.0) : Optional.empty())
+        .with(OpticsSpec.PANS, pans);
   }
 
   private static OpticsSpec lens(List<Double> angles, List<Double> pans) {
-    return new OpticsSpec(
-        "lens",
-        OpticsLaw.PINHOLE,
-        OptionalInt.empty(),
-        angles,
-        OptionalDouble.empty(),
-        pans,
-        OptionalDouble.empty(),
-        0,
-        Moving.BLIND);
+    return new OpticsSpec("lens")
+        .with(OpticsSpec.ANGLES_OF_VIEW, angles)
+        .with(OpticsSpec.PANS, pans);
   }
 }

@@ -17,7 +17,6 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.junit.jupiter.api.Test;
 
 /** A dummy implementation of each extension point, declared as a service, is all that it takes. */
@@ -34,14 +33,13 @@ class ServicesTest {
 
   @Test
   void oneOfEachKindRunsASimulation() {
-    MovementSpec movement = new MovementSpec("org.example.Right", 0, 1, List.of());
     UserListener listener = (UserListener) listeners.create("UserListener");
     Simulation simulation =
         new Simulation(
             new TestScenario()
                 .zooms(0.8, 5)
                 .camera(0, 0)
-                .target(TestScenario.target(1, -1.5, 0, 0, 0, movement))
+                .target(TestScenario.target(1, -1.5, 0, 0, 0).withMovement("org.example.Right"))
                 .world(),
             Detection.of(detections.create("user:near")),
             policies.create("user-level:level=1"),

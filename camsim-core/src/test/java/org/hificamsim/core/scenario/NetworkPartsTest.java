@@ -48,6 +48,6 @@ class NetworkPartsTest {
             + " heading='0' speed='0'/>%s</simulation></root>";
     Path file = folder.resolve("test.xml");
     Files.writeString(file, scenario.formatted(attributes, elements));
-    return NetworkParts.of(ScenarioReader.read(file, movement -> true, warning -> {}));
+    return ScenarioReader.read(file, movement -> true, warning -> {}).networkParts();
   }
 }

@@ -15,7 +15,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
@@ -46,27 +45,32 @@ class ScenarioReaderTest {
     assertEquals(OptionalDouble.of(3.5), scenario.mountHeight());
     assertEquals(List.of(2.0, 3.5, 5.0), scenario.zooms());
     assertEquals(Map.of("note", "kept & quoted <>\"'"), scenario.extras());
+    Scenario known =
+        read(everything().replaceAll(" (\\w+_zoom|zoom_steps|colour|tag)=\"\\S*\"", ""));
     assertEquals(
         List.of(
-            new CameraSpec(
-                "Cam \"1\" \n\tä",
-                -3,
-                2,
-                -180,
-                360,
-                0,
-                new AgentSpec(
-                    Optional.of("epics.ai.auctionSchedules.ActiveAuctionSchedule"),
-                    OptionalInt.of(4),
-                    Optional.of("epics.ai.Own"),
-                    2,
-                    Optional.of("epics.bandits.UCB1")),
-                Optional.empty(),
-                Map.of("min_zoom", "2.0", "max_zoom", "5.0", "zoom_steps", "2", "colour", "red")),
-            new CameraSpec("", 15, 10.25, 1000, 0.5, 19.9, AgentSpec.NONE, Map.of())),
-        scenario.cameras());
-    assertTargets(scenario.targets());
-    assertEvents(scenario.events());
+            new CameraSpec("Cam \"1\" \n\tä", -3, 2, 0)
+                .with(CameraSpec.HEADING, -180)
+                .with(CameraSpec.ALGORITHM, "epics.ai.auctionSchedules.ActiveAuctionSchedule")
+                .with(CameraSpec.COMM, 4)
+                .with(CameraSpec.CUSTOM_COMM, "epics.ai.Own")
+                .with(CameraSpec.LIMIT, 2)
+                .with(CameraSpec.BANDIT, "epics.bandits.UCB1"),
+            new CameraSpec("", 15, 10.25, 19.9)
+                .with(CameraSpec.HEADING, 1000)
+                .with(CameraSpec.VIEWING_ANGLE, 0.5)),
+        known.cameras());
+    assertTargets(known.targets());
+    assertEvents(known.events());
+    assertEquals(
+        List.of(
+            Map.of("min_zoom", "2.0", "max_zoom", "5.0", "zoom_steps", "2", "colour", "red"),
+            Map.of(),
+            Map.of("colour", "blue")),
+        scenario.everyCamera().map(CameraSpec::extras).toList());
+    assertEquals(
+        List.of(Map.of("tag", "t"), Map.of("tag", "u")),
+        scenario.targets().subList(4, 6).stream().map(TargetSpec::extras).toList());
     VisionGraph graph = scenario.visionGraph().orElseThrow();
     assertTrue(graph.isStatic());
     assertEquals(Map.of("B", List.of("A & C", "D"), "A", List.of("B")), graph.neighbours());
@@ -74,77 +78,71 @@ class ScenarioReaderTest {
   }
 
   private static void assertTargets(List<TargetSpec> targets) {
-    TargetSpec.Origin object = TargetSpec.Origin.OBJECT;
-    MovementSpec straight = new MovementSpec("epics.movement.Straight", 0, 1, List.of());
     List<Waypoint> path = List.of(new Waypoint(1, 2), new Waypoint(3, 4));
     List<Waypoint> long3 = List.of(new Waypoint(5, 6), new Waypoint(7, 8), new Waypoint(9, 10));
-    String waypoints = "epics.movement.Waypoints";
-    MovementSpec brownian = new MovementSpec("epics.movement.Brownian", 0.5, 2, List.of());
     assertEquals(
         List.of(
-            new TargetSpec(object, 1, 0, 0, 2.5, 1, 0.1, straight, Map.of()),
-            new TargetSpec(
-                object, 2, 0, 0, 0, 1, 0.66, new MovementSpec(waypoints, 0, 1, path), Map.of()),
-            new TargetSpec(object, 3, 0, 0, 0, 1, 0.66, brownian, Map.of()),
-            new TargetSpec(
-                object, 4, 0, 0, 0, -1, 0.66, new MovementSpec("", 0, 1, List.of()), Map.of()),
-            new TargetSpec(
-                object,
-                5,
-                99,
-                0,
-                0,
-                1,
-                0.66,
-                new MovementSpec("org.example.Right", 0, 1, List.of()),
-                Map.of("tag", "t")),
-            new TargetSpec(
-                TargetSpec.Origin.OBJECT_WITH_WAYPOINTS,
-                6,
-                5,
-                6,
-                -1,
-                0.7,
-                2,
-                new MovementSpec(waypoints, 0, 1, long3),
-                Map.of("tag", "u"))),
+            new TargetSpec(1, 0, 0)
+                .with(TargetSpec.HEADING, 2.5)
+                .with(TargetSpec.SPEED, 1)
+                .withSize(0.1),
+            new TargetSpec(2, 0, 0)
+                .with(TargetSpec.SPEED, 1)
+                .with(TargetSpec.MOVE, "epics.movement.Waypoints")
+                .with(TargetSpec.WAYPOINTS, path),
+            new TargetSpec(3, 0, 0)
+                .with(TargetSpec.SPEED, 1)
+                .with(TargetSpec.MOVE, "epics.movement.Brownian")
+                .with(TargetSpec.MEAN, 0.5)
+                .with(TargetSpec.STD, 2),
+            new TargetSpec(4, 0, 0).with(TargetSpec.SPEED, -1).with(TargetSpec.MOVE, ""),
+            new TargetSpec(5, 99, 0)
+                .with(TargetSpec.SPEED, 1)
+                .with(TargetSpec.MOVE, "org.example.Right"),
+            new TargetSpec(6, 5, 6)
+                .with(TargetSpec.ORIGIN, TargetSpec.Origin.OBJECT_WITH_WAYPOINTS)
+                .with(TargetSpec.HEADING, -1)
+                .with(TargetSpec.SPEED, 0.7)
+                .with(TargetSpec.MOVE, "epics.movement.Waypoints")
+                .with(TargetSpec.WAYPOINTS, long3)
+                .withSize(2)),
         targets);
   }
 
   private static void assertEvents(List<ScenarioEvent> events) {
-    TargetSpec.Origin event = TargetSpec.Origin.EVENT;
-    MovementSpec brownian = new MovementSpec("epics.movement.Brownian", 0.25, 0.5, List.of());
     List<Waypoint> path = List.of(new Waypoint(-1, -2), new Waypoint(-3, -4));
     assertEquals(
         List.of(
             new ScenarioEvent.AddCamera(
                 9,
-                new CameraSpec(
-                    "Late",
-                    0,
-                    0,
-                    0,
-                    90,
-                    5,
-                    new AgentSpec(
-                        Optional.of("a"), OptionalInt.of(0), Optional.of("c"), 1, Optional.of("b")),
-                    Optional.empty(),
-                    Map.of("colour", "blue"))),
+                new CameraSpec("Late", 0, 0, 5)
+                    .with(CameraSpec.VIEWING_ANGLE, 90)
+                    .with(CameraSpec.ALGORITHM, "a")
+                    .with(CameraSpec.COMM, 0)
+                    .with(CameraSpec.CUSTOM_COMM, "c")
+                    .with(CameraSpec.LIMIT, 1)
+                    .with(CameraSpec.BANDIT, "b")),
             new ScenarioEvent.ChangeCamera(3, "Late", -1, 1, -1, -1, 30),
             new ScenarioEvent.FailCamera(4, "Late", -1),
+            new ScenarioEvent.AddTarget(5, added(7).withSize(5)),
             new ScenarioEvent.AddTarget(
                 5,
-                new TargetSpec(
-                    event, 7, 1, 2, 3, 4, 5, new MovementSpec("", 0, 1, List.of()), Map.of())),
-            new ScenarioEvent.AddTarget(
-                5, new TargetSpec(event, 8, 1, 2, 3, 4, 0.66, brownian, Map.of())),
-            new ScenarioEvent.AddTarget(
-                5,
-                new TargetSpec(
-                    event, 9, 1, 2, 3, 4, 0.66, new MovementSpec("", 0, 1, path), Map.of())),
+                added(8)
+                    .with(TargetSpec.MOVE, "epics.movement.Brownian")
+                    .with(TargetSpec.MEAN, 0.25)
+                    .with(TargetSpec.STD, 0.5)),
+            new ScenarioEvent.AddTarget(5, added(9).with(TargetSpec.WAYPOINTS, path)),
             new ScenarioEvent.RemoveTarget(6, 9),
             new ScenarioEvent.FailRegistration(7, 5)),
         events);
+  }
+
+  private static TargetSpec added(double features) {
+    return new TargetSpec(features, 1, 2)
+        .with(TargetSpec.ORIGIN, TargetSpec.Origin.EVENT)
+        .with(TargetSpec.HEADING, 3)
+        .with(TargetSpec.SPEED, 4)
+        .with(TargetSpec.MOVE, "");
   }
 
   @Test
@@ -157,11 +155,11 @@ class ScenarioReaderTest {
     assertEquals(Objective.kMin(), scenario.objective());
     assertEquals(OptionalDouble.empty(), scenario.mountHeight());
     assertEquals(List.of(), scenario.zooms());
-    assertEquals(AgentSpec.NONE, scenario.cameras().get(0).agent());
+    assertEquals(List.of(), scenario.networkParts());
     assertEquals(0.66, scenario.targets().get(0).size());
-    assertEquals("Straight", scenario.targets().get(0).movement().shortName());
-    assertEquals(0, scenario.targets().get(0).movement().mean());
-    assertEquals(1, scenario.targets().get(0).movement().std());
+    assertEquals("Straight", scenario.targets().get(0).movement());
+    assertEquals(0, scenario.targets().get(0).mean());
+    assertEquals(1, scenario.targets().get(0).std());
     assertEquals(Optional.empty(), scenario.visionGraph());
     assertEquals(List.of(), warnings);
   }

@@ -2,6 +2,7 @@ package org.hificamsim.core.scenario;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.hificamsim.core.TestScenario;
@@ -22,33 +23,44 @@ class ScenarioTest {
           .scenario();
 
   @Test
-  void oneMoreCameraComesAfterThoseOfTheStart() {
-    CameraSpec added = LATER.named("added").standing(3, 4, 5);
-    Scenario changed = scenario.withCamera(added);
-    assertEquals(List.of(scenario.cameras().get(0), added), changed.cameras());
-    assertEquals(TestScenario.camera("added", 3, 4, 5, 90, 5), added);
+  void aChangedCameraLeavesTheOneThatItWasMadeOf() {
+    CameraSpec added = LATER.with(CameraSpec.NAME, "added").with(CameraSpec.X, 3);
+    assertEquals("later", LATER.name());
+    assertEquals(TestScenario.camera("added", 3, LATER.y(), LATER.heading(), 90, 5), added);
+    assertEquals(LATER, added.with(CameraSpec.NAME, "later").with(CameraSpec.X, LATER.x()));
+  }
+
+  @Test
+  void aListThatIsHandedOverMayChangeAfterwards() {
+    List<CameraSpec> cameras = new ArrayList<>(List.of(LATER));
+    Scenario changed = scenario.with(Scenario.CAMERAS, cameras);
+    cameras.clear();
+    assertEquals(List.of(LATER), changed.cameras());
     assertEquals(scenario.events(), changed.events());
   }
 
   @Test
   void camerasThatComeLaterAreChangedToo() {
-    Scenario changed = scenario.withCameras(camera -> camera.named(camera.name() + "!"));
+    Scenario changed =
+        scenario.withCameras(camera -> camera.with(CameraSpec.NAME, camera.name() + "!"));
     assertEquals("c0!", changed.cameras().get(0).name());
     List<ScenarioEvent> events = scenario.events();
     assertEquals(
         List.of(
-            new ScenarioEvent.AddCamera(2, LATER.named("later!")), events.get(1), events.get(2)),
+            new ScenarioEvent.AddCamera(2, LATER.with(CameraSpec.NAME, "later!")),
+            events.get(1),
+            events.get(2)),
         changed.events());
     assertEquals(scenario, changed.withCameras(ScenarioTest::undone));
   }
 
   private static CameraSpec undone(CameraSpec camera) {
-    return camera.named(camera.name().replace("!", ""));
+    return camera.with(CameraSpec.NAME, camera.name().replace("!", ""));
   }
 
   @Test
   void targetsThatComeLaterAreChangedToo() {
-    Scenario changed = scenario.withTargets(target -> target.withSpeed(7));
+    Scenario changed = scenario.withTargets(target -> target.with(TargetSpec.SPEED, 7));
     assertEquals(7, changed.targets().get(0).speed());
     ScenarioEvent.AddTarget later = (ScenarioEvent.AddTarget) changed.events().get(1);
     assertEquals(TestScenario.target(9, 2, 2, 0, 7), later.target());
@@ -58,11 +70,12 @@ class ScenarioTest {
 
   @Test
   void heightAndRadiiAreThoseGiven() {
-    Scenario high = scenario.withMountHeight("high", 3);
+    Scenario high = scenario.with(Scenario.NAME, "high").with(Scenario.MOUNT_HEIGHT, 3);
     assertEquals("high", high.name());
     assertEquals(OptionalDouble.of(3), high.mountHeight());
-    assertEquals(List.of(2.0, 5.0), scenario.withZooms(List.of(2.0, 5.0)).zooms());
-    assertEquals(scenario, scenario.withZooms(List.of(2.0)).withoutZooms());
+    assertEquals(List.of(2.0, 5.0), scenario.with(Scenario.ZOOMS, List.of(2.0, 5.0)).zooms());
+    assertEquals(
+        scenario, scenario.with(Scenario.ZOOMS, List.of(2.0)).with(Scenario.ZOOMS, List.of()));
   }
 
   @Test

@@ -63,7 +63,7 @@ class TracksTest {
 
   @Test
   void samplesWithoutATimeKeepTheInterval() {
-    Track track = added(read("tracks file='people.tracks'", TRACKS), 0).movement().track().get();
+    Track track = added(read("tracks file='people.tracks'", TRACKS), 0).track().get();
     assertEquals(List.of(0.0, 0.5, 5.0), List.of(track.time(0), track.time(1), track.time(2)));
     assertEquals(-1.5, track.x(1));
     assertEquals(4, track.y(2));

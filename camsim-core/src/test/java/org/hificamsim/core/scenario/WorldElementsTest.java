@@ -11,8 +11,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
@@ -37,16 +35,13 @@ class WorldElementsTest {
   void opticsAreRead() {
     OpticsSpec optics = optics(PTZ);
     assertEquals(
-        new OpticsSpec(
-            "ptz",
-            OpticsLaw.PINHOLE,
-            OptionalInt.of(1920),
-            List.of(8.0, 15.0, 25.0, 40.0, 58.0),
-            OptionalDouble.empty(),
-            List.of(-60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0),
-            OptionalDouble.of(90),
-            2,
-            Moving.SEES),
+        new OpticsSpec("ptz")
+            .with(OpticsSpec.PIXELS, 1920)
+            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(8.0, 15.0, 25.0, 40.0, 58.0))
+            .with(OpticsSpec.PANS, List.of(-60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0))
+            .with(OpticsSpec.PAN_SPEED, 90)
+            .with(OpticsSpec.ZOOM_TIME, 2)
+            .with(OpticsSpec.MOVING, Moving.SEES),
         optics);
     assertEquals(List.of(), warnings);
   }
@@ -55,7 +50,7 @@ class WorldElementsTest {
   void opticsThatSayLittleAreALensThatTurnsAtOnce() {
     OpticsSpec optics = optics("<optics name='ptz' hfov='60'/>");
     assertEquals(OpticsLaw.PINHOLE, optics.law());
-    assertEquals(OptionalInt.empty(), optics.pixels());
+    assertEquals(Optional.empty(), optics.pixels());
     assertEquals(List.of(0.0), optics.pans());
     assertEquals(Moving.BLIND, optics.moving());
     assertTrue(!optics.takesTime());
@@ -94,7 +89,7 @@ class WorldElementsTest {
             new Obstacle.Wall(1, 2, 3, 4, 0.1),
             new Obstacle.Polygon(List.of(new Point(5, 5), new Point(7, 5), new Point(6, 7)), 0),
             new Obstacle.Pillar(-3, -4, 0.5, 0)),
-        scenario.surroundings().obstacles());
+        scenario.obstacles());
   }
 
   @Test
@@ -104,10 +99,9 @@ class WorldElementsTest {
             "step='0.5' occlusion='targets' floorplan='plan.png' floorplan_min_x='-20'",
             "<cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT);
     assertEquals(0.5, scenario.stepTime());
-    assertEquals(Occlusion.TARGETS, scenario.surroundings().occlusion());
+    assertEquals(Occlusion.TARGETS, scenario.occlusion());
     assertEquals(
-        Optional.of(new Floorplan("plan.png", new Field(-20, 10, -10, 10))),
-        scenario.surroundings().floorplan());
+        Optional.of(new Floorplan("plan.png", new Field(-20, 10, -10, 10))), scenario.floorplan());
   }
 
   @Test
@@ -170,7 +164,7 @@ class WorldElementsTest {
         "hfov='5' zoom_time='-1'|<optics> zoom_time is '-1', expected a number from 0",
         "hfov='5' moving='shut'|<optics> moving is 'shut', expected one of blind, sees",
         "focal_length='0.05'|<optics> has no sensor_width, expected",
-        "focal_length='0.05' hfov='5'|expected none beside focal_length",
+        "focal_length='0.05' hfov='5'|expected none together with focal_length",
         "hfov='0.1:100:0.1' pan='0:100:0.5'|at most 10000 views"
       })
   void opticsThatMakeNoSenseAreRefused(String attributes, String message) {
@@ -268,7 +262,7 @@ class WorldElementsTest {
             + CAMERA
             + "</cameras>"
             + OBJECT.replace("speed", "size='1' width='0.5' height='1' speed"),
-        "<object> size is '1', expected none beside width and height");
+        "<object> size is '1', expected none together with width and height");
     assertRefused(
         "<cameras>" + PTZ + CAMERA + "</cameras>" + OBJECT.replace("speed", "width='1' speed"),
         "<object> has no height, expected");

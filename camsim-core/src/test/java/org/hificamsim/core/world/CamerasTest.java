@@ -4,11 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import java.util.List;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
+import java.util.Optional;
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -22,21 +19,16 @@ class CamerasTest {
 
   @BeforeEach
   void mount() {
-    cameras = cameras(OptionalDouble.empty());
+    cameras = cameras(Optional.empty());
   }
 
-  private static Cameras cameras(OptionalDouble panSpeed) {
+  private static Cameras cameras(Optional<Double> panSpeed) {
     OpticsSpec optics =
-        new OpticsSpec(
-            "lens",
-            OpticsLaw.PINHOLE,
-            OptionalInt.empty(),
-            List.of(30.0, 60.0),
-            OptionalDouble.of(7),
-            List.of(-40.0, 0.0, 40.0),
-            panSpeed,
-            0,
-            Moving.BLIND);
+        new OpticsSpec("lens")
+            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(30.0, 60.0))
+            .with(OpticsSpec.REACH, 7)
+            .with(OpticsSpec.PANS, List.of(-40.0, 0.0, 40.0))
+            .with(OpticsSpec.PAN_SPEED, panSpeed);
     return new TestScenario()
         .camera(TestScenario.camera("a", 0, 0, 0, optics))
         .target(1, 1)
@@ -79,7 +71,7 @@ class CamerasTest {
 
   @Test
   void itSeesNothingOnItsWayAndAsFarAsItsViewOnceItIsThere() {
-    Cameras slow = cameras(OptionalDouble.of(20));
+    Cameras slow = cameras(Optional.of(20.0));
     assertEquals(7, slow.range(0), 1e-9);
     int looks = slow.looks();
     slow.turnTo(0, LEFT);

@@ -5,11 +5,9 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
+import java.util.Optional;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.junit.jupiter.api.Test;
 
@@ -22,7 +20,7 @@ class MotionTest {
 
   @Test
   void aCameraStartsAheadAtItsWidest() {
-    Cameras cameras = cameras(OptionalDouble.empty(), 0, Moving.BLIND, 1);
+    Cameras cameras = cameras(Optional.empty(), 0, Moving.BLIND, 1);
     assertEquals(9, cameras.views(0));
     assertEquals(3, cameras.zooms(0));
     assertEquals(AHEAD, cameras.view(0));
@@ -34,14 +32,14 @@ class MotionTest {
 
   @Test
   void whatTakesNoTimeIsSeenThroughAtOnce() {
-    Cameras cameras = cameras(OptionalDouble.empty(), 0, Moving.BLIND, 1);
+    Cameras cameras = cameras(Optional.empty(), 0, Moving.BLIND, 1);
     turn(cameras, RIGHT_NARROW);
     assertEquals(RIGHT_NARROW, cameras.seeing(0));
   }
 
   @Test
   void aMoveThatEndsWithinTheStepIsSeenThroughInIt() {
-    Cameras cameras = cameras(OptionalDouble.of(30), 0, Moving.BLIND, 2);
+    Cameras cameras = cameras(Optional.of(30.0), 0, Moving.BLIND, 2);
     assertTrue(cameras.reaches(0, RIGHT));
     turn(cameras, RIGHT);
     assertEquals(RIGHT, cameras.seeing(0));
@@ -49,7 +47,7 @@ class MotionTest {
 
   @Test
   void aLongerMoveGoesOnAndIsBlindUntilItEnds() {
-    Cameras cameras = cameras(OptionalDouble.of(20), 0, Moving.BLIND, 1);
+    Cameras cameras = cameras(Optional.of(20.0), 0, Moving.BLIND, 1);
     assertFalse(cameras.reaches(0, RIGHT));
     turn(cameras, RIGHT);
     assertEquals(Cameras.NO_VIEW, cameras.seeing(0));
@@ -62,7 +60,7 @@ class MotionTest {
 
   @Test
   void aCameraThatSeesOnItsWaySeesTheNearestView() {
-    Cameras cameras = cameras(OptionalDouble.of(25), 0, Moving.SEES, 1);
+    Cameras cameras = cameras(Optional.of(25.0), 0, Moving.SEES, 1);
     turn(cameras, RIGHT);
     assertEquals(AHEAD, cameras.seeing(0), "at 25 degrees");
     turn(cameras, RIGHT);
@@ -74,7 +72,7 @@ class MotionTest {
 
   @Test
   void aZoomThatTakesTimePassesItsLevels() {
-    Cameras cameras = cameras(OptionalDouble.of(1000), 4, Moving.SEES, 1);
+    Cameras cameras = cameras(Optional.of(1000.0), 4, Moving.SEES, 1);
     turn(cameras, RIGHT_NARROW);
     assertEquals(7, cameras.seeing(0), "level 1.5 is nearer to 1 than to 0, and not nearer to 2");
     assertTrue(cameras.reaches(0, 7));
@@ -83,7 +81,7 @@ class MotionTest {
 
   @Test
   void aMoveTurnsBackFromWhereItIs() {
-    Cameras cameras = cameras(OptionalDouble.of(20), 0, Moving.BLIND, 1);
+    Cameras cameras = cameras(Optional.of(20.0), 0, Moving.BLIND, 1);
     turn(cameras, RIGHT);
     turn(cameras, LEFT);
     assertEquals(Cameras.NO_VIEW, cameras.seeing(0), "at 0 degrees, on its way to -60");
@@ -93,7 +91,7 @@ class MotionTest {
 
   @Test
   void fiveFifthsOfASecondAreAWhole() {
-    Cameras cameras = cameras(OptionalDouble.of(60), 0, Moving.BLIND, 0.2);
+    Cameras cameras = cameras(Optional.of(60.0), 0, Moving.BLIND, 0.2);
     for (int step = 0; step < 4; step++) {
       turn(cameras, RIGHT);
       assertEquals(Cameras.NO_VIEW, cameras.seeing(0));
@@ -104,7 +102,7 @@ class MotionTest {
 
   @Test
   void aBoundJumps() {
-    Cameras cameras = cameras(OptionalDouble.of(1), 100, Moving.BLIND, 1);
+    Cameras cameras = cameras(Optional.of(1.0), 100, Moving.BLIND, 1);
     cameras.jumpTo(0, RIGHT_NARROW);
     cameras.advance();
     assertEquals(RIGHT_NARROW, cameras.seeing(0));
@@ -112,7 +110,7 @@ class MotionTest {
 
   @Test
   void whereNothingTakesTimeTheNextViewsAreInReach() {
-    Cameras cameras = cameras(OptionalDouble.empty(), 0, Moving.BLIND, 1);
+    Cameras cameras = cameras(Optional.empty(), 0, Moving.BLIND, 1);
     assertTrue(cameras.reaches(0, RIGHT));
     assertTrue(cameras.reaches(0, 1), "one level and one angle");
     assertFalse(cameras.reaches(0, 3), "two levels");
@@ -124,18 +122,15 @@ class MotionTest {
   }
 
   private static Cameras cameras(
-      OptionalDouble panSpeed, double zoomTime, Moving moving, double stepTime) {
+      Optional<Double> panSpeed, double zoomTime, Moving moving, double stepTime) {
     OpticsSpec optics =
-        new OpticsSpec(
-            "ptz",
-            OpticsLaw.PINHOLE,
-            OptionalInt.of(640),
-            List.of(8.0, 25.0, 58.0),
-            OptionalDouble.empty(),
-            List.of(-60.0, 0.0, 60.0),
-            panSpeed,
-            zoomTime,
-            moving);
+        new OpticsSpec("ptz")
+            .with(OpticsSpec.PIXELS, 640)
+            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(8.0, 25.0, 58.0))
+            .with(OpticsSpec.PANS, List.of(-60.0, 0.0, 60.0))
+            .with(OpticsSpec.PAN_SPEED, panSpeed)
+            .with(OpticsSpec.ZOOM_TIME, zoomTime)
+            .with(OpticsSpec.MOVING, moving);
     return new TestScenario()
         .camera(TestScenario.camera("a", 0, 0, 90, optics))
         .target(1, 1)

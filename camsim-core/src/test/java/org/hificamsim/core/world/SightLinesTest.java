@@ -4,13 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
-import java.util.Optional;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.Occlusion;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
-import org.hificamsim.core.scenario.Surroundings;
 import org.junit.jupiter.api.Test;
 
 class SightLinesTest {
@@ -72,7 +70,8 @@ class SightLinesTest {
         .target(0, 2)
         .target(0, 5)
         .events(new ChangeCamera(1, "c0", 4, 4, -1, -1, -1))
-        .surroundings(new Surroundings(List.of(obstacles), occlusion, Optional.empty()))
+        .obstacles(obstacles)
+        .with(Scenario.OCCLUSION, occlusion)
         .world();
   }
 }

@@ -5,32 +5,26 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.Moving;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.junit.jupiter.api.Test;
 
 /** The views that optics make. */
 class ViewSetTest {
-  private static OpticsSpec optics(OpticsLaw law, OptionalDouble reach) {
+  private static OpticsSpec optics(OpticsLaw law, Optional<Double> reach) {
     return optics(law, reach, List.of(10.0, 40.0));
   }
 
-  private static OpticsSpec optics(OpticsLaw law, OptionalDouble reach, List<Double> angles) {
-    return new OpticsSpec(
-        "ptz",
-        law,
-        OptionalInt.of(640),
-        angles,
-        reach,
-        List.of(-60.0, 10.0, 60.0),
-        OptionalDouble.empty(),
-        0,
-        Moving.BLIND);
+  private static OpticsSpec optics(OpticsLaw law, Optional<Double> reach, List<Double> angles) {
+    return new OpticsSpec("ptz")
+        .with(OpticsSpec.LAW, law)
+        .with(OpticsSpec.PIXELS, 640)
+        .with(OpticsSpec.ANGLES_OF_VIEW, angles)
+        .with(OpticsSpec.REACH, reach)
+        .with(OpticsSpec.PANS, List.of(-60.0, 10.0, 60.0));
   }
 
   private static List<Double> radii(ViewSet views) {
@@ -39,7 +33,7 @@ class ViewSetTest {
 
   @Test
   void allLevelsOfAPanAngleComeBeforeThoseOfTheNext() {
-    ViewSet views = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, OptionalDouble.empty()), 9, 3);
+    ViewSet views = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, Optional.empty()), 9, 3);
     assertEquals(6, views.count());
     for (int view = 0; view < 6; view++) {
       assertEquals(Math.toRadians(List.of(-60.0, 10.0, 60.0).get(view / 2)), views.pan(view));
@@ -58,24 +52,24 @@ class ViewSetTest {
         .forEach(
             law ->
                 assertEquals(
-                    ViewSet.ofLens(optics(law, OptionalDouble.of(9)), 50, Double.NaN),
-                    ViewSet.ofLens(optics(law, OptionalDouble.empty()), 9, Double.NaN)));
+                    ViewSet.ofLens(optics(law, Optional.of(9.0)), 50, Double.NaN),
+                    ViewSet.ofLens(optics(law, Optional.empty()), 9, Double.NaN)));
   }
 
   @Test
   void aSectorOfConstantAreaReachesFartherTheNarrowerItIs() {
-    ViewSet views = ViewSet.ofLens(optics(OpticsLaw.CONSTANT_AREA, OptionalDouble.of(8)), 0, 0);
+    ViewSet views = ViewSet.ofLens(optics(OpticsLaw.CONSTANT_AREA, Optional.of(8.0)), 0, 0);
     assertEquals(List.of(8.0, 4.0), radii(views));
     assertEquals(4, views.zoom(0).narrowestRadius());
     assertEquals(8, views.zoom(1).widestRadius());
-    ViewSet pinhole = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, OptionalDouble.of(8)), 0, 0);
+    ViewSet pinhole = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, Optional.of(8.0)), 0, 0);
     assertEquals(List.of(8.0, 8.0), radii(pinhole));
   }
 
   @Test
   void theNextViewsAreOneLevelAndOnePanAngleAway() {
     List<Double> angles = List.of(10.0, 20.0, 40.0);
-    ViewSet views = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, OptionalDouble.empty(), angles), 9, 3);
+    ViewSet views = ViewSet.ofLens(optics(OpticsLaw.PINHOLE, Optional.empty(), angles), 9, 3);
     assertTrue(views.isNextTo(4, 4) && views.isNextTo(0, 4) && views.isNextTo(7, 5));
     assertFalse(views.isNextTo(0, 2), "two levels");
     assertFalse(views.isNextTo(0, 6), "two pan angles");

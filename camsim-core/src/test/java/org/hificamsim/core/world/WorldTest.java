@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.TestScenario;
+import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent.AddCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
@@ -20,6 +20,7 @@ import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.FailCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.FailRegistration;
 import org.hificamsim.core.scenario.ScenarioEvent.RemoveTarget;
+import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.movement.Movements;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -85,9 +86,9 @@ class WorldTest {
         new TestScenario()
             .camera(1, 2)
             .events(new AddCamera(5, TestScenario.camera("late", 0, 0, 0, 90, 5)))
+            .camera(TestScenario.camera("more", 0, 0, 0, 90, 5))
             .scenario()
-            .withCamera(TestScenario.camera("more", 0, 0, 0, 90, 5))
-            .withCameras(camera -> camera.standing(7, camera.y(), 45));
+            .withCameras(camera -> camera.with(CameraSpec.X, 7).with(CameraSpec.HEADING, 45));
     World world = new World(scenario, Movements.registry(), 0);
     world.fireEvents(5);
     assertEquals(List.of("c0", "more", "late"), names(world));
@@ -330,7 +331,10 @@ class WorldTest {
   void headingsAreReadAsTheScenarioSays() {
     TestScenario scenario = new TestScenario().target(0, 0, 2, 1);
     World asRadians =
-        new World(scenario.scenario().withHeadings(Headings.AS_RADIANS), Movements.registry(), 0);
+        new World(
+            scenario.scenario().with(Scenario.HEADINGS, Headings.AS_RADIANS),
+            Movements.registry(),
+            0);
     assertEquals(2, asRadians.targets().heading(0));
     assertEquals(Math.toRadians(2), scenario.world().targets().heading(0));
   }
@@ -339,8 +343,7 @@ class WorldTest {
   @CsvSource({"NoSuchBrownian, DirectedBrownian", "straight, Straight"})
   void anUnknownMovementIsRefusedWithTheNearestKnownOnes(String name, String known) {
     TestScenario scenario =
-        new TestScenario()
-            .target(TestScenario.target(1, 0, 0, 0, 0, new MovementSpec(name, 0, 1, List.of())));
+        new TestScenario().target(TestScenario.target(1, 0, 0, 0, 0).with(TargetSpec.MOVE, name));
     InputException error = assertThrows(InputException.class, scenario::world);
     assertTrue(error.getMessage().contains(name), error.getMessage());
     assertTrue(error.getMessage().contains("expected one of"), error.getMessage());
@@ -460,7 +463,7 @@ class WorldTest {
     World world =
         new TestScenario()
             .camera(1, 2)
-            .target(TestScenario.sized(TestScenario.target(0, 3, 4, 0, 0), 1.5))
+            .target(TestScenario.target(0, 3, 4, 0, 0).withSize(1.5))
             .events(new AddCamera(1, TestScenario.camera("late", 0, 0, 0, 90, 5)))
             .world();
     assertEquals("late", world.cameraSpec(1).name());

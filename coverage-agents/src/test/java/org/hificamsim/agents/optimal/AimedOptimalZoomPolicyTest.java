@@ -5,9 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.SplittableRandom;
 import java.util.stream.DoubleStream;
 import org.hificamsim.agents.CoveragePolicies;
@@ -20,13 +17,9 @@ import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
-import org.hificamsim.core.scenario.MovementSpec;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -80,16 +73,13 @@ class AimedOptimalZoomPolicyTest {
       pans.add(pan);
     }
     OpticsSpec optics =
-        new OpticsSpec(
-            "ptz",
-            OpticsLaw.CONSTANT_AREA,
-            OptionalInt.empty(),
-            List.of(10.0, 25.0, 50.0),
-            OptionalDouble.of(18),
-            pans,
-            OptionalDouble.of(1), // too slow for any policy that does not jump
-            5,
-            Moving.BLIND);
+        new OpticsSpec("ptz")
+            .with(OpticsSpec.LAW, OpticsLaw.CONSTANT_AREA)
+            .with(OpticsSpec.ANGLES_OF_VIEW, List.of(10.0, 25.0, 50.0))
+            .with(OpticsSpec.REACH, 18)
+            .with(OpticsSpec.PANS, pans)
+            .with(OpticsSpec.PAN_SPEED, 1) // too slow for any policy that does not jump
+            .with(OpticsSpec.ZOOM_TIME, 5);
     TestScenario scenario = new TestScenario();
     for (int camera = 0; camera < 5; camera++) {
       scenario.camera(
@@ -100,17 +90,16 @@ class AimedOptimalZoomPolicyTest {
               random.nextDouble(360),
               optics));
     }
-    MovementSpec walk = new MovementSpec("RandomWaypoint", 0, 1, List.of());
     for (int target = 0; target < 6; target++) {
       scenario.target(
-          TestScenario.target(
-              target, random.nextDouble(-9, 9), random.nextDouble(-9, 9), 0, 0.5, walk));
+          TestScenario.target(target, random.nextDouble(-9, 9), random.nextDouble(-9, 9), 0, 0.5)
+              .withMovement("RandomWaypoint"));
     }
     List<Obstacle> walls =
         List.of(new Obstacle.Wall(-3, 1.5, 4, 1.25, 0), new Obstacle.Pillar(5, -5, 0.75, 0));
     return scenario
-        .surroundings(new Surroundings(walls, Occlusion.NONE, Optional.empty()))
+        .with(Scenario.OBSTACLES, walls)
         .scenario()
-        .withObjective(Objective.parse(objective));
+        .with(Scenario.OBJECTIVE, Objective.parse(objective));
   }
 }

@@ -42,7 +42,7 @@ public final class FloorPictures {
    * @throws InputException when there is no such file, or it is no PNG or JPEG
    */
   public static List<FloorPicture> of(Path scenarioFile, Scenario scenario) {
-    return scenario.surroundings().floorplan().stream()
+    return scenario.floorplan().stream()
         .map(plan -> new FloorPicture(plan.area(), data(scenarioFile, plan)))
         .toList();
   }

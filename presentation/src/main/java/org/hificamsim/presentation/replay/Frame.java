@@ -65,6 +65,13 @@ public record Frame(
     return values;
   }
 
+  /** The same without what the agents know. */
+  public Frame withoutEstimates() {
+    double[][] none = {};
+    return new Frame(
+        step, online, level, detected, present, x, y, coverage, none, none, seeing);
+  }
+
   /** The view through which a camera sees; -1 while it moves blindly. */
   public int seen(int camera) {
     return seeing.length == 0 ? level[camera] : seeing[camera];

@@ -60,7 +60,7 @@ public record Setup(
             .mapToObj(i -> new TargetSetup(world.targets().name(i), world.targets().size(i)))
             .toList();
     double size = Reach.usualTarget(world);
-    List<Obstacle> obstacles = world.scenario().surroundings().obstacles();
+    List<Obstacle> obstacles = world.scenario().obstacles();
     Poses poses = new Poses(detection, size, obstacles, world.scenario().field());
     List<CameraSetup> cameras =
         IntStream.range(0, world.cameras().count()).mapToObj(i -> camera(world, i, poses)).toList();

@@ -2,6 +2,7 @@ package org.hificamsim.presentation.view;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
@@ -10,8 +11,6 @@ import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
-import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.core.scenario.TargetSpec;
 
 /** A scenario with cameras and walls that have been changed since it was read. */
@@ -43,10 +42,7 @@ final class EditedScenario {
    */
   void move(String name, double x, double y) {
     checkPlace(x, y);
-    now =
-        now.withCameras(
-            camera ->
-                camera.name().equals(name) ? camera.standing(x, y, camera.heading()) : camera);
+    change(name, camera -> camera.with(CameraSpec.X, x).with(CameraSpec.Y, y));
   }
 
   /**
@@ -58,12 +54,11 @@ final class EditedScenario {
     if (!Double.isFinite(heading)) {
       throw new InputException("heading is %s, expected degrees".formatted(heading));
     }
-    now =
-        now.withCameras(
-            camera ->
-                camera.name().equals(name)
-                    ? camera.standing(camera.x(), camera.y(), heading)
-                    : camera);
+    change(name, camera -> camera.with(CameraSpec.HEADING, heading));
+  }
+
+  private void change(String name, UnaryOperator<CameraSpec> change) {
+    now = now.withCameras(camera -> camera.name().equals(name) ? change.apply(camera) : camera);
   }
 
   /**
@@ -73,9 +68,17 @@ final class EditedScenario {
    */
   void add(String like, double x, double y) {
     checkPlace(x, y);
-    CameraSpec spec =
-        now.everyCamera().filter(camera -> camera.name().equals(like)).findFirst().get();
-    now = now.withCamera(spec.named(freeName()).standing(x, y, spec.heading()));
+    CameraSpec added =
+        now.everyCamera()
+            .filter(camera -> camera.name().equals(like))
+            .findFirst()
+            .get()
+            .with(CameraSpec.NAME, freeName())
+            .with(CameraSpec.X, x)
+            .with(CameraSpec.Y, y);
+    List<CameraSpec> more = new ArrayList<>(now.cameras());
+    more.add(added);
+    now = now.with(Scenario.CAMERAS, more);
   }
 
   /**
@@ -101,9 +104,9 @@ final class EditedScenario {
                   "the wall is expected off all cameras and targets, and one stands at (%s, %s)"
                       .formatted(place.x(), place.y()));
             });
-    List<Obstacle> more = new ArrayList<>(now.surroundings().obstacles());
+    List<Obstacle> more = new ArrayList<>(now.obstacles());
     more.add(wall);
-    change(more);
+    now = now.with(Scenario.OBSTACLES, more);
   }
 
   /**
@@ -112,35 +115,26 @@ final class EditedScenario {
    * @throws InputException when there is none of this number
    */
   void remove(int number) {
-    List<Obstacle> rest = new ArrayList<>(now.surroundings().obstacles());
+    List<Obstacle> rest = new ArrayList<>(now.obstacles());
     if (number < 0 || number >= rest.size()) {
       throw new InputException(
           "obstacle is %s, expected one of the %s, from 0".formatted(number, rest.size()));
     }
     rest.remove(number);
-    change(rest);
-  }
-
-  private void change(List<Obstacle> obstacles) {
-    Surroundings before = now.surroundings();
-    now = now.withSurroundings(before.with(obstacles));
+    now = now.with(Scenario.OBSTACLES, rest);
   }
 
   /** Where a scenario file may have nothing solid: cameras and the starts and ways of targets. */
   private Stream<Point> places() {
-    Stream<TargetSpec> later =
-        now.events().stream()
-            .filter(ScenarioEvent.AddTarget.class::isInstance)
-            .map(event -> ((ScenarioEvent.AddTarget) event).target());
     return Stream.concat(
         now.everyCamera().map(camera -> new Point(camera.x(), camera.y())),
-        Stream.concat(now.targets().stream(), later).flatMap(EditedScenario::places));
+        now.everyTarget().flatMap(EditedScenario::places));
   }
 
   private static Stream<Point> places(TargetSpec target) {
     return Stream.concat(
         Stream.of(new Point(target.x(), target.y())),
-        target.movement().waypoints().stream().map(point -> new Point(point.x(), point.y())));
+        target.waypoints().stream().map(point -> new Point(point.x(), point.y())));
   }
 
   private String freeName() {
@@ -157,7 +151,7 @@ final class EditedScenario {
 
   private void checkPlace(double x, double y) {
     checkInField(x, y);
-    if (new Obstacles(now.surroundings().obstacles()).containing(x, y).isPresent()) {
+    if (new Obstacles(now.obstacles()).containing(x, y).isPresent()) {
       throw new InputException(
           "x is %s and y is %s, expected a place off all solid obstacles".formatted(x, y));
     }

@@ -32,21 +32,8 @@ public record LiveStep(List<Side> sides) {
   /** The same without the estimates of one simulation: they were another policy's. */
   LiveStep withoutEstimates(int side) {
     List<Side> changed = new ArrayList<>(sides);
-    Frame frame = sides.get(side).frame();
-    Frame bare =
-        new Frame(
-            frame.step(),
-            frame.online(),
-            frame.level(),
-            frame.detected(),
-            frame.present(),
-            frame.x(),
-            frame.y(),
-            frame.coverage(),
-            new double[0][],
-            new double[0][],
-            frame.seeing());
-    changed.set(side, new Side(bare, sides.get(side).moves()));
+    Side whole = sides.get(side);
+    changed.set(side, new Side(whole.frame().withoutEstimates(), whole.moves()));
     return new LiveStep(changed);
   }
 }

@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Pictures of a field of 30 x 20 m in six cells of ten metres. */
 class HeatPictureTest {
   private static final int WIDTH = 800; // one pixel a point
-  private static final Field FIELD = new Field(0, 30, 0, 20);
+  private static final Field FIELD = Hall.FIELD;
   private static final double NONE = Double.NaN;
   private static final Color NEVER = new Color(0xD55E00);
   private static final double[] SAME = {1, 0, 0, 0, 1, 0, 0, 0, 1};
@@ -194,16 +194,7 @@ class HeatPictureTest {
 
   private static RunFrames frames(boolean tracks, boolean... present) {
     Setup setup =
-        new Setup(
-            "hall",
-            FIELD,
-            "coverage",
-            "model",
-            0.5,
-            "policy",
-            0,
-            0.5,
-            false,
+        Hall.setup(
             List.of(),
             List.of(new TargetSetup("a", 0.5)),
             List.of(),
@@ -220,18 +211,7 @@ class HeatPictureTest {
 
   /** A target that goes east, two metres a step. */
   private static Frame frame(int step, boolean present) {
-    return new Frame(
-        step,
-        new boolean[0],
-        new int[0],
-        new int[0],
-        new boolean[] {present},
-        new double[] {2 + 2 * step},
-        new double[] {17},
-        new int[1],
-        new double[0][],
-        new double[0][],
-        new int[0]);
+    return Hall.frame(step, new int[0], present, new double[] {2 + 2 * step}, new double[] {17});
   }
 
   private static BufferedImage image(HeatFigure figure, RunFrames frames) {

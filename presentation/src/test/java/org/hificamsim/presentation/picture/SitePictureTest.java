@@ -25,12 +25,13 @@ import org.hificamsim.presentation.replay.Level;
 import org.hificamsim.presentation.replay.LevelOptics;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.presentation.replay.TargetSetup;
 import org.junit.jupiter.api.Test;
 
 /** Pictures of a camera at (5, 10) that looks east, with a wall at x = 10 in its way. */
 class SitePictureTest {
   private static final int WIDTH = 800; // one pixel a point
-  private static final Field FIELD = new Field(0, 30, 0, 20);
+  private static final Field FIELD = Hall.FIELD;
   private static final Obstacle WALL = new Obstacle.Wall(10, 8, 10, 12, 0);
 
   /** Sees to both sides of the wall, but not behind it. */
@@ -149,20 +150,11 @@ class SitePictureTest {
             List.of(-Math.PI / 2, 0.0),
             List.of(new LevelOptics(Math.PI / 3, 500)),
             visible);
-    return new Setup(
-        "hall",
-        FIELD,
-        "coverage",
-        "model",
-        0.5,
-        "policy",
-        0,
-        0.5,
-        false,
+    return Hall.setup(
         List.of(new CameraSetup("cam", pose)),
         List.of(
-            new org.hificamsim.presentation.replay.TargetSetup("a", 0.5),
-            new org.hificamsim.presentation.replay.TargetSetup("b", 0.5)),
+            new TargetSetup("a", 0.5),
+            new TargetSetup("b", 0.5)),
         List.of(0.5, 2.0),
         List.of(0),
         obstacles,
@@ -175,18 +167,8 @@ class SitePictureTest {
 
   private static RunFrames frames(Setup setup, int seeing, Look look, boolean present) {
     Frame frame =
-        new Frame(
-            0,
-            new boolean[] {true},
-            new int[] {Math.max(0, seeing)},
-            new int[1],
-            new boolean[] {present, present},
-            new double[] {13, 20},
-            new double[] {2, 2},
-            new int[2],
-            new double[0][],
-            new double[0][],
-            new int[] {seeing});
+        Hall.frame(
+            0, new int[] {seeing}, present, new double[] {13, 20}, new double[] {2, 2});
     return new RunFrames(setup, new RecordedRun(0, 0, 1, 1, "", List.of(), List.of(frame)), look);
   }
 

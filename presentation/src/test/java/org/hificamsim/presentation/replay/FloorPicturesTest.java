@@ -13,6 +13,7 @@ import java.util.Random;
 import javax.imageio.ImageIO;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Floorplan;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.junit.jupiter.api.Test;
@@ -51,14 +52,7 @@ class FloorPicturesTest {
     Files.write(folder.resolve("cut.png"), java.util.Arrays.copyOf(whole, 60));
     Scenario scenario = scenario("FLOOR");
     Scenario named =
-        scenario.withSurroundings(
-            new org.hificamsim.core.scenario.Surroundings(
-                List.of(),
-                scenario.surroundings().occlusion(),
-                scenario
-                    .surroundings()
-                    .floorplan()
-                    .map(plan -> new org.hificamsim.core.scenario.Floorplan(name, plan.area()))));
+        scenario.withFloorplan(new Floorplan(name, scenario.floorplan().orElseThrow().area()));
     InputException refused =
         assertThrows(
             InputException.class, () -> FloorPictures.of(folder.resolve("hall.xml"), named));

@@ -139,7 +139,7 @@ class ReplayRecorderTest {
     }
     assertTrue(blind > 0 && blind < 100, blind + " steps");
     assertEquals(List.of(0, 1), replay.setup().slow());
-    assertEquals(plan.scenario().surroundings().obstacles(), replay.setup().obstacles());
+    assertEquals(plan.scenario().obstacles(), replay.setup().obstacles());
     assertEquals(List.of(0.5, 0.5, 1.8, 0.5, 0.5), replay.setup().widths());
     CameraPose pose = replay.setup().cameras().get(0).pose();
     assertEquals(25, pose.views());

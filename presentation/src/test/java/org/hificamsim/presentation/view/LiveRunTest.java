@@ -318,7 +318,7 @@ class LiveRunTest {
     Path file = folder.resolve("edited.xml");
     Files.writeString(file, ScenarioWriter.write(live.scenario()));
     Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
-    assertEquals(live.scenario().surroundings(), read.surroundings());
+    assertEquals(live.scenario().with(Scenario.NAME, read.name()), read);
     LiveRun other = new LiveRun(catalogue, read, zoomOut(), 7, List.of());
     live.restart(7, true);
     for (int step = 0; step < 30; step++) {

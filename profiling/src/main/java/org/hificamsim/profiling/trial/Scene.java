@@ -2,19 +2,9 @@ package org.hificamsim.profiling.trial;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.SplittableRandom;
-import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.MovementSpec;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
@@ -60,63 +50,24 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
     for (int i = 0; i < photos.size(); i++) {
       cameras.add(camera("photo " + i, photos.get(i), bearings.get(i), sensor));
     }
-    return new Scenario(
-        "photos",
-        new Field(-half, half, -half, half),
-        StepOrder.COVERAGE,
-        Headings.DEGREES,
-        OptionalDouble.empty(),
-        Optional.empty(),
-        Objective.kMin(),
-        OptionalDouble.empty(),
-        List.of(),
-        cameras,
-        List.of(target()),
-        List.of(),
-        Optional.empty(),
-        Map.of());
-  }
-
-  private TargetSpec target() {
-    return new TargetSpec(
-        TargetSpec.Origin.OBJECT,
-        1,
-        0,
-        0,
-        0,
-        0,
-        photos.get(0).size(),
-        new MovementSpec("Straight", 0, 1, List.of()),
-        Map.of());
+    return new Scenario("photos", new Field(-half, half, -half, half))
+        .with(Scenario.ORDER, StepOrder.COVERAGE)
+        .with(Scenario.CAMERAS, cameras)
+        .with(Scenario.TARGETS, List.of(new TargetSpec(1, 0, 0).withSize(photos.get(0).size())));
   }
 
   private static CameraSpec camera(
       String name, Measurement photo, double bearing, PhotoCamera sensor) {
     double radians = StrictMath.toRadians(bearing);
+    double x = photo.distance() * StrictMath.sin(radians);
+    double y = photo.distance() * StrictMath.cos(radians);
     double angle =
         StrictMath.toDegrees(2 * StrictMath.atan(sensor.sensorWidth() / (2 * photo.focalLength())));
-    return new CameraSpec(
-        name,
-        photo.distance() * StrictMath.sin(radians),
-        photo.distance() * StrictMath.cos(radians),
-        bearing + 180,
-        angle,
-        0,
-        AgentSpec.NONE,
-        Optional.of(lens(angle)),
-        Map.of());
-  }
-
-  private static OpticsSpec lens(double angle) {
-    return new OpticsSpec(
-        "lens of " + angle,
-        OpticsLaw.PINHOLE,
-        OptionalInt.empty(),
-        List.of(angle),
-        OptionalDouble.empty(),
-        List.of(0.0),
-        OptionalDouble.empty(),
-        0,
-        Moving.BLIND);
+    OpticsSpec lens =
+        new OpticsSpec("lens of " + angle).with(OpticsSpec.ANGLES_OF_VIEW, List.of(angle));
+    return new CameraSpec(name, x, y, 0)
+        .with(CameraSpec.HEADING, bearing + 180)
+        .with(CameraSpec.VIEWING_ANGLE, angle)
+        .with(CameraSpec.OPTICS, lens);
   }
 }

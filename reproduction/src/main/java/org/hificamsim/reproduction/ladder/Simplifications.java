@@ -1,16 +1,13 @@
 package org.hificamsim.reproduction.ladder;
 
 import java.util.List;
-import java.util.OptionalDouble;
 import java.util.function.UnaryOperator;
-import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.scenario.ScenarioEvent;
-import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.core.scenario.TargetSpec;
 
 /**
@@ -24,39 +21,27 @@ final class Simplifications {
 
   /** Targets hide none, and all have one size: the mean of all. */
   static Scenario occlusion(Scenario scenario) {
-    Surroundings around = scenario.surroundings();
-    return withOneSize(scenario).withSurroundings(around.with(Surroundings.NONE.occlusion()));
-  }
-
-  private static Scenario withOneSize(Scenario scenario) {
-    double size = everyTarget(scenario).mapToDouble(TargetSpec::size).average().orElse(Double.NaN);
-    return named("walls", scenario, scenario.withTargets(target -> target.withSize(size)));
-  }
-
-  private static Stream<TargetSpec> everyTarget(Scenario scenario) {
-    return Stream.concat(
-        scenario.targets().stream(),
-        scenario.events().stream()
-            .filter(ScenarioEvent.AddTarget.class::isInstance)
-            .map(event -> ((ScenarioEvent.AddTarget) event).target()));
+    double size = scenario.everyTarget().mapToDouble(TargetSpec::size).average().orElse(Double.NaN);
+    return named("walls", scenario, scenario)
+        .withTargets(target -> target.withSize(size))
+        .with(Scenario.OCCLUSION, Occlusion.NONE);
   }
 
   /** No obstacles. */
   static Scenario walls(Scenario scenario) {
-    Surroundings around = occlusion(scenario).surroundings();
-    return named("time", scenario, occlusion(scenario)).withSurroundings(around.with(List.of()));
+    return named("time", scenario, occlusion(scenario)).with(Scenario.OBSTACLES, List.of());
   }
 
   /** Moves are done at once. */
   static Scenario time(Scenario scenario) {
     return named("pan", scenario, walls(scenario))
-        .withCameras(camera -> through(camera, one -> atOnce(one, one.pans())));
+        .withCameras(camera -> through(camera, Taken::atOnce));
   }
 
   /** Cameras look where they are mounted to. */
   static Scenario pan(Scenario scenario) {
     return named("optics", scenario, time(scenario))
-        .withCameras(camera -> through(camera, one -> atOnce(one, List.of(0.0))));
+        .withCameras(camera -> through(camera, one -> one.with(OpticsSpec.PANS, List.of(0.0))));
   }
 
   /**
@@ -70,8 +55,9 @@ final class Simplifications {
     double diagonal = Math.hypot(scenario.field().width(), scenario.field().height());
     double height = diagonal / 2 / tangents.get(tangents.size() - 1);
     return pan(scenario)
-        .withMountHeight(scenario.name() + "-round", height)
-        .withZooms(tangents.stream().map(tangent -> height * tangent).toList())
+        .with(Scenario.NAME, scenario.name() + "-round")
+        .with(Scenario.MOUNT_HEIGHT, height)
+        .with(Scenario.ZOOMS, tangents.stream().map(tangent -> height * tangent).toList())
         .withCameras(camera -> camera.optics().map(one -> round(camera, one)).orElse(camera));
   }
 
@@ -96,41 +82,25 @@ final class Simplifications {
   }
 
   private static CameraSpec round(CameraSpec camera, OpticsSpec optics) {
-    OpticsSpec round =
-        new OpticsSpec(
-            optics.name(),
-            OpticsLaw.ROUND,
-            optics.pixels(),
-            List.of(),
-            OptionalDouble.empty(),
-            optics.pans(),
-            optics.panSpeed(),
-            optics.zoomTime(),
-            optics.moving());
-    return camera.through(round, ALL_ROUND);
+    return camera
+        .with(
+            CameraSpec.OPTICS,
+            optics
+                .with(OpticsSpec.LAW, OpticsLaw.ROUND)
+                .with(OpticsSpec.ANGLES_OF_VIEW, List.of())
+                .without(OpticsSpec.REACH))
+        .with(CameraSpec.VIEWING_ANGLE, ALL_ROUND);
   }
 
   private static CameraSpec through(CameraSpec camera, UnaryOperator<OpticsSpec> change) {
-    return camera
-        .optics()
-        .map(one -> camera.through(change.apply(one), camera.viewingAngle()))
-        .orElse(camera);
+    return camera.with(CameraSpec.OPTICS, camera.optics().map(change));
   }
 
-  private static OpticsSpec atOnce(OpticsSpec optics, List<Double> pans) {
-    return new OpticsSpec(
-        optics.name(),
-        optics.law(),
-        optics.pixels(),
-        optics.anglesOfView(),
-        optics.reach(),
-        pans,
-        OptionalDouble.empty(),
-        0,
-        optics.moving());
+  private static OpticsSpec atOnce(OpticsSpec optics) {
+    return optics.without(OpticsSpec.PAN_SPEED).with(OpticsSpec.ZOOM_TIME, 0);
   }
 
   private static Scenario named(String rung, Scenario scenario, Scenario changed) {
-    return changed.with(scenario.name() + "-" + rung, changed.targets(), changed.events());
+    return changed.with(Scenario.NAME, scenario.name() + "-" + rung);
   }
 }

@@ -9,8 +9,9 @@ final class ChangedWorld {
 
   /** All targets of another size q, metres. */
   static Scenario withSize(Scenario scenario, double size) {
-    Scenario changed = scenario.withTargets(target -> target.withSize(size));
-    return changed.with(scenario.name() + "-q" + size, changed.targets(), changed.events());
+    return scenario
+        .withTargets(target -> target.withSize(size))
+        .with(Scenario.NAME, scenario.name() + "-q" + size);
   }
 
   /**
@@ -20,6 +21,8 @@ final class ChangedWorld {
    */
   static Scenario withFocalLength(Scenario scenario, Optics optics, double focalLength) {
     double height = 2 * focalLength * scenario.zooms().get(0) / optics.sensorWidth();
-    return scenario.withMountHeight(scenario.name() + "-z" + focalLength, height);
+    return scenario
+        .with(Scenario.NAME, scenario.name() + "-z" + focalLength)
+        .with(Scenario.MOUNT_HEIGHT, height);
   }
 }

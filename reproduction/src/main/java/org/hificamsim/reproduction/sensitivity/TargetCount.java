@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.SplittableRandom;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -25,7 +24,8 @@ final class TargetCount {
   /** The scenario under a name that tells the number. */
   static Scenario of(Scenario scenario, int number) {
     boolean scripted = scenario.targets().isEmpty();
-    List<TargetSpec> targets = new ArrayList<>(scripted ? added(scenario) : scenario.targets());
+    List<TargetSpec> targets =
+        new ArrayList<>(scripted ? scenario.everyTarget().toList() : scenario.targets());
     while (targets.size() > number) {
       targets.remove(targets.size() - 1);
     }
@@ -35,16 +35,10 @@ final class TargetCount {
           scripted ? onScript(targets) : anywhere(scenario, targets.get(0), targets, random));
     }
     String name = scenario.name() + "-" + number + "-targets";
+    Scenario named = scenario.with(Scenario.NAME, name);
     return scripted
-        ? scenario.with(name, List.of(), events(targets))
-        : scenario.with(name, targets, scenario.events());
-  }
-
-  private static List<TargetSpec> added(Scenario scenario) {
-    return scenario.events().stream()
-        .filter(ScenarioEvent.AddTarget.class::isInstance)
-        .map(event -> ((ScenarioEvent.AddTarget) event).target())
-        .toList();
+        ? named.with(Scenario.TARGETS, List.of()).with(Scenario.EVENTS, events(targets))
+        : named.with(Scenario.TARGETS, targets);
   }
 
   private static List<ScenarioEvent> events(List<TargetSpec> targets) {
@@ -57,22 +51,18 @@ final class TargetCount {
       Scenario scenario, TargetSpec like, List<TargetSpec> others, SplittableRandom random) {
     double x = INSIDE * (random.nextDouble() - 0.5) * scenario.field().width();
     double y = INSIDE * (random.nextDouble() - 0.5) * scenario.field().height();
-    return target(
-        like,
-        others,
-        x + (scenario.field().minX() + scenario.field().maxX()) / 2,
-        y + (scenario.field().minY() + scenario.field().maxY()) / 2,
-        random.nextDouble() * FULL_TURN,
-        like.movement());
+    return next(
+            like,
+            others,
+            x + (scenario.field().minX() + scenario.field().maxX()) / 2,
+            y + (scenario.field().minY() + scenario.field().maxY()) / 2)
+        .with(TargetSpec.HEADING, random.nextDouble() * FULL_TURN);
   }
 
   private static TargetSpec onScript(List<TargetSpec> others) {
     TargetSpec like = others.get(0);
-    List<Waypoint> path = path(like.movement().waypoints(), others);
-    MovementSpec movement =
-        new MovementSpec(
-            like.movement().name(), like.movement().mean(), like.movement().std(), path);
-    return target(like, others, path.get(0).x(), path.get(0).y(), like.heading(), movement);
+    List<Waypoint> path = path(like.waypoints(), others);
+    return next(like, others, path.get(0).x(), path.get(0).y()).with(TargetSpec.WAYPOINTS, path);
   }
 
   /** The same way round, from a corner or else the middle of a side where none starts yet. */
@@ -94,22 +84,17 @@ final class TargetCount {
   }
 
   private static boolean startsAt(TargetSpec target, Waypoint place) {
-    return target.movement().waypoints().get(0).equals(place);
+    return target.waypoints().get(0).equals(place);
   }
 
   private static Waypoint middle(Waypoint a, Waypoint b) {
     return new Waypoint((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
   }
 
-  private static TargetSpec target(
-      TargetSpec like,
-      List<TargetSpec> others,
-      double x,
-      double y,
-      double heading,
-      MovementSpec movement) {
-    double features = others.get(others.size() - 1).features() + 1;
-    return new TargetSpec(
-        like.origin(), features, x, y, heading, like.speed(), like.size(), movement, like.extras());
+  private static TargetSpec next(TargetSpec like, List<TargetSpec> others, double x, double y) {
+    return like.with(TargetSpec.FEATURES, others.get(others.size() - 1).features() + 1)
+        .with(TargetSpec.X, x)
+        .with(TargetSpec.Y, y)
+        .withSize(like.size());
   }
 }

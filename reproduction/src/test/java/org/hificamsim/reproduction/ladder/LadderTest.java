@@ -39,7 +39,9 @@ class LadderTest {
           "no other targets",
           "geometric",
           scenario ->
-              scenario.with("lonely-ring", scenario.targets().subList(0, 1), scenario.events()));
+              scenario
+                  .with(Scenario.NAME, "lonely-ring")
+                  .with(Scenario.TARGETS, scenario.targets().subList(0, 1)));
 
   private static Ladder ladder(Rung... rungs) {
     return new Ladder(

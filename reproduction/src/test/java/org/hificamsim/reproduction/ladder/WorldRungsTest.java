@@ -56,8 +56,8 @@ class WorldRungsTest {
   void belowItTargetsHideNoneAndHaveOneSizeTheMean() {
     Scenario walls = world("walls");
     assertEquals("hall-walls", walls.name());
-    assertEquals(Occlusion.NONE, walls.surroundings().occlusion());
-    assertEquals(HALL.surroundings().obstacles(), walls.surroundings().obstacles());
+    assertEquals(Occlusion.NONE, walls.occlusion());
+    assertEquals(HALL.obstacles(), walls.obstacles());
     assertEquals(2, sizes(HALL).size());
     double narrow = Math.sqrt(0.5 * 1.75);
     double wide = Math.sqrt(0.9 * 1.75);
@@ -68,7 +68,7 @@ class WorldRungsTest {
 
   @Test
   void thenThereAreNoWalls() {
-    assertTrue(world("time").surroundings().obstacles().isEmpty());
+    assertTrue(world("time").obstacles().isEmpty());
     assertTrue(optics(world("time")).stream().allMatch(OpticsSpec::takesTime));
     assertEquals(1, sizes(world("time")).size());
   }

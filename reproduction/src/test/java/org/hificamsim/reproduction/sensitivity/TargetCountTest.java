@@ -49,9 +49,8 @@ class TargetCountTest {
   @Test
   void furtherScriptedTargetsWalkTheSameWay() {
     List<TargetSpec> targets = targets(TargetCount.of(read("ring-scripted"), 8));
-    assertEquals(4, targets.get(3).movement().waypoints().size());
-    assertTrue(
-        targets.get(7).movement().waypoints().containsAll(targets.get(0).movement().waypoints()));
+    assertEquals(4, targets.get(3).waypoints().size());
+    assertTrue(targets.get(7).waypoints().containsAll(targets.get(0).waypoints()));
   }
 
   @Test

@@ -2,16 +2,9 @@ package org.hificamsim.runs.generate;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.SplittableRandom;
-import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Headings;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.scenario.TargetSpec;
@@ -34,9 +27,6 @@ public record RandomField(int cameras, int targets, double area, long seed) {
 
   private static final List<Double> ZOOMS = List.of(2.5, 3.75, 5.0, 6.25, 7.5);
   private static final double RATIO = 1.5;
-  private static final double SIZE = 0.66;
-  private static final MovementSpec STRAIGHT =
-      new MovementSpec("epics.movement.Straight", 0, 1, List.of());
 
   /** A field at the cluster scenarios' density with 0.6 targets for each camera. */
   public static RandomField ofCameras(int cameras, long seed) {
@@ -49,21 +39,11 @@ public record RandomField(int cameras, int targets, double area, long seed) {
     double height = Math.sqrt(cameras * area / RATIO);
     Field field = new Field(0, RATIO * height, 0, height);
     SplittableRandom random = new SplittableRandom(seed);
-    return new Scenario(
-        "random-" + cameras,
-        field,
-        StepOrder.COVERAGE,
-        Headings.DEGREES,
-        OptionalDouble.empty(),
-        Optional.empty(),
-        Objective.kMin(),
-        OptionalDouble.empty(),
-        ZOOMS,
-        cameras(field, random),
-        targets(field, random),
-        List.of(),
-        Optional.empty(),
-        Map.of());
+    return new Scenario("random-" + cameras, field)
+        .with(Scenario.ORDER, StepOrder.COVERAGE)
+        .with(Scenario.ZOOMS, ZOOMS)
+        .with(Scenario.CAMERAS, cameras(field, random))
+        .with(Scenario.TARGETS, targets(field, random));
   }
 
   private List<CameraSpec> cameras(Field field, SplittableRandom random) {
@@ -72,7 +52,7 @@ public record RandomField(int cameras, int targets, double area, long seed) {
     for (int camera = 1; camera <= cameras; camera++) {
       double x = random.nextDouble(field.maxX());
       double y = random.nextDouble(field.maxY());
-      all.add(new CameraSpec("C" + camera, x, y, 0, 360, widest, AgentSpec.NONE, Map.of()));
+      all.add(new CameraSpec("C" + camera, x, y, widest));
     }
     return all;
   }
@@ -84,8 +64,7 @@ public record RandomField(int cameras, int targets, double area, long seed) {
       double y = random.nextDouble(field.maxY());
       double heading = random.nextDouble(360);
       all.add(
-          new TargetSpec(
-              TargetSpec.Origin.OBJECT, target, x, y, heading, 1, SIZE, STRAIGHT, Map.of()));
+          new TargetSpec(target, x, y).with(TargetSpec.HEADING, heading).with(TargetSpec.SPEED, 1));
     }
     return all;
   }

@@ -36,7 +36,7 @@ public final class HeatRecorder implements StepListener {
    */
   public HeatRecorder(World world, Detection detection, int most) {
     this.cells = FieldCells.of(world.scenario().field(), most);
-    this.obstacles = new Obstacles(world.scenario().surroundings().obstacles());
+    this.obstacles = new Obstacles(world.scenario().obstacles());
     this.views = new ViewCells(cells, detection, obstacles, Reach.usualTarget(world));
     this.covering = new Covering(cells.count());
     this.visits = new Visits(cells);

@@ -64,8 +64,8 @@ public final class InputFiles {
   }
 
   private static void add(Map<String, byte[]> files, Scenario scenario) {
-    Scenario alone = scenario.withSurroundings(scenario.surroundings().withoutFloorplan());
-    byte[] content = ScenarioWriter.write(alone).getBytes(StandardCharsets.UTF_8);
+    byte[] content =
+        ScenarioWriter.write(scenario.withoutFloorplan()).getBytes(StandardCharsets.UTF_8);
     files.put(free(files, SCENARIO + scenario.name(), ".xml"), content);
   }
 

@@ -174,7 +174,7 @@ public record RunEngineContract(Supplier<RunEngine> engines) {
 
   /** Built-in models and one under another name, policies with options, a scenario with changes. */
   private static List<RunPlan> plans() {
-    Scenario ring = scenario("ring-random").withHeadings(Headings.AS_RADIANS);
+    Scenario ring = scenario("ring-random").with(Scenario.HEADINGS, Headings.AS_RADIANS);
     RunPlan plain = plan(ring, "camsim-range", "zoom-out");
     Detection other = new Detection("camsim-range@0.45", plain.detection().model(), 0.45);
     return List.of(

@@ -14,11 +14,9 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
-import org.hificamsim.core.scenario.Occlusion;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
-import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.Test;
@@ -61,12 +59,11 @@ class RunKeyTest {
     DetectionModel model = Catalogue.load().detection("hifi:orb-lin");
     RunKey key = key(scenario, model, 0.1, "zoom-out", 10);
     assertEquals(key, key(scenario(), Catalogue.load().detection("hifi:orb-lin"), 0.1));
-    assertNotEquals(key, key(scenario.withOrder(StepOrder.CAMSIM), model, 0.1));
-    assertNotEquals(key, key(scenario.withObjective(Objective.parse("covered")), model, 0.1));
-    Surroundings wall =
-        new Surroundings(
-            List.of(new Obstacle.Wall(0, 0, 1, 1, 0)), Occlusion.NONE, Optional.empty());
-    assertNotEquals(key, key(scenario.withSurroundings(wall), model, 0.1));
+    assertNotEquals(key, key(scenario.with(Scenario.ORDER, StepOrder.CAMSIM), model, 0.1));
+    assertNotEquals(
+        key, key(scenario.with(Scenario.OBJECTIVE, Objective.parse("covered")), model, 0.1));
+    List<Obstacle> wall = List.of(new Obstacle.Wall(0, 0, 1, 1, 0));
+    assertNotEquals(key, key(scenario.with(Scenario.OBSTACLES, wall), model, 0.1));
     assertNotEquals(key, key(scenario, Catalogue.load().detection("hifi:orb-sr"), 0.1));
     assertNotEquals(key, key(scenario, model, 0.2));
     assertNotEquals(key, key(scenario, model, 0.1, "zoom-in", 10));
@@ -98,7 +95,7 @@ class RunKeyTest {
         Optional.of("detection 'mine'"), key.changed(key(scenario(), model("0.0360"), 0.05)));
     assertEquals(
         Optional.of("scenario 'one'"),
-        key.changed(key(scenario().withOrder(StepOrder.CAMSIM), model("0.0224"), 0.05)));
+        key.changed(key(scenario().with(Scenario.ORDER, StepOrder.CAMSIM), model("0.0224"), 0.05)));
     assertEquals(Optional.of("version of 'hificamsim'"), key.changed(RunKey.read("a1b2c3")));
   }
 

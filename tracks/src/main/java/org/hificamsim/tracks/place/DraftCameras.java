@@ -2,17 +2,10 @@ package org.hificamsim.tracks.place;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.core.scenario.AgentSpec;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 
 /**
@@ -24,16 +17,12 @@ public final class DraftCameras {
   private static final int TRIES = 400;
 
   private static final OpticsSpec DOME =
-      new OpticsSpec(
-          "dome",
-          OpticsLaw.PINHOLE,
-          OptionalInt.of(1920),
-          List.of(6.0, 11.0, 20.0, 35.0, 60.0),
-          OptionalDouble.empty(),
-          List.of(-60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0),
-          OptionalDouble.of(100),
-          3,
-          Moving.BLIND);
+      new OpticsSpec("dome")
+          .with(OpticsSpec.PIXELS, 1920)
+          .with(OpticsSpec.ANGLES_OF_VIEW, List.of(6.0, 11.0, 20.0, 35.0, 60.0))
+          .with(OpticsSpec.PANS, List.of(-60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0))
+          .with(OpticsSpec.PAN_SPEED, 100)
+          .with(OpticsSpec.ZOOM_TIME, 3);
 
   private DraftCameras() {}
 
@@ -73,7 +62,9 @@ public final class DraftCameras {
     double dx = (field.minX() + field.maxX()) / 2 - at.x();
     double dy = (field.minY() + field.maxY()) / 2 - at.y();
     double heading = Math.rint(Math.toDegrees(Math.atan2(dx, dy)));
-    return new CameraSpec(
-        name, at.x(), at.y(), heading, 60, 0, AgentSpec.NONE, Optional.of(DOME), Map.of());
+    return new CameraSpec(name, at.x(), at.y(), 0)
+        .with(CameraSpec.HEADING, heading)
+        .with(CameraSpec.VIEWING_ANGLE, 60)
+        .with(CameraSpec.OPTICS, DOME);
   }
 }

@@ -17,8 +17,8 @@ final class BrownianMovement implements Movement {
 
   @Override
   public void start(int target, Targets targets, TargetSpec spec) {
-    mean = spec.movement().mean();
-    std = spec.movement().std();
+    mean = spec.mean();
+    std = spec.std();
   }
 
   @Override

@@ -23,7 +23,7 @@ final class ScriptedMovement implements Movement {
 
   @Override
   public void start(int target, Targets targets, TargetSpec spec) {
-    path = spec.movement().waypoints();
+    path = spec.waypoints();
     targets.put(target, path.get(0).x(), path.get(0).y());
   }
 

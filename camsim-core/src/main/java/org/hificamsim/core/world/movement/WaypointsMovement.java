@@ -29,8 +29,8 @@ final class WaypointsMovement implements Movement {
 
   @Override
   public void start(int target, Targets targets, TargetSpec spec) {
-    path = spec.movement().waypoints();
-    if (spec.movement().name().isEmpty()) {
+    path = spec.waypoints();
+    if (spec.get(TargetSpec.MOVE).isEmpty()) {
       targets.put(target, path.get(0).x(), path.get(0).y());
     }
   }

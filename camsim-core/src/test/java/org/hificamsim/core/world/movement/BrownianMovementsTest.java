@@ -2,10 +2,9 @@ package org.hificamsim.core.world.movement;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.List;
 import java.util.Random;
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.scenario.MovementSpec;
+import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
@@ -15,11 +14,15 @@ class BrownianMovementsTest {
 
   @Test
   void brownianStepsAreGaussianXFirstAndTargetByTarget() {
-    MovementSpec movement = new MovementSpec("epics.movement.Brownian", 0.25, 0.5, List.of());
+    TargetSpec first =
+        TestScenario.target(1, 1, 2, 0, 99)
+            .with(TargetSpec.MOVE, "epics.movement.Brownian")
+            .with(TargetSpec.MEAN, 0.25)
+            .with(TargetSpec.STD, 0.5);
     World world =
         new TestScenario()
-            .target(TestScenario.target(1, 1, 2, 0, 99, movement))
-            .target(TestScenario.target(2, -1, -2, 0, 99, movement))
+            .target(first)
+            .target(first.with(TargetSpec.X, -1).with(TargetSpec.Y, -2))
             .world(SEED);
     Random gaussians = new Random(SEED);
     double x0 = 1;
@@ -41,8 +44,12 @@ class BrownianMovementsTest {
 
   @Test
   void brownianOutsideTheFieldIsPutBackAndTurned() {
-    MovementSpec movement = new MovementSpec("Brownian", 100, 0, List.of());
-    World world = new TestScenario().target(TestScenario.target(1, 1, 2, 0, 0, movement)).world(0);
+    TargetSpec far =
+        TestScenario.target(1, 1, 2, 0, 0)
+            .with(TargetSpec.MOVE, "Brownian")
+            .with(TargetSpec.MEAN, 100)
+            .with(TargetSpec.STD, 0);
+    World world = new TestScenario().target(far).world(0);
     world.moveTargets();
     assertEquals(1, world.targets().x(0), 1e-12);
     assertEquals(2, world.targets().y(0), 1e-12);
@@ -52,9 +59,12 @@ class BrownianMovementsTest {
 
   @Test
   void directedBrownianChangesSpeedByATenthThenHeadingByAHalf() {
-    MovementSpec movement = new MovementSpec("DirectedBrownian", 77, 88, List.of());
-    World world =
-        new TestScenario().target(TestScenario.target(1, 1, 2, 30, 0.5, movement)).world(SEED);
+    TargetSpec target =
+        TestScenario.target(1, 1, 2, 30, 0.5)
+            .with(TargetSpec.MOVE, "DirectedBrownian")
+            .with(TargetSpec.MEAN, 77)
+            .with(TargetSpec.STD, 88);
+    World world = new TestScenario().target(target).world(SEED);
     Random gaussians = new Random(SEED);
     double x = 1;
     double y = 2;

@@ -4,20 +4,15 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.List;
-import java.util.Optional;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
-import org.hificamsim.core.scenario.MovementSpec;
-import org.hificamsim.core.scenario.Occlusion;
-import org.hificamsim.core.scenario.Surroundings;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 
 class RandomWaypointMovementTest {
-  private static final MovementSpec RANDOM = new MovementSpec("RandomWaypoint", 0, 1, List.of());
-
   @Test
   void itWalksAtItsSpeedAllOverTheField() {
     World world = world(List.of(), 3);
@@ -73,7 +68,7 @@ class RandomWaypointMovementTest {
         new TestScenario()
             .camera(0, 0)
             .target(-3, 0, 90, 0.5)
-            .surroundings(surroundings(List.of(new Obstacle.Wall(0, -10, 0, 10, 0))))
+            .obstacles(new Obstacle.Wall(0, -10, 0, 10, 0))
             .world(1);
     for (int step = 0; step < 500; step++) {
       world.moveTargets();
@@ -84,12 +79,8 @@ class RandomWaypointMovementTest {
   private static World world(List<Obstacle> obstacles, long seed) {
     return new TestScenario()
         .camera(0.1, 9)
-        .target(TestScenario.target(0, 3, 3, 0, 0.5, RANDOM))
-        .surroundings(surroundings(obstacles))
+        .target(TestScenario.target(0, 3, 3, 0, 0.5).withMovement("RandomWaypoint"))
+        .with(Scenario.OBSTACLES, obstacles)
         .world(seed);
-  }
-
-  private static Surroundings surroundings(List<Obstacle> obstacles) {
-    return new Surroundings(obstacles, Occlusion.NONE, Optional.empty());
   }
 }

@@ -4,7 +4,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -12,9 +11,11 @@ import org.junit.jupiter.api.Test;
 class ScriptedMovementTest {
   @Test
   void startsOnTheFirstWaypointWhateverItsOwnPosition() {
-    TargetSpec walker = TestScenario.walker(1, "Scripted", 1, 3, 4, 5, 6);
-    MovementSpec movement = walker.movement();
-    World world = new TestScenario().target(TestScenario.target(1, -7, -7, 0, 1, movement)).world();
+    TargetSpec walker =
+        TestScenario.walker(1, "Scripted", 1, 3, 4, 5, 6)
+            .with(TargetSpec.X, -7)
+            .with(TargetSpec.Y, -7);
+    World world = new TestScenario().target(walker).world();
     assertEquals(3, world.targets().x(0));
     assertEquals(4, world.targets().y(0));
   }

@@ -19,10 +19,10 @@ import org.hificamsim.core.detection.GeometricDetection;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.WidestPolicy;
-import org.hificamsim.core.scenario.MovementSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.Targets;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
@@ -41,7 +41,7 @@ class TracksMovementTest {
   @ParameterizedTest
   @EnumSource(StepOrder.class)
   void isSeenWhereItWasAtTheTimeOfTheStepInEitherOrder(StepOrder order) throws IOException {
-    List<String> seen = seen(scenario(1, WALK).withOrder(order), 11);
+    List<String> seen = seen(scenario(1, WALK).with(Scenario.ORDER, order), 11);
     assertEquals(
         List.of(
             "-",
@@ -60,7 +60,7 @@ class TracksMovementTest {
 
   @Test
   void stepsOfAnotherLengthMeetTheSameTrack() throws IOException {
-    List<String> seen = seen(scenario(1.5, WALK).withOrder(StepOrder.COVERAGE), 7);
+    List<String> seen = seen(scenario(1.5, WALK).with(Scenario.ORDER, StepOrder.COVERAGE), 7);
     assertEquals(List.of("-", "-", "2.0,4.0", "4.0,6.0", "4.0,0.0", "-", "-1.0,-1.0"), seen);
   }
 
@@ -99,9 +99,8 @@ class TracksMovementTest {
 
   @Test
   void withoutATrackItSaysWhatIsMissing() {
-    MovementSpec lost = new MovementSpec("Tracks", 0, 1, List.of());
-    TestScenario scenario =
-        new TestScenario().camera(0, 0).target(TestScenario.target(3, 0, 0, 0, 0, lost));
+    TargetSpec lost = TestScenario.target(3, 0, 0, 0, 0).withMovement("Tracks");
+    TestScenario scenario = new TestScenario().camera(0, 0).target(lost);
     InputException error = assertThrows(InputException.class, scenario::world);
     assertEquals(
         "target 3.0 moves by Tracks and has no track, expected one of <tracks>",
@@ -115,7 +114,7 @@ class TracksMovementTest {
     for (StepOrder order : StepOrder.values()) {
       List<double[]> tracks = new ArrayList<>();
       String text = randomTracks(new SplittableRandom(5), tracks) + tooLongForMemory;
-      Scenario scenario = scenario(0.7, text).withOrder(order);
+      Scenario scenario = scenario(0.7, text).with(Scenario.ORDER, order);
       World world = world(scenario);
       int[] compared = new int[1];
       run(

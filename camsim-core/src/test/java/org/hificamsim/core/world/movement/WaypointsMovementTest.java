@@ -3,10 +3,8 @@ package org.hificamsim.core.world.movement;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import org.hificamsim.core.TestScenario;
-import org.hificamsim.core.scenario.MovementSpec;
-import org.hificamsim.core.scenario.Waypoint;
+import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -92,9 +90,9 @@ class WaypointsMovementTest {
   @ParameterizedTest
   @CsvSource({"'', 2, 3", "Waypoints, 7, 8", "Straight, 7, 8"})
   void startsOnTheFirstWaypointWhereNoNameIsGiven(String movement, double x, double y) {
-    MovementSpec spec =
-        new MovementSpec(movement, 0, 1, List.of(new Waypoint(2, 3), new Waypoint(4, 5)));
-    World world = new TestScenario().target(TestScenario.target(1, 7, 8, 0, 1, spec)).world();
+    TargetSpec walker =
+        TestScenario.walker(1, movement, 1, 2, 3, 4, 5).with(TargetSpec.X, 7).with(TargetSpec.Y, 8);
+    World world = new TestScenario().target(walker).world();
     assertEquals(x, world.targets().x(0));
     assertEquals(y, world.targets().y(0));
   }

@@ -21,7 +21,7 @@ import org.hificamsim.core.visibility.Pose;
  * <p>Cameras and targets are numbered in the order of the file, those of the start first, then
  * those that events add, in the order in which they appear.
  */
-final class Cast {
+final class Participants {
   /** What an event removes that removes no target. */
   static final int NONE = -1;
 
@@ -34,7 +34,7 @@ final class Cast {
   private final List<Mount> mounts;
   private final Map<String, Integer> cameraNumbers = new HashMap<>();
 
-  Cast(Scenario scenario) {
+  Participants(Scenario scenario) {
     this.scenario = scenario;
     this.views = new Views(scenario);
     this.events =

@@ -1,0 +1,177 @@
+package org.hificamsim.core.scenario;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Function;
+
+/**
+ * An element of scenario files: its attributes, what may stand in it, and what it is read as.
+ *
+ * @param <S> what it is read as
+ */
+final class Element<S> {
+  private final String name;
+  private final String doc;
+  private final Class<S> type;
+  private final Function<Spec<S>, S> make;
+  private final Function<S, Spec<S>> of;
+  private final List<Object> standards; // of all properties of what it is read as
+  private final List<Property<S, ?>> attributes = new ArrayList<>();
+  private final List<Property<S, ?>> ignored = new ArrayList<>();
+  private String content = "";
+
+  private Element(
+      String name,
+      Class<S> type,
+      Function<Spec<S>, S> make,
+      Function<S, Spec<S>> of,
+      List<Object> standards,
+      String doc) {
+    this.name = name;
+    this.doc = doc;
+    this.type = type;
+    this.make = make;
+    this.of = of;
+    this.standards = standards;
+  }
+
+  /**
+   * An element.
+   *
+   * @param doc what it is, then a line of Markdown for each attribute: {@code name: what it says |
+   *     what holds without it}, the latter where no default of the attribute's says it
+   */
+  Element(
+      String name, Class<S> type, Function<Spec<S>, S> make, Function<S, Spec<S>> of, String doc) {
+    this(name, type, make, of, new ArrayList<>(), doc);
+  }
+
+  /** An element that is read as a spec of its own. */
+  static <S extends Spec<S>> Element<S> of(
+      String name, Class<S> type, Function<Spec<S>, S> make, String doc) {
+    return new Element<>(name, type, make, spec -> spec, doc);
+  }
+
+  /** An element whose reader makes something of what it says. */
+  static <S> Element<S> of(String name, String doc) {
+    return new Element<>(name, null, null, null, new ArrayList<>(), doc);
+  }
+
+  /** Another element with attributes of this one, read as the same. */
+  Element<S> like(String otherName, String otherDoc, List<Property<S, ?>> its) {
+    String rows = doc.substring(doc.indexOf('\n') + 1);
+    Element<S> other = new Element<>(otherName, type, make, of, standards, otherDoc + "\n" + rows);
+    other.attributes.addAll(its);
+    other.ignored.addAll(ignored);
+    return other;
+  }
+
+  /** What may stand in it, as a DTD says it: {@code optics*, zoom?, camera+}. */
+  Element<S> holds(String elements) {
+    content = elements;
+    return this;
+  }
+
+  /** An attribute that must be given. */
+  <T> Property<S, T> required(String attribute, Type<T> its) {
+    return attribute(attribute, its, null).required();
+  }
+
+  /** An attribute without a default. */
+  <T> Property<S, T> optional(String attribute, Type<T> its) {
+    return attribute(attribute, its, null);
+  }
+
+  /** An attribute with a default. */
+  <T> Property<S, T> attribute(String attribute, Type<T> its, T standard) {
+    Property<S, T> property = new Property<>(standards.size(), attribute, its, standard);
+    attributes.add(property);
+    standards.add(standard);
+    return property;
+  }
+
+  /** An attribute that has no effect, and is kept for the writer. */
+  void ignored(String attribute, Type<?> its) {
+    ignored.add(new Property<>(-1, attribute, its, null));
+  }
+
+  /** Something that no attribute says. */
+  <T> Property<S, T> property(T standard) {
+    standards.add(standard);
+    return new Property<>(standards.size() - 1, "", null, standard);
+  }
+
+  String name() {
+    return name;
+  }
+
+  String doc() {
+    return doc;
+  }
+
+  String content() {
+    return content;
+  }
+
+  /** In the order in which they are written. */
+  List<Property<S, ?>> attributes() {
+    return attributes;
+  }
+
+  List<Property<S, ?>> ignored() {
+    return ignored;
+  }
+
+  /** Whether it has an attribute of this name. */
+  boolean has(String attribute) {
+    return attributes.stream().anyMatch(one -> one.name().equals(attribute));
+  }
+
+  /** Its attribute for a property; the property itself where it has none. */
+  Property<S, ?> own(Property<S, ?> property) {
+    return attributes.stream()
+        .filter(one -> one.number() == property.number())
+        .findFirst()
+        .orElse(property);
+  }
+
+  /** The default of each property; null for none. */
+  Object[] standards() {
+    return standards.toArray();
+  }
+
+  /** Says nothing. */
+  Spec<S> empty() {
+    return new Spec<>(this, standards(), Map.of());
+  }
+
+  Class<S> type() {
+    return type;
+  }
+
+  /** What it is read as. */
+  S make(Spec<S> said) {
+    return make.apply(said);
+  }
+
+  /** What it says in place of what it is read as. */
+  Spec<S> said(S made) {
+    return of.apply(made);
+  }
+
+  /** The attributes to write, in order. */
+  Map<String, String> written(Spec<S> said) {
+    Map<String, String> texts = new LinkedHashMap<>();
+    for (Property<S, ?> attribute : attributes) {
+      String text = attribute.text(said);
+      if (text != null) {
+        texts.put(attribute.name(), text);
+      }
+    }
+    texts.putAll(new TreeMap<>(said.extras()));
+    return texts;
+  }
+}

@@ -1,0 +1,36 @@
+package org.hificamsim.core.scenario;
+
+import java.util.Map;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+
+/**
+ * One kind of event, as scenario files have it.
+ *
+ * @param participant to whom it happens
+ * @param happening what happens, in the file's word
+ * @param type its class
+ * @param body the attributes that say the rest, and in words what happens
+ * @param make the event of a step and a body
+ * @param of the body of an event
+ */
+record EventKind<E extends ScenarioEvent, B>(
+    String participant,
+    String happening,
+    Class<E> type,
+    Element<B> body,
+    BiFunction<Integer, Spec<B>, E> make,
+    Function<E, Spec<B>> of) {
+  /** The attributes to write of an event of this kind, in order. */
+  Map<String, String> written(ScenarioEvent event) {
+    Map<String, String> all =
+        EventReader.ELEMENT.written(
+            EventReader.ELEMENT
+                .empty()
+                .put(EventReader.STEP, event.step())
+                .put(EventReader.PARTICIPANT, participant)
+                .put(EventReader.HAPPENING, happening));
+    all.putAll(body.written(of.apply(type.cast(event))));
+    return all;
+  }
+}

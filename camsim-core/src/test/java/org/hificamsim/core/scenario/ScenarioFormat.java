@@ -1,0 +1,107 @@
+package org.hificamsim.core.scenario;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * Writes what people and editors read about scenario files, from what the reader declares: the
+ * schema, and the tables of the documentation. {@code gradle scenarioFormat} runs it.
+ */
+public final class ScenarioFormat {
+  private static final Pattern TABLE =
+      Pattern.compile("(<!-- table of (\\w+) -->\n).*?(<!-- end of table -->)", Pattern.DOTALL);
+
+  private ScenarioFormat() {}
+
+  /** Writes both files; the argument is the folder of the whole project. */
+  public static void main(String[] args) throws IOException {
+    for (Map.Entry<Path, String> file : files(Path.of(args[0])).entrySet()) {
+      Files.writeString(file.getKey(), file.getValue());
+    }
+  }
+
+  /** What the files must say. */
+  static Map<Path, String> files(Path project) throws IOException {
+    Path document = project.resolve("docs/scenario-format.md");
+    return Map.of(
+        project.resolve("scenarios/camsim.xsd"),
+        ScenarioSchema.text(),
+        document,
+        TABLE.matcher(Files.readString(document)).replaceAll(ScenarioFormat::table));
+  }
+
+  private static String table(MatchResult mark) {
+    String of = mark.group(2);
+    String table = of.equals("events") ? events() : attributes(elements(of));
+    return Matcher.quoteReplacement(mark.group(1) + table + mark.group(3));
+  }
+
+  /** The element of this name, or all that it holds any number of. */
+  private static List<Element<?>> elements(String name) {
+    for (Group<?> group : Scenario.GROUPS) {
+      if (group.holder().name().equals(name)) {
+        return List.copyOf(group.members());
+      }
+    }
+    return Scenario.elements().stream().filter(one -> one.name().equals(name)).limit(1).toList();
+  }
+
+  /** The attributes of some elements; of a single one, without its name. */
+  private static String attributes(List<Element<?>> elements) {
+    List<List<String>> lines = new ArrayList<>();
+    lines.add(List.of("element", "attribute", "value", "default"));
+    for (Element<?> element : elements) {
+      for (AttributeDoc row : AttributeDoc.all(element)) {
+        String name = "`" + element.name() + "`";
+        lines.add(List.of(name, row.named(), row.meaning(), row.standard()));
+      }
+    }
+    int first = elements.size() > 1 ? 0 : 1;
+    return markdown(lines.stream().map(row -> row.subList(first, 4)).toList());
+  }
+
+  private static String events() {
+    List<List<String>> lines = new ArrayList<>();
+    lines.add(List.of("`participant`", "`event`", "other attributes", "what happens"));
+    for (EventKind<?, ?> kind : ScenarioEvent.KINDS) {
+      lines.add(
+          List.of(
+              "`" + kind.participant() + "`",
+              "`" + kind.happening() + "`",
+              attributes(kind.body()),
+              AttributeDoc.summary(kind.body())));
+    }
+    return markdown(lines);
+  }
+
+  /** What the tables of cameras and objects say is not said again. */
+  private static String attributes(Element<?> body) {
+    List<AttributeDoc> effective =
+        AttributeDoc.all(body).stream().filter(AttributeDoc::hasEffect).toList();
+    return Stream.of(true, false)
+        .map(
+            required ->
+                effective.stream()
+                    .filter(row -> row.isRequired() == required)
+                    .map(row -> row.named() + (body.type() == null ? " (" + row.meaning() + ")" : ""))
+                    .collect(Collectors.joining(", ")))
+        .filter(names -> !names.isEmpty())
+        .collect(Collectors.joining("; optional "));
+  }
+
+  private static String markdown(List<List<String>> lines) {
+    List<String> table = new ArrayList<>();
+    lines.forEach(line -> table.add("| " + String.join(" | ", line) + " |\n"));
+    table.add(1, "|---".repeat(lines.get(0).size()) + "|\n");
+    return String.join("", table);
+  }
+}

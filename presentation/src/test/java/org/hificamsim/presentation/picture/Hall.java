@@ -1,0 +1,77 @@
+package org.hificamsim.presentation.picture;
+
+import java.util.Arrays;
+import java.util.List;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.presentation.replay.CameraSetup;
+import org.hificamsim.presentation.replay.FloorPicture;
+import org.hificamsim.presentation.replay.Frame;
+import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.presentation.replay.TargetSetup;
+
+/** A hall of 30 by 20 metres, in which pictures are tested. */
+final class Hall {
+  static final Field FIELD = new Field(0, 30, 0, 20);
+
+  private Hall() {}
+
+  /**
+   * Cameras and targets in it.
+   *
+   * @param slow the numbers of cameras that need time for a move
+   */
+  static Setup setup(
+      List<CameraSetup> cameras,
+      List<TargetSetup> targets,
+      List<Double> widths,
+      List<Integer> slow,
+      List<Obstacle> obstacles,
+      List<FloorPicture> floor) {
+    return new Setup(
+        "hall",
+        FIELD,
+        "coverage",
+        "model",
+        0.5,
+        "policy",
+        0,
+        0.5,
+        false,
+        cameras,
+        targets,
+        widths,
+        slow,
+        obstacles,
+        floor);
+  }
+
+  /**
+   * A step of it.
+   *
+   * @param seeing by camera, the view through which it sees, -1 while it moves blindly
+   * @param present whether the targets are there
+   */
+  static Frame frame(int step, int[] seeing, boolean present, double[] x, double[] y) {
+    boolean[] online = new boolean[seeing.length];
+    int[] level = new int[seeing.length];
+    for (int camera = 0; camera < seeing.length; camera++) {
+      online[camera] = true;
+      level[camera] = Math.max(0, seeing[camera]);
+    }
+    boolean[] there = new boolean[x.length];
+    Arrays.fill(there, present);
+    return new Frame(
+        step,
+        online,
+        level,
+        new int[seeing.length],
+        there,
+        x,
+        y,
+        new int[x.length],
+        new double[0][],
+        new double[0][],
+        seeing);
+  }
+}
