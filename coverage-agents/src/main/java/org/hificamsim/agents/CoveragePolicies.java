@@ -10,7 +10,7 @@ import org.hificamsim.agents.baseline.RandomZoomPolicy;
 import org.hificamsim.agents.baseline.TrackerZoomPolicy;
 import org.hificamsim.agents.baseline.ZoomInPolicy;
 import org.hificamsim.agents.baseline.ZoomOutPolicy;
-import org.hificamsim.agents.hindsight.BestFixedZoomPolicy;
+import org.hificamsim.agents.optimal.BestFixedZoomPolicy;
 import org.hificamsim.agents.optimal.OneHopZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalExpectedZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalZoomPolicy;

@@ -29,12 +29,11 @@ public record Proof(long unprovenSteps, double gap) {
    * @param steps how many there were
    */
   public String missing(long steps, Objective objective) {
-    String score = objective.isKMin() ? "k_min" : "score by " + objective.text();
     return unprovenSteps
         + " of "
         + steps
         + " steps; their "
-        + score
+        + objective.stepScore()
         + " might be up to "
         + (gap == Math.rint(gap)
             ? Long.toString((long) gap)
@@ -53,7 +52,7 @@ public record Proof(long unprovenSteps, double gap) {
 
   /** The name in files of {@link #bound}. */
   public static String boundLabel(Objective objective) {
-    return objective.isKMin() ? "performance_bound" : "score_bound";
+    return objective.runScore() + "_bound";
   }
 
   /** What is proven of these steps and of others. */

@@ -53,10 +53,13 @@ public final class StepCoverage {
 
   /** Measures what the objective makes of the last observation; after {@link #measure}. */
   public void measureScore(CoverableTargets observed) {
-    if (!objective.isKMin()) {
-      int count = collect(observed);
-      score = objective.score(counting, 0, count);
-    }
+    score = objective.score(this, observed);
+  }
+
+  /** The score of the targets that count, one by one. */
+  double score(CoverableTargets observed) {
+    int count = collect(observed);
+    return objective.score(counting, 0, count);
   }
 
   /** Collects k of the targets that count; returns how many there are. */
@@ -111,7 +114,7 @@ public final class StepCoverage {
 
   /** What the objective makes of the step; k_min by default. */
   public double score() {
-    return objective.isKMin() ? least : score;
+    return score;
   }
 
   /** What the step is scored by. */

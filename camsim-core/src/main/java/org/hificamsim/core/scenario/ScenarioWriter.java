@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
 
 /**
@@ -52,7 +53,7 @@ public final class ScenarioWriter {
     attributes.put("headings", Spelling.of(scenario.headings()));
     scenario.threshold().ifPresent(value -> attributes.put("threshold", value));
     scenario.detect().ifPresent(rule -> attributes.put("detect", rule.text()));
-    if (!scenario.objective().isKMin()) {
+    if (!scenario.objective().equals(Objective.kMin())) {
       attributes.put("objective", scenario.objective().text());
     }
     scenario.mountHeight().ifPresent(value -> attributes.put("mount_height", value));

@@ -42,8 +42,8 @@ final class AimedSets implements ConfigurationSets {
             .toArray();
   }
 
-  @Override
-  public CoverageProblem problem() {
+  /** The problem that {@link #fill} fills. */
+  CoverageProblem problem() {
     return problem;
   }
 

@@ -49,8 +49,8 @@ final class DetectionSets implements ConfigurationSets {
     viewOfRow = new int[most];
   }
 
-  @Override
-  public CoverageProblem problem() {
+  /** The problem that {@link #fill} fills. */
+  CoverageProblem problem() {
     return problem;
   }
 

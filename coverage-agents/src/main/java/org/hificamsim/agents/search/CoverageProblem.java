@@ -104,6 +104,15 @@ public final class CoverageProblem {
     return (masks[set * words + (target >> 6)] >>> target & 1) != 0;
   }
 
+  /** Whether any set of any camera has the target. */
+  boolean isCoverable(int target) {
+    boolean coverable = false;
+    for (int set = 0; set < sets; set++) {
+      coverable |= contains(set, target);
+    }
+    return coverable;
+  }
+
   /** Whether a set holds all that another one does. */
   boolean holds(int set, int other) {
     boolean holds = true;
@@ -111,6 +120,20 @@ public final class CoverageProblem {
       holds &= (mask(other, word) & ~mask(set, word)) == 0;
     }
     return holds;
+  }
+
+  /** A set of the camera that holds all its others; -1 when there is none. */
+  int wholeSet(int camera) {
+    int whole = firstSet(camera); // whichever set is whole holds the one before it
+    for (int set = whole + 1; set < endSet(camera); set++) {
+      whole = holds(set, whole) ? set : whole;
+    }
+    for (int set = firstSet(camera); set < endSet(camera); set++) {
+      if (!holds(whole, set)) {
+        return -1;
+      }
+    }
+    return whole;
   }
 
   /** Adds {@code change} to the count of each target in one word of a mask. */

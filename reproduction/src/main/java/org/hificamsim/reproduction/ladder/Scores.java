@@ -29,7 +29,9 @@ record Scores(double[][] score, double[] optimum) {
   }
 
   private static double score(RunPlan plan, ScoredRun run) {
-    return plan.objective().isKMin() ? kMin(plan, run) : run.result().score() / plan.steps();
+    return plan.objective().isBesidePerformance()
+        ? run.result().score() / plan.steps()
+        : kMin(plan, run);
   }
 
   private static double kMin(RunPlan plan, ScoredRun run) {
