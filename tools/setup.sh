@@ -128,16 +128,14 @@ stale() {
         -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
-# Dumps the classes of short commands, for the JVM to map them at the next start (docs/adr/0003-launcher.md).
+# Dumps the classes of a short run, for the JVM to map them at the next start (docs/adr/0003-launcher.md).
 # Whatever goes wrong here, the command line starts without them.
 archive_classes() {
     scratch=$(mktemp -d) || return 0
     rm -f "$archive"
     if java=$(run_home) && "$java/bin/java" -XX:+UseSerialGC -Xlog:disable "-XX:ArchiveClassesAtExit=$archive.new" \
-        -cp "$lib/*" org.hificamsim.cli.Rehearsal \
-        run "$root/scenarios/cluster-scripted.xml" --record --out "$scratch/run" then \
-        camsim "$root/scenarios/cluster-scripted.xml" -t 1000 -o "$scratch/camsim.csv" then \
-        compare "$root/scenarios/cluster-scripted.xml" --steps 100 --repeat 2 --out "$scratch/compare"; then
+        -cp "$lib/*" org.hificamsim.cli.Main \
+        run "$root/scenarios/cluster-scripted.xml" --record --out "$scratch/run"; then
         mv "$archive.new" "$archive" # never a part of one: the JVM does not survive that
     fi >/dev/null 2>&1
     rm -rf "$scratch" "$archive.new"

@@ -85,6 +85,7 @@ class ArchitectureTest {
               "org.hificamsim.runs..",
               "org.hificamsim.agents..",
               "org.hificamsim.hifi..",
+              "org.hificamsim.data..",
               "org.hificamsim.core..",
               "com.fasterxml.jackson..",
               "org.apache.commons.math3..",

@@ -117,7 +117,8 @@ class EmbeddingGuideTest {
     Map<String, List<String>> libraries =
         Map.of(
             "camsim-core", List.of(),
-            "hifi-detection", List.of("camsim-core", "jackson-databind"),
+            "data", List.of("camsim-core", "jackson-databind", "jackson-dataformat-csv"),
+            "hifi-detection", List.of("data"),
             "coverage-agents", List.of("camsim-core"),
             "catalogue", List.of("coverage-agents", "hifi-detection"));
     return libraries.entrySet().stream()

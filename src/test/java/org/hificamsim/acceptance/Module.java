@@ -7,13 +7,14 @@ import java.util.Set;
 /** The modules with their arrows: each uses those named behind it, and what these use. */
 enum Module {
   CORE("camsim-core"),
-  HIFI("hifi-detection", CORE),
+  DATA("data", CORE),
+  HIFI("hifi-detection", DATA),
   AGENTS("coverage-agents", CORE),
   CATALOGUE("catalogue", HIFI, AGENTS),
   RUNS("runs", CATALOGUE),
   WORLDS("worlds", CATALOGUE),
   NETWORK("camsim-network", RUNS),
-  TRACKS("tracks", CORE),
+  TRACKS("tracks", DATA),
   PROFILING("profiling", HIFI, TRACKS),
   PRESENTATION("presentation", RUNS),
   REPRODUCTION("reproduction", PRESENTATION, NETWORK),

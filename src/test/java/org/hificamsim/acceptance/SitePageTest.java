@@ -130,13 +130,13 @@ class SitePageTest {
     assertEquals(density, Double.parseDouble(told.split(" ")[0]), 0.06);
     String zone = density >= 250 ? "identify" : density >= 125 ? "recognise" : "observe";
     assertTrue(told.endsWith("px/m: " + zone), told);
-    assertTrue(browser.text(".zone-key").contains("observe 62.5"));
+    assertTrue(browser.text(".legend").contains("observe 62.5"));
   }
 
   @Test
   void theFloorplanFadesByKeysAndTheStepStays() {
     open();
-    browser.until("return hificamsim.player.field.site.floor[0].image.complete");
+    browser.until("return hificamsim.player.field.floor[0].image.complete");
     Object half = browser.run(FieldScripts.COLOUR, 28.3, 17.3);
     browser.run("document.querySelector('[name=floor]').focus()");
     browser.press(Keys.HOME);

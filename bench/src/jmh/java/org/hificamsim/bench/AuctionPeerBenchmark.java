@@ -5,6 +5,7 @@ import java.util.concurrent.TimeUnit;
 import org.hificamsim.bench.plain.PlainAuctions;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -31,7 +32,7 @@ public class AuctionPeerBenchmark {
     @Param("")
     private String scenario;
 
-    private AuctionRun ours;
+    private NetworkRun ours;
     private PlainAuctions plain;
 
     /** Starts both runs. */

@@ -1,19 +1,9 @@
 package org.hificamsim.bench;
 
 import java.nio.file.Path;
-import java.util.List;
 import java.util.concurrent.TimeUnit;
-import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.engine.Workers;
-import org.hificamsim.core.policy.ZoomPolicy;
-import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
-import org.hificamsim.core.world.World;
-import org.hificamsim.network.CamSimScenario;
-import org.hificamsim.network.Network;
-import org.hificamsim.network.NetworkSettings;
+import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -47,28 +37,20 @@ public class NetworkBenchmark {
   @Param({"0"})
   private int comm;
 
-  private Simulation simulation;
-  private Network network;
+  private NetworkRun run;
 
   /** Reads the scenario and starts the run. */
   @Setup
   public void start() {
-    Catalogue catalogue = Catalogue.load();
-    NetworkSettings settings = NetworkSettings.CAMSIM.withAll(schedule, comm);
-    Scenario scenario =
-        ScenarioReader.read(Path.of(file), catalogue.movements().names()::contains, warning -> {})
-            .withoutZooms();
-    World world = new World(CamSimScenario.as(scenario, settings), catalogue.movements(), 0);
-    Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
-    network = new Network(world, detection, settings, 0);
-    ZoomPolicy zooms = catalogue.policies().create("zoom-out");
-    simulation = new Simulation(world, detection, zooms, network, 0, List.of(), Workers.CALLER);
+    run =
+        AuctionRun.of(
+            ScenarioReader.read(Path.of(file), name -> true, warning -> {}), schedule, comm);
   }
 
   /** One step. */
   @Benchmark
   public double step() {
-    simulation.step();
-    return network.figures().utility();
+    run.simulation().step();
+    return run.network().figures().utility();
   }
 }

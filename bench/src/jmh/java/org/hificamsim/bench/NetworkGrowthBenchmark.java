@@ -1,6 +1,7 @@
 package org.hificamsim.bench;
 
 import java.util.concurrent.TimeUnit;
+import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.runs.generate.RandomField;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -37,7 +38,7 @@ public class NetworkGrowthBenchmark {
   @Param({"0"})
   private int comm;
 
-  private AuctionRun run;
+  private NetworkRun run;
   private long messages;
   private long steps;
 

@@ -51,13 +51,8 @@ public final class Installer implements BiConsumer<String, Instrumentation> {
   }
 
   private static void check(BridgeSettings settings) throws IOException {
-    Requirements shape =
-        new Requirements(
-            settings.detection().isPresent(),
-            settings.policy().isPresent(),
-            settings.out().isPresent(),
-            settings.tracks().isPresent());
-    List<String> missing = shape.missing(ClassLoader.getSystemClassLoader());
+    List<String> missing =
+        Requirements.missing(settings.uses(), ClassLoader.getSystemClassLoader());
     if (!missing.isEmpty()) {
       throw new InputException("not found in CamSim: " + String.join(", ", missing));
     }
@@ -72,6 +67,6 @@ public final class Installer implements BiConsumer<String, Instrumentation> {
     LiveBridge bridge = new LiveBridge(settings, strict);
     Hooks.connect(bridge);
     Runtime.getRuntime().addShutdownHook(new Thread(bridge::close, "hificamsim-bridge"));
-    Weaver.weave(instrumentation, settings.tracks().isPresent(), bridge::fail);
+    Weaver.weave(instrumentation, settings.uses(), bridge::fail);
   }
 }

@@ -8,9 +8,12 @@ import java.io.IOException;
 import java.net.URL;
 import java.net.URLClassLoader;
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.hificamsim.bridge.camsim.Requirements;
+import org.hificamsim.bridge.camsim.Use;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -18,8 +21,8 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 class ShapeTest {
-  private static final Requirements ALL = new Requirements(true, true, true, true);
-  private static final Requirements DETECTING = new Requirements(true, false, false, false);
+  private static final Set<Use> ALL = EnumSet.allOf(Use.class);
+  private static final Set<Use> DETECTING = EnumSet.of(Use.READ, Use.DETECT);
   private static final String LOOK =
       "method CameraController.update_visiblity(TraceableObject) returning double";
   private static final String CHANGE =
@@ -70,10 +73,10 @@ class ShapeTest {
   }
 
   /** What is missing, without the package's name. */
-  private static List<String> missing(Requirements shape, Path classes) throws IOException {
+  private static List<String> missing(Set<Use> uses, Path classes) throws IOException {
     URL[] path = {classes.toUri().toURL()};
     try (URLClassLoader loader = new URLClassLoader(path, null)) {
-      return shape.missing(loader).stream()
+      return Requirements.missing(uses, loader).stream()
           .map(name -> name.replace("epics.camsim.core.", ""))
           .toList();
     }

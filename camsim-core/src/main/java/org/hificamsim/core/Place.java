@@ -13,10 +13,21 @@ public record Place(String file, int line, int column) {
   private static final Pattern UNPRINTABLE =
       Pattern.compile("[\\p{Cntrl}\\x{80}-\\x{9f}\\x{2028}\\x{2029}]+");
   private static final int MAX_PROBLEM = 500;
+  private static final int MAX_VALUE = 60;
 
   /** The fault {@code FILE:LINE:COLUMN: problem}, in one short line whatever the texts hold. */
   public InputException error(String problem) {
     return new InputException(line(problem));
+  }
+
+  /** The fault {@code FILE:LINE:COLUMN: name is 'value', expected ...}. */
+  public InputException invalid(String name, String value, String expected) {
+    return error(name + " is '" + shortened(value) + "', expected " + expected);
+  }
+
+  /** A value as error lines show it: its start alone where it is long. */
+  public static String shortened(String value) {
+    return value.length() > MAX_VALUE ? value.substring(0, MAX_VALUE) + "..." : value;
   }
 
   /** The line {@code FILE:LINE:COLUMN: problem}. */

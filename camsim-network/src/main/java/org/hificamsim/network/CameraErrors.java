@@ -42,13 +42,15 @@ final class CameraErrors {
   /**
    * Draws who fails in this step. CamSim draws a number in any case; below level 0, where the draws
    * decide about nothing, none is drawn here.
+   *
+   * @return whether a camera has forgotten its neighbours
    */
-  void step(Agent[] agents, int cameras) {
+  boolean step(Agent[] agents, int cameras) {
     if (comeBack) {
       countDown(cameras);
     }
     if (errorLevel < 0 || random.nextInt(PERCENT) > errorLevel || cameras == 0) {
-      return;
+      return false;
     }
     int camera = random.nextInt(cameras);
     int duration = random.nextInt(DURATIONS);
@@ -56,9 +58,11 @@ final class CameraErrors {
       stepsLeft[camera] = duration - 1; // this step's count is over
       world.switchCamera(camera, duration == 0);
     }
-    if (random.nextInt(PERCENT) > resetLevel) {
+    boolean forgets = random.nextInt(PERCENT) > resetLevel;
+    if (forgets) {
       agents[camera].forgetNeighbours();
     }
+    return forgets;
   }
 
   private void countDown(int cameras) {

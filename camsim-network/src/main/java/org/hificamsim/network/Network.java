@@ -12,12 +12,12 @@ import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.WorldObserver;
 import org.hificamsim.network.agent.Agent;
-import org.hificamsim.network.agent.Auctions;
 import org.hificamsim.network.agent.BidderHashes;
 import org.hificamsim.network.agent.HashOrder;
 import org.hificamsim.network.agent.MessageKind;
 import org.hificamsim.network.agent.MessageQueue;
-import org.hificamsim.network.agent.SharedSearches;
+import org.hificamsim.network.agent.ScheduleKind;
+import org.hificamsim.network.agent.Searches;
 import org.hificamsim.network.agent.Sightings;
 import org.hificamsim.network.bandit.CameraBandit;
 import org.hificamsim.network.statistics.CameraFigures;
@@ -34,7 +34,7 @@ import org.hificamsim.network.statistics.StepTally;
 public final class Network implements Cooperation, WorldObserver {
   private final Cameras cameras;
   private final Sightings sightings;
-  private final SharedSearches searches;
+  private final Searches searches;
   private final MessageQueue queue = new MessageQueue();
   private final MessageQueue.Receiver receiver = this::receive;
   private final IntConsumer choosing = this::choose;
@@ -50,6 +50,7 @@ public final class Network implements Cooperation, WorldObserver {
   private final Agent.Shared shared;
   private final Agent[] agents;
   private final CameraBandit[] bandits;
+  private boolean alike = true; // whether all receive all that one sends, and count none of it
   private boolean learning; // whether any camera has a bandit
   private int added;
   private int appeared;
@@ -74,7 +75,7 @@ public final class Network implements Cooperation, WorldObserver {
     factory = new AgentFactory(world, settings, new Random(seed));
     agents = new Agent[cameras.count()];
     bandits = new CameraBandit[cameras.count()];
-    searches = new SharedSearches(world.targets().count());
+    searches = new Searches(cameras, world.targets().count());
     BidderHashes hashes = new BidderHashes(cameras, sightings, agents);
     double[] features = new double[world.targets().count()];
     Arrays.setAll(features, target -> world.targetSpec(target).features());
@@ -96,7 +97,7 @@ public final class Network implements Cooperation, WorldObserver {
   /** Failures by chance. */
   @Override
   public void prepare() {
-    errors.step(agents, added);
+    alike &= !errors.step(agents, added);
   }
 
   @Override
@@ -114,7 +115,6 @@ public final class Network implements Cooperation, WorldObserver {
   @Override
   public void cooperate() {
     tally.begin();
-    searches.refresh(agents, added, cameras.revision());
     if (learning) {
       inTurn(choosing);
     }
@@ -134,20 +134,21 @@ public final class Network implements Cooperation, WorldObserver {
     }
   }
 
-  private void receive(MessageKind kind, int from, int to, int target, double value) {
-    if (to != MessageQueue.EVERYONE) {
+  private int receive(MessageKind kind, int from, int to, int target, double value) {
+    if (to != MessageQueue.NEIGHBOURS) {
       agents[to].receive(kind, from, target, value);
-    } else if (!searches.hear(kind, agents[from], target, value)) {
-      receiveEach(kind, from, target, value);
+      return 1;
+    } else if (alike) {
+      return searches.receiveAll(kind, from, target);
     }
-  }
-
-  private void receiveEach(MessageKind kind, int from, int target, double value) {
+    int receivers = 0;
     for (int camera = 0; camera < added; camera++) {
-      if (camera != from && cameras.online(camera)) {
+      if (agents[from].reaches(camera)) {
         agents[camera].receive(kind, from, target, value);
+        receivers++;
       }
     }
+    return receivers;
   }
 
   private void choose(int camera) {
@@ -157,11 +158,11 @@ public final class Network implements Cooperation, WorldObserver {
   }
 
   private void advertise(int camera) {
-    Auctions.advertise(agents[camera]);
+    agents[camera].advertise();
   }
 
   private void bid(int camera) {
-    Auctions.bid(agents[camera]);
+    agents[camera].bid();
   }
 
   /** Settles, then learns and counts (behaviour 7, step 8). */
@@ -169,7 +170,7 @@ public final class Network implements Cooperation, WorldObserver {
     Agent agent = agents[camera];
     double earned = bandits[camera].earned(figures);
     int sent = agent.sent();
-    Auctions.settle(agent);
+    agent.settle();
     figures.measure(agent);
     bandits[camera].learn(earned, sent, figures);
     tally.settled(agent, earned, sent);
@@ -204,7 +205,9 @@ public final class Network implements Cooperation, WorldObserver {
     agents[camera] = factory.agent(camera, shared);
     bandits[camera] = factory.bandit(agents[camera]);
     learning |= bandits[camera] != CameraBandit.NONE;
+    alike &= agents[camera].schedule() != ScheduleKind.BANDIT_ZOOM;
     for (int other = 0; other < camera; other++) {
+      alike &= cameras.online(other);
       agents[camera].meet(other);
       if (cameras.online(other)) {
         agents[other].meet(camera);

@@ -18,7 +18,7 @@ import org.hificamsim.network.agent.HistoricalParameters;
 import org.hificamsim.network.agent.Links;
 import org.hificamsim.network.agent.MessageQueue;
 import org.hificamsim.network.agent.ScheduleKind;
-import org.hificamsim.network.agent.SharedSearches;
+import org.hificamsim.network.agent.Searches;
 import org.hificamsim.network.agent.Sightings;
 import org.junit.jupiter.api.Test;
 
@@ -60,7 +60,7 @@ class BidderHashesTest {
             world.cameras(),
             new double[0],
             sightings,
-            new SharedSearches(world.targets().count()),
+            new Searches(world.cameras(), world.targets().count()),
             new MessageQueue(),
             new Random(0),
             hashes::of,

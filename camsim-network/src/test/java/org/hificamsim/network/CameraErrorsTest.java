@@ -14,11 +14,10 @@ import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
-import org.hificamsim.network.agent.Auctions;
 import org.hificamsim.network.agent.HistoricalParameters;
 import org.hificamsim.network.agent.MessageKind;
 import org.hificamsim.network.agent.MessageQueue;
-import org.hificamsim.network.agent.SharedSearches;
+import org.hificamsim.network.agent.Searches;
 import org.hificamsim.network.agent.Sightings;
 import org.hificamsim.network.bandit.BanditParameters;
 import org.junit.jupiter.api.Test;
@@ -75,7 +74,7 @@ class CameraErrorsTest {
             world.cameras(),
             new double[] {1},
             sightings,
-            new SharedSearches(world.targets().count()),
+            new Searches(world.cameras(), world.targets().count()),
             new MessageQueue(),
             new Random(0),
             camera -> 0,
@@ -100,7 +99,7 @@ class CameraErrorsTest {
   /** How many neighbours camera 0 asks when it advertises a target. */
   private int asked() {
     agents[0].receive(MessageKind.START_TRACKING, 1, 0, 0);
-    Auctions.advertise(agents[0]);
+    agents[0].advertise();
     return agents[0].sent();
   }
 

@@ -1,14 +1,11 @@
 package org.hificamsim.network;
 
-import java.util.List;
 import java.util.Set;
 import org.hificamsim.core.CamSimCommand;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
-import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.WidestPolicy;
-import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
 import org.hificamsim.network.agent.Named;
@@ -44,14 +41,17 @@ record RecordedRun(CamSimCommand command) {
   /** Runs it with some of CamSim's quirks. */
   void run(Set<Quirk> quirks, Watcher watcher) {
     NetworkSettings settings = settings(quirks);
-    long seed = command.seed();
-    World world =
-        new World(CamSimScenario.as(command.read(), settings), Movements.registry(), seed);
     Detection detection = Detection.of(new CamSimVisibilityDetection());
-    Network network = new Network(world, detection, settings, seed);
-    StepListener listener = (view, coverage) -> watcher.stepped(world, network);
-    List<StepListener> listeners = List.of(listener);
-    new Simulation(world, detection, new WidestPolicy(), network, seed, listeners, Workers.CALLER)
+    Scenario scenario = CamSimScenario.as(command.read(), settings);
+    NetworkRun run =
+        new NetworkRun(
+            scenario,
+            detection,
+            new WidestPolicy(),
+            Movements.registry(),
+            settings,
+            command.seed());
+    run.listen((view, coverage) -> watcher.stepped(run.world(), run.network()))
         .run(command.steps());
   }
 }

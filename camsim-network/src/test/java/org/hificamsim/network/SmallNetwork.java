@@ -11,10 +11,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
-import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.WidestPolicy;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
@@ -39,9 +36,7 @@ final class SmallNetwork {
   private Optional<BanditAlgorithm> bandit = Optional.empty();
   private int errorLevel = -1;
   private int resetLevel = 50;
-  private World world;
-  private Network network;
-  private Simulation simulation;
+  private NetworkRun run;
   private final List<StepFigures> rows = new ArrayList<>();
 
   /** Adds a camera that sees all round. */
@@ -128,11 +123,11 @@ final class SmallNetwork {
 
   /** Runs this many further steps. */
   SmallNetwork run(int steps) {
-    if (simulation == null) {
+    if (run == null) {
       start();
     }
     for (int i = 0; i < steps; i++) {
-      simulation.step();
+      run.simulation().step();
     }
     return this;
   }
@@ -146,24 +141,25 @@ final class SmallNetwork {
   }
 
   World world() {
-    return world;
+    return run.world();
   }
 
   /** Whether a camera sees a target, by their numbers. */
   boolean sees(int camera, int target) {
-    return network.sightings().sees(camera, target);
+    return run.network().sightings().sees(camera, target);
   }
 
   /** How sure a camera is of a target. */
   double confidence(int camera, int target) {
-    return network.sightings().confidence(camera, target);
+    return run.network().sightings().confidence(camera, target);
   }
 
   /** The names of the cameras that own a target, joined. */
   String owners(String features) {
+    World world = run.world();
     StringBuilder owners = new StringBuilder();
     for (int camera = 0; camera < world.cameras().count(); camera++) {
-      for (int target : network.owned(camera)) {
+      for (int target : run.network().owned(camera)) {
         if (world.targets().name(target).equals(features)) {
           owners.append(world.cameras().name(camera));
         }
@@ -184,12 +180,10 @@ final class SmallNetwork {
             BanditParameters.DEFAULT,
             HistoricalParameters.DEFAULT,
             quirks);
-    world = new World(CamSimScenario.as(scenario(), settings), Movements.registry(), 0);
     Detection detection = Detection.of(new CamSimVisibilityDetection());
-    network = new Network(world, detection, settings, 0);
-    StepListener listener = (view, coverage) -> rows.add(network.figures());
-    simulation =
-        new Simulation(world, detection, policy, network, 0, List.of(listener), Workers.CALLER);
+    Scenario scenario = CamSimScenario.as(scenario(), settings);
+    run = new NetworkRun(scenario, detection, policy, Movements.registry(), settings, 0);
+    run.listen((view, coverage) -> rows.add(run.network().figures()));
   }
 
   private Scenario scenario() {

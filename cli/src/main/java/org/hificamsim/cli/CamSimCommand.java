@@ -3,27 +3,20 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Instant;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.core.world.World;
 import org.hificamsim.network.CamSimScenario;
-import org.hificamsim.network.Network;
+import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.StandingObjects;
 import org.hificamsim.network.files.CamSimFiles;
-import org.hificamsim.network.files.RunSums;
 import org.hificamsim.network.files.SeparateFiles;
+import org.hificamsim.network.statistics.RunSums;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Overrides;
 import org.hificamsim.runs.RunPlan;
@@ -126,18 +119,13 @@ final class CamSimCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     NetworkSettings settings = options.settings(screen.err());
     RunPlan plan = plan(catalogue, settings);
-    World world = new World(plan.scenario(), catalogue.movements(), seed);
-    Network network = new Network(world, plan.detection(), settings, seed);
-    ZoomPolicy zooms = catalogue.policies().create(plan.policy());
+    NetworkRun run = NetworkRun.of(plan, settings, catalogue);
     CamSimFiles.Places places = new CamSimFiles.Places(file, output, summary, extra, coverage);
-    try (CamSimFiles files = new CamSimFiles(places, plan, world, network);
+    try (CamSimFiles files = new CamSimFiles(places, plan, run);
         Progress progress = screen.progress(plan.scenario().name(), " steps", steps)) {
-      List<StepListener> listeners = new ArrayList<>(files.listeners());
-      listeners.add((view, measured) -> progress.advance());
-      new Simulation(world, plan.detection(), zooms, network, seed, listeners, Workers.CALLER)
-          .run(steps);
+      run.listen((view, measured) -> progress.advance()).run(steps);
       files.commit(screen.words(), started);
-      print(plan.scenario(), files.sums());
+      print(plan.scenario(), run.sums());
     }
     return 0;
   }

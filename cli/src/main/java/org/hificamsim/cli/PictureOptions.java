@@ -17,7 +17,7 @@ import org.hificamsim.presentation.picture.StepPicture;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.Picture;
 import org.hificamsim.presentation.replay.CameraSetup;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Replay;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.heat.HeatFigure;
@@ -191,7 +191,7 @@ final class PictureOptions {
     repeats = replay.repeat();
     for (int i = 0; i < replay.runs().size(); i++) {
       if (replay.runs().get(i).run() == repeat) {
-        Recording recording = replay.recording(folder, i);
+        RecordedRun recording = replay.recording(folder, i);
         return new RunFrames(replay.setup(), recording, look(replay.setup()));
       }
     }

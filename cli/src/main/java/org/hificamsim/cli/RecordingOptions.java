@@ -24,7 +24,10 @@ final class RecordingOptions {
   @Option(names = "--rate", paramLabel = "R", description = "Frames a second.")
   private Double rate;
 
-  @Option(names = "--unit", paramLabel = "U", description = "Of positions: m, cm, mm, px or deg.")
+  @Option(
+      names = "--unit",
+      paramLabel = "U",
+      description = "Unit of positions: m, cm, mm, px or deg.")
   private String unit;
 
   @Option(
@@ -38,27 +41,28 @@ final class RecordingOptions {
       split = ",",
       paramLabel = "KEY=NAME",
       description =
-          "Of a table: time or frame, id, x, y, width, height, each with a name or number from 1.")
+          "Columns of a table: time or frame, id, x, y, width, height, each with its name or its"
+              + " number from 1.")
   private Map<String, String> columns = new TreeMap<>();
 
   @Option(
       names = "--origin",
       paramLabel = "LAT,LON",
-      description = "Where degrees become (0, 0) m; default: the first sample.")
+      description = "Position that becomes (0, 0) m; default: the first sample.")
   private String origin;
 
   @Option(
       names = "--gap",
       paramLabel = "S",
       description =
-          "A target is away between two samples of its that are farther apart, seconds; default:"
-              + " three times the usual time.")
+          "A target is considered absent between samples more than this many seconds apart;"
+              + " default: three times the usual time.")
   private Double gap;
 
-  @Option(names = "--from", paramLabel = "S", description = "Cut what is before, seconds.")
+  @Option(names = "--from", paramLabel = "S", description = "Leave out what is before, seconds.")
   private Double from;
 
-  @Option(names = "--to", paramLabel = "S", description = "Cut what is after, seconds.")
+  @Option(names = "--to", paramLabel = "S", description = "Leave out what is after, seconds.")
   private Double to;
 
   @Option(

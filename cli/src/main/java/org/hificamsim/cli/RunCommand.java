@@ -251,7 +251,7 @@ final class RunCommand implements Callable<Integer> {
   private static ReplayRecorder replay(
       RunPlan plan, Catalogue catalogue, List<FloorPicture> floor) {
     return new ReplayRecorder(
-        Setup.of(world(plan, catalogue), plan.detection(), plan.policy(), plan.seed()).on(floor),
+        Setup.of(world(plan, catalogue), plan.detection(), plan.policy(), plan.seed(), floor),
         plan.detection(),
         plan.repeats());
   }

@@ -12,12 +12,11 @@ import org.hificamsim.tracks.SiteSettings;
 import org.hificamsim.tracks.TrackedSite;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
-import org.hificamsim.tracks.place.FloorplanFile;
 import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.WallFile;
 import picocli.CommandLine.Option;
 
-/** What a scenario of tracks has beside them. */
+/** Settings of an imported scenario: name, field, walls, floor plan, cameras. */
 final class SiteOptions {
   private static final double LARGE = 1e9;
   private static final int MAX_CAMERAS = 1000;
@@ -25,22 +24,26 @@ final class SiteOptions {
   @Option(
       names = "--name",
       paramLabel = "NAME",
-      description = "Of the scenario; default: that of the recording.")
+      description = "Name of the scenario; default: that of the recording.")
   private String name;
 
-  @Option(names = "--cameras", paramLabel = "N", description = "Put up as a first draft.")
+  @Option(
+      names = "--cameras",
+      paramLabel = "N",
+      description = "Number of cameras to place as a first draft.")
   private int cameras;
 
   @Option(
       names = "--margin",
       paramLabel = "M",
-      description = "Of the field around all samples, m; default: a tenth of its longer side.")
+      description =
+          "Margin of the field around all samples, m; default: a tenth of its longer side.")
   private Double margin;
 
   @Option(
       names = "--step",
       paramLabel = "S",
-      description = "How long a step takes, s; default: the usual time between two samples.")
+      description = "Duration of a step, s; default: the usual time between two samples.")
   private Double step;
 
   @Option(
@@ -52,7 +55,7 @@ final class SiteOptions {
   @Option(
       names = "--walls-unit",
       paramLabel = "U",
-      description = "Of the walls: m, cm, mm or deg; default: that of the recording.")
+      description = "Unit of the walls: m, cm, mm or deg; default: that of the recording.")
   private String wallsUnit;
 
   @Option(
@@ -70,7 +73,7 @@ final class SiteOptions {
   @Option(
       names = "--at",
       paramLabel = "X,Y",
-      description = "Where its lower left corner is, m; default: 0,0.")
+      description = "Position of its lower left corner, m; default: 0,0.")
   private String at;
 
   /** The scenario's name. */
@@ -112,7 +115,7 @@ final class SiteOptions {
     return floorplan;
   }
 
-  /** What it is called beside the scenario. */
+  /** Its name in the scenario's folder. */
   String floorplanName(String scenario) {
     String file = floorplan.getFileName().toString();
     int dot = file.lastIndexOf('.');
@@ -139,7 +142,7 @@ final class SiteOptions {
                 () ->
                     new InputException(
                         "--floorplan without --scale M, expected how many metres a pixel is"));
-    return new Floorplan(floorplanName(scenario), FloorplanFile.area(floorplan, frame));
+    return new Floorplan(floorplanName(scenario), frame.area(floorplan));
   }
 
   /** What was made, in a line. */

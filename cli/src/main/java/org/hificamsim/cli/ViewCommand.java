@@ -8,10 +8,10 @@ import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.view.Browsers;
-import org.hificamsim.presentation.view.Choice;
+import org.hificamsim.presentation.view.LiveChoice;
 import org.hificamsim.presentation.view.LivePage;
 import org.hificamsim.presentation.view.LiveRun;
-import org.hificamsim.presentation.view.Session;
+import org.hificamsim.presentation.view.LiveSession;
 import org.hificamsim.presentation.view.ViewServer;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -57,12 +57,13 @@ final class ViewCommand implements Callable<Integer> {
     Numbers.inRange("--port", port, 0, MAX_PORT);
     Catalogue catalogue = Catalogue.load();
     Scenario scenario = scenarioOptions.read(file, catalogue, spec.commandLine().getErr());
-    Choice choice =
-        new Choice(models.detection(), scenarioOptions.threshold(), models.policy().orElseThrow());
+    LiveChoice choice =
+        new LiveChoice(
+            models.detection(), scenarioOptions.threshold(), models.policy().orElseThrow());
     LiveRun run =
         new LiveRun(catalogue, scenario, choice, seed.value(), FloorPictures.of(file, scenario));
     String page = LivePage.html(catalogue, scenario.name(), models.detection());
-    try (Session session = new Session(run);
+    try (LiveSession session = new LiveSession(run);
         ViewServer server = new ViewServer(session, page, port, GRACE)) {
       spec.commandLine().getOut().println(server.address());
       spec.commandLine().getOut().flush();

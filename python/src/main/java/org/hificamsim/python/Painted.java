@@ -14,7 +14,7 @@ import org.hificamsim.presentation.picture.StepPicture;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
 
@@ -53,7 +53,7 @@ final class Painted implements StepListener {
   byte[] picture(NetworkView network, long seed, int width) {
     List<Frame> shown = frames.isEmpty() ? List.of(snapshots.take(network)) : List.copyOf(frames);
     long steps = shown.get(shown.size() - 1).step() + 1;
-    Recording recording = new Recording(0, seed, steps, 1, "", List.copyOf(moves), shown);
+    RecordedRun recording = new RecordedRun(0, seed, steps, 1, "", List.copyOf(moves), shown);
     RunFrames run = new RunFrames(setup, recording);
     return bytes(FigureFile.image(new StepPicture(run, shown.size() - 1), width));
   }

@@ -1,6 +1,7 @@
 package org.hificamsim.python;
 
 import java.nio.ByteBuffer;
+import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.world.World;
@@ -43,7 +44,8 @@ public final class Session implements AutoCloseable {
 
   private Painted painted(Catalogue catalogue, long seed) {
     World world = new World(settings.scenario(), catalogue.movements(), seed);
-    return new Painted(Setup.of(world, settings.detection(), "played", seed), settings.detection());
+    return new Painted(
+        Setup.of(world, settings.detection(), "played", seed, List.of()), settings.detection());
   }
 
   /** What there is to know of the worlds, as JSON, see {@link Description}. */

@@ -1,11 +1,14 @@
 package org.hificamsim.tracks;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
 import org.hificamsim.tracks.format.Sample;
 import org.hificamsim.tracks.format.SampleSink;
@@ -13,19 +16,19 @@ import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.Ground;
 
 /**
- * Takes a file's samples to the ground, checks each against the last one of its target, and hands
- * them to the sorter. Of each target it keeps one record, whatever the number of samples.
+ * Takes a file's samples to the ground, checks each against the last one of its target, and stores
+ * them. Of each target it keeps one record, whatever the number of samples.
  */
 final class Collector implements SampleSink {
+  private static final Pattern WHOLE = Pattern.compile("-?(0|[1-9][0-9]{0,14})");
   private static final int MAX_SPACINGS = 1000; // different ones that are counted
 
-  private final SampleSorter sorter;
+  private final SampleStore store;
   private final Function<Unit, Ground> grounds;
   private Ground ground;
   private final Map<String, TargetRecord> byName = new HashMap<>();
   private final List<TargetRecord> targets = new ArrayList<>();
   private final Map<Double, Long> spacings = new TreeMap<>();
-  private long samples;
   private long duplicates;
   private String firstDuplicate = "";
   private double firstTick = Double.POSITIVE_INFINITY;
@@ -33,8 +36,8 @@ final class Collector implements SampleSink {
   /**
    * @param grounds what takes the samples of a unit to metres
    */
-  Collector(SampleSorter sorter, Function<Unit, Ground> grounds) {
-    this.sorter = sorter;
+  Collector(SampleStore store, Function<Unit, Ground> grounds) {
+    this.store = store;
     this.grounds = grounds;
   }
 
@@ -49,9 +52,12 @@ final class Collector implements SampleSink {
     TargetRecord target = byName.computeIfAbsent(sample.target(), this::begun);
     if (isNew(sample, target)) {
       count(sample, target);
-      target.seen(sample.tick(), sample.x(), sample.y());
-      target.sized(sample.width(), sample.height());
-      sorter.add(target.number(), sample.tick(), sample.x(), sample.y());
+      target.seen(sample);
+      try {
+        store.add(target.number(), sample.tick(), sample.x(), sample.y());
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
     }
   }
 
@@ -66,33 +72,26 @@ final class Collector implements SampleSink {
       return true;
     }
     if (sample.tick() < target.tick()) {
-      throw backwards(sample, target);
+      throw fault(
+          sample,
+          ": time runs backwards, from %s to %s, expected a target's samples in order of time"
+              .formatted(target.tick(), sample.tick()));
     }
     if (!target.isAt(sample.x(), sample.y())) {
-      throw twice(sample);
+      throw fault(
+          sample,
+          " is at two places at time %s, expected one sample of a target at a time"
+              .formatted(sample.tick()));
     }
     firstDuplicate = duplicates++ == 0 ? sample.place().toString() : firstDuplicate;
     return false;
   }
 
-  private static InputException backwards(Sample sample, TargetRecord target) {
-    return sample
-        .place()
-        .error(
-            "target %s: time runs backwards, from %s to %s, expected a target's samples in order of time"
-                .formatted(sample.target(), target.tick(), sample.tick()));
-  }
-
-  private static InputException twice(Sample sample) {
-    return sample
-        .place()
-        .error(
-            "target %s is at two places at time %s, expected one sample of a target at a time"
-                .formatted(sample.target(), sample.tick()));
+  private static InputException fault(Sample sample, String problem) {
+    return sample.place().error("target " + sample.target() + problem);
   }
 
   private void count(Sample sample, TargetRecord target) {
-    samples++;
     firstTick = Math.min(firstTick, sample.tick());
     if (target.tick() != Double.NEGATIVE_INFINITY) {
       double spacing = Math.rint((sample.tick() - target.tick()) * 1e6) / 1e6;
@@ -107,8 +106,9 @@ final class Collector implements SampleSink {
     return targets;
   }
 
-  long samples() {
-    return samples;
+  /** Whether the names of all targets are whole numbers, by which a scenario knows them then. */
+  boolean ownNames() {
+    return byName.keySet().stream().allMatch(name -> WHOLE.matcher(name).matches());
   }
 
   /** How many samples were there twice, the same each time. */

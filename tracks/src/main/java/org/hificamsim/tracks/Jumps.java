@@ -13,7 +13,7 @@ import java.util.PriorityQueue;
 final class Jumps {
   private static final double ODD = 5;
   private static final double LEAST = 0.1; // m/s: of targets that all stand
-  private static final int NAMED = 3; // jumps that are told one by one
+  private static final int NAMED = 3; // jumps that are listed one by one
 
   /** A way that ends at a time. */
   record Leg(String target, double time, double way, double speed) {}
@@ -64,7 +64,7 @@ final class Jumps {
     long jumps = speeds.above(limit);
     List<String> lines = new ArrayList<>();
     if (jumps > 0) {
-      lines.add(jumps + " jumps, faster than " + Figures.rounded(limit) + " m/s");
+      lines.add(jumps + " jumps, faster than " + ImportSummary.rounded(limit) + " m/s");
       fastest.stream()
           .filter(leg -> leg.speed() > limit)
           .sorted(Comparator.comparingDouble(Leg::speed).reversed())
@@ -74,14 +74,11 @@ final class Jumps {
   }
 
   private static String line(Leg leg) {
-    return "target "
-        + leg.target()
-        + " jumps "
-        + Figures.rounded(leg.way())
-        + " m before "
-        + Figures.rounded(leg.time())
-        + " s, "
-        + Figures.rounded(leg.speed())
-        + " m/s";
+    return "target %s jumps %s m before %s s, %s m/s"
+        .formatted(
+            leg.target(),
+            ImportSummary.rounded(leg.way()),
+            ImportSummary.rounded(leg.time()),
+            ImportSummary.rounded(leg.speed()));
   }
 }

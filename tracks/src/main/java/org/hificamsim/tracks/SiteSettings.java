@@ -8,15 +8,15 @@ import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.Floorplan;
 
 /**
- * What a scenario of tracks has beside them.
+ * Settings of an imported scenario: name, field, walls, floor plan, cameras.
  *
  * @param name of the scenario
  * @param source the recording, as a comment names it
- * @param cameras how many are put up as a first draft
+ * @param cameras how many to place as a first draft
  * @param margin of the field around all samples, metres
  * @param step how long a step takes, seconds; as a rule the time between two samples
  * @param walls solid, in metres
- * @param floorplan the picture's name beside the scenario and what it shows
+ * @param floorplan the picture's name in the scenario's folder and what it shows
  */
 public record SiteSettings(
     String name,

@@ -2,6 +2,7 @@ package org.hificamsim.tracks;
 
 import java.util.Optional;
 import org.hificamsim.core.scenario.Extent;
+import org.hificamsim.tracks.format.Sample;
 
 /** What is kept of a target while its file is read. */
 final class TargetRecord {
@@ -39,18 +40,20 @@ final class TargetRecord {
     return x == itsX && y == itsY;
   }
 
-  void seen(double when, double itsX, double itsY) {
-    tick = when;
-    x = itsX;
-    y = itsY;
-  }
-
-  void sized(double width, double height) {
-    if (width > 0 && height > 0 && width <= 1e9 && height <= 1e9) {
-      widths += width;
-      heights += height;
+  /** Takes its latest sample. */
+  void seen(Sample sample) {
+    tick = sample.tick();
+    x = sample.x();
+    y = sample.y();
+    if (isLength(sample.width()) && isLength(sample.height())) {
+      widths += sample.width();
+      heights += sample.height();
       sized++;
     }
+  }
+
+  private static boolean isLength(double metres) {
+    return metres > 0 && metres <= 1e9;
   }
 
   /** The mean of its boxes; empty where the file has none. */

@@ -1,15 +1,14 @@
 package org.hificamsim.tracks;
 
 import java.io.IOException;
-import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Extent;
 import org.hificamsim.core.scenario.TrackWriter;
 
 /**
- * Writes sorted samples as tracks: a new one for each target and after each gap. Times are kept to
- * the microsecond, places to the millimetre.
+ * Writes the samples of a target as tracks: a new one at first and after each gap. Times are kept
+ * to the microsecond, places to the millimetre.
  */
 final class TrackMaker {
   private static final double MICRO = 1e6;
@@ -17,81 +16,66 @@ final class TrackMaker {
 
   private final TrackSettings settings;
   private final TrackWriter writer;
-  private final List<TargetRecord> targets;
-  private final TargetNames names;
-  private final Findings findings;
-  private final double gap;
-  private int target = -1;
+  private final TargetRecord target;
+  private final double number;
+  private final ImportSummary summary;
+  private long samples;
   private double time;
-  private double x;
-  private double y;
+  private Point at;
 
+  /**
+   * @param number by which the scenario knows the target
+   */
   TrackMaker(
       TrackSettings settings,
       TrackWriter writer,
-      List<TargetRecord> targets,
-      TargetNames names,
-      Findings findings) {
+      TargetRecord target,
+      double number,
+      ImportSummary summary) {
     this.settings = settings;
     this.writer = writer;
-    this.targets = targets;
-    this.names = names;
-    this.findings = findings;
-    this.gap = settings.gap().orElse(3 * findings.interval());
+    this.target = target;
+    this.number = number;
+    this.summary = summary;
   }
 
-  /** The longest time between two samples of a target that is there meanwhile, seconds. */
-  double gap() {
-    return gap;
-  }
-
-  /**
-   * Writes all samples.
-   *
-   * @param firstTick when the recording begins
-   * @param secondsPerTick how long a tick is
-   */
-  void write(SortedSamples samples, double firstTick, double secondsPerTick) throws IOException {
-    while (samples.next()) {
-      SampleRun sample = samples.sample();
-      double seconds = (sample.tick() - firstTick) * secondsPerTick;
-      if (seconds >= settings.from() && seconds <= settings.to()) {
-        write(sample, Math.rint((seconds - settings.from()) * MICRO) / MICRO);
-      }
+  /** Adds the next sample, seconds from the recording's first one and metres. */
+  void sample(double seconds, double x, double y) throws IOException {
+    double when = Math.rint((seconds - settings.from()) * MICRO) / MICRO;
+    boolean cut = seconds < settings.from() || seconds > settings.to();
+    if (!cut && (samples == 0 || when > time)) { // not less than a microsecond later
+      write(when, new Point(Math.rint(x * MILLI) / MILLI, Math.rint(y * MILLI) / MILLI));
     }
   }
 
-  private void write(SampleRun sample, double when) throws IOException {
-    double toX = Math.rint(sample.x() * MILLI) / MILLI;
-    double toY = Math.rint(sample.y() * MILLI) / MILLI;
-    boolean known = sample.target() == target;
-    if (known && when <= time) {
-      return; // less than a microsecond later
+  private void write(double when, Point to) throws IOException {
+    boolean gap = samples > 0 && when - time > summary.gap() * (1 + 1e-9);
+    if (gap) {
+      summary.gap(when - time);
     }
-    if (!known || when - time > gap * (1 + 1e-9)) {
-      begin(sample.target(), known, when);
+    if (gap || samples == 0) {
+      begin();
     } else {
-      findings.leg(targets.get(target), when, when - time, new Point(x, y), new Point(toX, toY));
+      summary.leg(target, when, when - time, at, to);
     }
-    findings.sample(targets.get(sample.target()), when, toX, toY);
-    writer.sample(when, toX, toY);
-    target = sample.target();
+    summary.sample(when, to.x(), to.y());
+    writer.sample(when, to.x(), to.y());
+    samples++;
     time = when;
-    x = toX;
-    y = toY;
+    at = to;
   }
 
-  private void begin(int number, boolean known, double when) throws IOException {
-    findings.track();
-    if (known) {
-      findings.gap(when - time);
-    }
-    TargetRecord record = targets.get(number);
-    Optional<Extent> extent = record.extent().isPresent() ? record.extent() : settings.extent();
+  private void begin() throws IOException {
+    Optional<Extent> extent = target.extent().or(settings::extent);
     if (extent.isPresent()) {
-      writer.target(names.number(record), extent.get());
+      writer.target(number, extent.get());
     } else {
-      writer.target(names.number(record), settings.size());
+      writer.target(number, settings.size());
     }
+  }
+
+  /** No sample follows. */
+  void end() {
+    summary.endTarget(samples);
   }
 }

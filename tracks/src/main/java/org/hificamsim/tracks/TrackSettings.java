@@ -10,7 +10,7 @@ import org.hificamsim.core.scenario.Extent;
  * @param gap the longest time between two samples of a target that is there meanwhile, seconds;
  *     three times the usual one by default
  * @param from where the recording is cut, seconds from its first sample
- * @param to likewise
+ * @param to where the recording is cut, seconds from its first sample
  * @param size of targets without a box
  * @param extent of such targets, where width and height are given; comes before the size
  */

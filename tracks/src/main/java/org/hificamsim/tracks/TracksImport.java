@@ -9,13 +9,12 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.TrackWriter;
 import org.hificamsim.tracks.format.Recording;
 import org.hificamsim.tracks.format.TrackFormat;
-import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.Ground;
 import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
 
 /**
- * A recording of any size, read once and checked, its samples sorted by target, to be written as a
+ * A recording of any size, read once and checked, its samples stored by target, to be written as a
  * file of tracks. Memory grows with the number of targets, not with that of samples.
  */
 public final class TracksImport implements Closeable {
@@ -23,10 +22,8 @@ public final class TracksImport implements Closeable {
   private static final double SLACK = 1e-6;
 
   private final Recording recording;
-  private final Optional<Homography> homography;
-  private final LocalProjection projection;
-  private final SampleSorter sorter = new SampleSorter();
-  private final Collector collector = new Collector(sorter, this::ground);
+  private final SampleStore store = new SampleStore();
+  private final Collector collector;
   private double secondsPerTick;
 
   /**
@@ -42,11 +39,10 @@ public final class TracksImport implements Closeable {
       LocalProjection projection)
       throws IOException {
     this.recording = recording;
-    this.homography = homography;
-    this.projection = projection;
+    collector = new Collector(store, unit -> Ground.of(unit, homography, projection));
     try {
       secondsPerTick = format.read(recording, collector).secondsPerTick(collector.spacing());
-      requireSome(collector.samples());
+      requireSome(!collector.targets().isEmpty());
     } catch (RuntimeException e) {
       close();
       throw e;
@@ -54,7 +50,8 @@ public final class TracksImport implements Closeable {
   }
 
   /**
-   * Writes the tracks.
+   * Writes the tracks. A scenario knows the targets by their own names where all are whole numbers,
+   * else as 1, 2, 3 in the order of appearance.
    *
    * @param obstacles through which nobody should go
    * @param folder receives the tracks under this name
@@ -63,36 +60,33 @@ public final class TracksImport implements Closeable {
   public ImportSummary write(
       TrackSettings settings, Obstacles obstacles, OutputFolder folder, String name)
       throws IOException {
-    double interval = rounded(collector.spacing() * secondsPerTick);
-    Findings findings = new Findings(interval, obstacles);
-    TargetNames names = new TargetNames(collector.targets());
-    double gap;
+    double interval = Math.max(SLACK, Math.rint(collector.spacing() * secondsPerTick * 1e6) / 1e6);
+    double gap = settings.gap().orElse(3 * interval);
+    ImportSummary summary = new ImportSummary(collector, interval, gap, obstacles);
+    boolean ownNames = collector.ownNames();
     try (Writer out = folder.open(name)) {
       TrackWriter writer = new TrackWriter(out, interval, SLACK);
-      TrackMaker maker = new TrackMaker(settings, writer, collector.targets(), names, findings);
-      maker.write(sorter.sorted(), collector.firstTick(), secondsPerTick);
-      gap = maker.gap();
+      for (TargetRecord target : collector.targets()) {
+        double number = ownNames ? Double.parseDouble(target.name()) : target.number() + 1;
+        TrackMaker maker = new TrackMaker(settings, writer, target, number, summary);
+        store.each(
+            target.number(),
+            (tick, x, y) -> maker.sample((tick - collector.firstTick()) * secondsPerTick, x, y));
+        maker.end();
+      }
     }
-    requireSome(findings.samples());
-    return ImportSummary.of(collector, findings, names, gap);
+    requireSome(summary.samples() > 0);
+    return summary;
   }
 
-  private Ground ground(Unit unit) {
-    return Ground.of(unit, homography, projection);
-  }
-
-  private static double rounded(double seconds) {
-    return Math.max(SLACK, Math.rint(seconds * 1e6) / 1e6);
-  }
-
-  private void requireSome(long samples) {
-    if (samples == 0) {
+  private void requireSome(boolean some) {
+    if (!some) {
       throw recording.missing("samples of targets; the file, or what is cut from it, has none");
     }
   }
 
   @Override
   public void close() throws IOException {
-    sorter.close();
+    store.close();
   }
 }

@@ -22,7 +22,6 @@ import org.hificamsim.core.scenario.Field;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.hificamsim.tracks.place.DraftCameras;
-import org.hificamsim.tracks.place.FloorplanFile;
 import org.hificamsim.tracks.place.PictureFrame;
 import org.hificamsim.tracks.place.WallFile;
 import org.junit.jupiter.api.Test;
@@ -151,9 +150,9 @@ class PlacesTest {
   void aFloorplanShowsWhatItsPixelsAre() throws IOException {
     Path file = folder.resolve("plan.png");
     ImageIO.write(new BufferedImage(40, 20, BufferedImage.TYPE_INT_RGB), "png", file.toFile());
-    assertEquals(new Field(10, 30, 20, 30), FloorplanFile.area(file, FRAME));
+    assertEquals(new Field(10, 30, 20, 30), FRAME.area(file));
     Path text = written("plan.txt", "no picture");
-    assertThrows(InputException.class, () -> FloorplanFile.area(text, FRAME));
+    assertThrows(InputException.class, () -> FRAME.area(text));
   }
 
   @Test

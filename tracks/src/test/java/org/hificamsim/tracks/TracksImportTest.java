@@ -9,9 +9,7 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.Reference;
@@ -100,28 +98,27 @@ class TracksImportTest {
   }
 
   @Test
-  void samplesThatDoNotFitIntoThePartAreMergedInOrder() throws IOException {
+  void samplesThatAreNotKeptInMemoryComeBackInTheirOrder() throws IOException {
     SplittableRandom random = new SplittableRandom(5);
     int[] ticks = new int[20];
-    List<String> expected = new ArrayList<>();
-    List<String> sorted = new ArrayList<>();
-    try (SampleSorter sorter = new SampleSorter(7)) {
-      for (int i = 0; i < 5000; i++) {
-        int target = random.nextInt(ticks.length);
-        sorter.add(target, ticks[target], i, -i);
-        expected.add(String.format(Locale.ROOT, "%02d %05d %s", target, ticks[target]++, i));
+    try (SampleStore store = new SampleStore()) {
+      for (int i = 0; i < 20_000; i++) {
+        int target = i < ticks.length ? i : random.nextInt(ticks.length - 2); // two have one sample
+        store.add(target, ticks[target]++, target, -i);
       }
-      SortedSamples samples = sorter.sorted();
-      while (samples.next()) {
-        SampleRun one = samples.sample();
-        assertEquals(0, one.x() + one.y());
-        sorted.add(
-            String.format(
-                Locale.ROOT, "%02d %05d %s", one.target(), (int) one.tick(), (int) one.x()));
+      for (int target = 0; target < ticks.length; target++) {
+        int number = target;
+        int[] seen = {0};
+        store.each(
+            target,
+            (tick, x, y) -> {
+              assertEquals(seen[0]++, tick);
+              assertEquals(number, x);
+            });
+        assertEquals(ticks[target], seen[0]);
+        assertTrue(target >= 18 || seen[0] > 5 * SampleStore.BLOCK, "blocks of " + target);
       }
     }
-    expected.sort(null);
-    assertEquals(expected, sorted);
   }
 
   @Test

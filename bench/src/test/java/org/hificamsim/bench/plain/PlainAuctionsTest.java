@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.bench.AuctionRun;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.runs.generate.RandomField;
@@ -20,7 +21,7 @@ class PlainAuctionsTest {
   @ValueSource(ints = {15, 100})
   void everyStepOfARandomFieldIsTheEngines(int cameras) {
     Scenario field = new RandomField(cameras, cameras / 2, RandomField.CLUSTER_AREA, 1).scenario();
-    AuctionRun ours = AuctionRun.of(field, ScheduleKind.PASSIVE, 0);
+    NetworkRun ours = AuctionRun.of(field, ScheduleKind.PASSIVE, 0);
     PlainAuctions plain = new PlainAuctions(field, 0);
     long handovers = 0;
     for (int step = 0; step < STEPS; step++) {

@@ -1,9 +1,12 @@
 package org.hificamsim.bridge.run;
 
 import java.nio.file.Path;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
+import org.hificamsim.bridge.camsim.Use;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.metrics.Objective;
@@ -48,7 +51,17 @@ public record BridgeSettings(
 
   /** Whether CamSim has to be changed at all. */
   public boolean asksForAnything() {
-    return detection.isPresent() || policy.isPresent() || out.isPresent() || tracks.isPresent();
+    return uses().size() > 1;
+  }
+
+  /** What it takes of CamSim. */
+  public Set<Use> uses() {
+    Set<Use> uses = EnumSet.of(Use.READ);
+    detection.ifPresent(given -> uses.add(Use.DETECT));
+    policy.ifPresent(given -> uses.add(Use.STEER));
+    out.ifPresent(given -> uses.addAll(List.of(Use.RECORD, Use.NAME)));
+    tracks.ifPresent(given -> uses.addAll(List.of(Use.TRACK, Use.NAME)));
+    return uses;
   }
 
   /** What cameras see by: the given detection, else CamSim's own. */

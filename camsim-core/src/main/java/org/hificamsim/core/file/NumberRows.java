@@ -5,8 +5,7 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 
 /**
- * A table of numbers as text, for tables with a row for each step: no object is made for a cell,
- * and a number that was written lately is not turned into text again.
+ * A table of numbers as text, for tables with a row for each step: no object is made for a cell.
  *
  * <p>Numbers are written as {@link Long#toString} and {@link Double#toString} write them; NaN is an
  * empty cell, which pandas and R read as missing.
@@ -15,9 +14,7 @@ public final class NumberRows implements Rows {
   private final Writer out;
   private final char separator;
   private final String lineEnd;
-  private final DoubleTexts doubles = new DoubleTexts();
   private final StringBuilder row = new StringBuilder();
-  private char[] text = new char[256];
 
   /**
    * Writes the header.
@@ -38,29 +35,21 @@ public final class NumberRows implements Rows {
 
   @Override
   public void add(double number) {
-    row.append(doubles.text(number)).append(separator);
+    if (!Double.isNaN(number)) {
+      row.append(number);
+    }
+    row.append(separator);
   }
 
   @Override
   public void end() {
     row.setLength(row.length() - 1);
-    row.append(lineEnd);
     try {
-      write();
+      out.append(row.append(lineEnd));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
     row.setLength(0);
-  }
-
-  /** Without a string of the row. */
-  private void write() throws IOException {
-    int length = row.length();
-    if (length > text.length) {
-      text = new char[2 * length];
-    }
-    row.getChars(0, length, text, 0);
-    out.write(text, 0, length);
   }
 
   @Override

@@ -1,44 +1,132 @@
 package org.hificamsim.core.file;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Path;
 import java.util.Locale;
 import javax.xml.parsers.ParserConfigurationException;
 import javax.xml.parsers.SAXParserFactory;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.Locator;
 import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
 import org.xml.sax.XMLReader;
 import org.xml.sax.helpers.DefaultHandler;
 
 /**
- * Readers of untrusted XML: no document types, no entities but the five of XML itself.
+ * Reads untrusted XML of any size from front to back; an implementer takes its elements. No
+ * document types, no entities but the five of XML itself.
  *
- * <p>The JDK's SAX parser rather than its StAX one, which reports some faults on standard error,
+ * <p>By the JDK's SAX parser rather than its StAX one, which reports some faults on standard error,
  * others as message keys, and all in the machine's language.
  */
-public final class PlainXml {
+public abstract class PlainXml extends DefaultHandler {
   private static final String FEATURES = "http://apache.org/xml/features/";
 
-  private PlainXml() {}
+  private String file = "";
+  private Locator locator;
 
-  /** A reader that hands everything to one handler. */
-  public static XMLReader reader(DefaultHandler handler) {
+  /**
+   * Reads a file, unpacked where its name ends in {@code .gz}.
+   *
+   * @throws InputException with the place, when it is no XML, or what the implementer finds
+   */
+  public final void readFile(Path path) {
+    try (InputStream in = TextLines.stream(path)) {
+      readSource(path.toString(), new InputSource(in));
+    } catch (IOException e) {
+      throw TextLines.unreadable(path.toString(), 1, e);
+    }
+  }
+
+  /**
+   * Reads a source.
+   *
+   * @param name of the file in error lines
+   * @throws InputException with the place, when it is no XML, or what the implementer finds
+   */
+  protected final void readSource(String name, InputSource source) {
+    file = name;
     try {
-      XMLReader reader = plain();
-      reader.setContentHandler(handler);
-      reader.setErrorHandler(handler);
-      reader.setEntityResolver(handler);
+      reader().parse(source);
+    } catch (SAXParseException e) {
+      throw new InputException(fault(e).getMessage(), e);
+    } catch (SAXException e) { // the JDK's parser loses its way, as after <!DOCTYPE> inside <root>
+      SAXParseException fault = new SAXParseException(e.getMessage(), locator);
+      throw new InputException(fault(fault).getMessage(), e);
+    } catch (IOException e) {
+      throw TextLines.unreadable(file, place().line(), e);
+    }
+  }
+
+  private XMLReader reader() throws SAXException {
+    try {
+      SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
+      factory.setFeature(FEATURES + "disallow-doctype-decl", true);
+      factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
+      factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
+      factory.setFeature(FEATURES + "nonvalidating/load-external-dtd", false);
+      XMLReader reader = factory.newSAXParser().getXMLReader();
+      reader.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
+      reader.setContentHandler(this);
+      reader.setErrorHandler(this);
+      reader.setEntityResolver(this);
       return reader;
-    } catch (SAXException | ParserConfigurationException e) {
+    } catch (ParserConfigurationException e) {
       throw new IllegalStateException("the JDK's own XML parser knows these settings", e);
     }
   }
 
-  private static XMLReader plain() throws ParserConfigurationException, SAXException {
-    SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
-    factory.setFeature(FEATURES + "disallow-doctype-decl", true);
-    factory.setFeature("http://xml.org/sax/features/external-general-entities", false);
-    factory.setFeature("http://xml.org/sax/features/external-parameter-entities", false);
-    factory.setFeature(FEATURES + "nonvalidating/load-external-dtd", false);
-    XMLReader reader = factory.newSAXParser().getXMLReader();
-    reader.setProperty("http://apache.org/xml/properties/locale", Locale.ROOT);
-    return reader;
+  /** What is wrong with a file that is no plain XML. */
+  protected InputException fault(SAXParseException e) {
+    return place(e.getLineNumber(), e.getColumnNumber())
+        .error("not well-formed XML, or cut off, expected a whole file: " + e.getMessage());
+  }
+
+  /** Where the reader is: at the end of a start tag. */
+  protected final Place place() {
+    return place(locator.getLineNumber(), locator.getColumnNumber());
+  }
+
+  /** A place as the parser reports it, -1 where there is nothing at all. */
+  protected final Place place(int line, int column) {
+    return new Place(file, Math.max(1, line), Math.max(1, column));
+  }
+
+  /** An attribute that must be there. */
+  protected final String text(Attributes attributes, String element, String name) {
+    String value = attributes.getValue(name);
+    if (value == null) {
+      throw place().error("<" + element + "> has no " + name + ", expected one");
+    }
+    return value;
+  }
+
+  /** A number of at most 1e9 in size. */
+  protected final double number(Attributes attributes, String element, String name) {
+    String text = text(attributes, element, name);
+    double value = Fields.value(text);
+    if (!(Math.abs(value) <= 1e9)) {
+      throw place().invalid("<" + element + "> " + name, text, "a number from -1e9 to 1e9");
+    }
+    return value;
+  }
+
+  @Override
+  public final void setDocumentLocator(Locator newLocator) {
+    locator = newLocator;
+  }
+
+  @Override
+  public final InputSource resolveEntity(String publicId, String systemId) throws SAXException {
+    throw new SAXParseException("external entity " + systemId + ", expected none", locator);
+  }
+
+  @Override
+  public final void fatalError(SAXParseException e) throws SAXException {
+    throw e;
   }
 }

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.Locale;
 import java.util.zip.GZIPInputStream;
 import org.hificamsim.core.InputException;
@@ -18,15 +19,17 @@ import org.hificamsim.core.Place;
 
 /**
  * The lines of a text file (UTF-8; unpacked where its name ends in {@code .gz}), one at a time, so
- * that a file of any size takes little memory.
+ * that a file of any size takes little memory, and the fields of a line between blanks and tabs.
  */
-public final class TextLines implements Closeable {
+public final class TextLines implements Fields, Closeable {
   private static final String MARK = "\ufeff"; // that some editors put before UTF-8
 
   private final String file;
   private final BufferedReader in;
   private int number;
   private String text = "";
+  private int[] bounds = new int[32]; // where a field starts, then where it ends
+  private int count;
 
   /** The lines of a text that is part of a file and begins in one of its lines, from 1. */
   public TextLines(String file, Reader in, int firstLine) {
@@ -77,10 +80,63 @@ public final class TextLines implements Closeable {
       if (number == 1 && text.startsWith(MARK)) {
         text = text.substring(1);
       }
+      split();
       return line != null;
     } catch (IOException e) {
       throw unreadable(file, number, e);
     }
+  }
+
+  /**
+   * Goes to the next line that has fields and does not start with {@code #}; false where there is
+   * none.
+   *
+   * @throws InputException when the file cannot be read on
+   */
+  public boolean nextFields() {
+    while (next()) {
+      if (count > 0 && !isComment()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /** Whether the line starts with {@code #}. */
+  public boolean isComment() {
+    return count > 0 && text.charAt(bounds[0]) == '#';
+  }
+
+  private void split() {
+    count = 0;
+    int start = skip(0, true);
+    while (start < text.length()) {
+      int end = skip(start, false);
+      add(start, end);
+      start = skip(end, true);
+    }
+  }
+
+  /** The end of the blanks, or of the field, that begin there. */
+  private int skip(int from, boolean blanks) {
+    int at = from;
+    while (at < text.length() && isBlank(text.charAt(at)) == blanks) {
+      at++;
+    }
+    return at;
+  }
+
+  private static boolean isBlank(char c) {
+    return c == ' ' || c == '\t';
+  }
+
+  private void add(int start, int end) {
+    if (2 * count == bounds.length) {
+      bounds = Arrays.copyOf(bounds, 2 * bounds.length);
+    }
+    bounds[2 * count] = start;
+    bounds[2 * count + 1] = end;
+    count++;
   }
 
   /** The line, without its end. */
@@ -88,14 +144,24 @@ public final class TextLines implements Closeable {
     return text;
   }
 
-  /** Its number, from 1. */
-  public int number() {
-    return number;
+  /** The place where it begins. */
+  public Place place() {
+    return new Place(file, number, 1);
   }
 
-  /** A place in it; the column from 1. */
-  public Place place(int column) {
-    return new Place(file, number, column);
+  @Override
+  public int count() {
+    return count;
+  }
+
+  @Override
+  public String text(int field) {
+    return text.substring(bounds[2 * field], bounds[2 * field + 1]);
+  }
+
+  @Override
+  public Place place(int field) {
+    return new Place(file, number, 1 + (field < count ? bounds[2 * field] : text.length()));
   }
 
   /** The fault of a file that cannot be read on. */

@@ -7,7 +7,6 @@ import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
-import org.hificamsim.core.file.Fields;
 import org.hificamsim.core.file.TextLines;
 
 /** Reads what {@link TrackWriter} writes: tracks, in the order of the file. */
@@ -29,7 +28,6 @@ final class TrackReader {
   record Tracked(Place place, double features, double size, Optional<Extent> extent, Track track) {}
 
   private final TextLines lines;
-  private final Fields fields;
   private final double stepTime;
   private final List<Tracked> tracks = new ArrayList<>();
   private final Map<Double, Double> lastTimes = new HashMap<>();
@@ -48,7 +46,6 @@ final class TrackReader {
    */
   TrackReader(TextLines lines, double stepTime) {
     this.lines = lines;
-    this.fields = new Fields(lines, Fields.BLANKS);
     this.stepTime = stepTime;
   }
 
@@ -59,8 +56,8 @@ final class TrackReader {
    */
   List<Tracked> tracks() {
     header();
-    while (nextLine()) {
-      if (fields.text(0).equals("target")) {
+    while (lines.nextFields()) {
+      if (lines.text(0).equals("target")) {
         end();
         begin();
       } else {
@@ -71,40 +68,32 @@ final class TrackReader {
     return tracks;
   }
 
-  /** Goes to the next line that is neither empty nor a comment. */
-  private boolean nextLine() {
-    while (lines.next()) {
-      if (fields.split() > 0 && !fields.text(0).startsWith("#")) {
-        return true;
-      }
-    }
-    return false;
-  }
-
   private void header() {
-    if (!nextLine() || fields.count() != 2 || !lines.text().strip().equals(TrackWriter.HEADER)) {
-      throw lines.place(1).error("expected '" + TrackWriter.HEADER + "' as the first line");
+    if (!lines.nextFields()
+        || lines.count() != 2
+        || !lines.text().strip().equals(TrackWriter.HEADER)) {
+      throw lines.place().error("expected '" + TrackWriter.HEADER + "' as the first line");
     }
-    if (!nextLine() || !fields.text(0).equals("interval")) {
-      throw lines.place(1).error("expected 'interval' and a number of seconds");
+    if (!lines.nextFields() || !lines.text(0).equals("interval")) {
+      throw lines.place().error("expected 'interval' and a number of seconds");
     }
     interval = number(1, "interval", INTERVAL);
     requireFields(2);
   }
 
   private double number(int field, String name, Range range) {
-    return fields.number(field, name, range.expected(), range::contains);
+    return lines.number(field, name, range.expected(), range::contains);
   }
 
   private void requireFields(int most) {
-    if (fields.count() > most) {
-      throw fields.invalid(most, "a further field", "the end of the line");
+    if (lines.count() > most) {
+      throw lines.invalid(most, "a further field", "the end of the line");
     }
   }
 
   private void begin() {
-    begun = fields.place(0);
-    features = fields.number(1, "target");
+    begun = lines.place(0);
+    features = lines.number(1, "target");
     if (word(2).equals("width")) {
       double width = number(3, "width", Range.POSITIVE_LENGTH);
       requireWord(4, "height");
@@ -120,26 +109,26 @@ final class TrackReader {
   }
 
   private String word(int field) {
-    return field < fields.count() ? fields.text(field) : "";
+    return field < lines.count() ? lines.text(field) : "";
   }
 
   private void requireWord(int field, String word) {
     if (!word(field).equals(word)) {
-      throw fields.invalid(field, "the word", "'" + word + "' and a number of metres");
+      throw lines.invalid(field, "the word", "'" + word + "' and a number of metres");
     }
   }
 
   private void sample() {
     if (begun == null) {
-      throw fields.invalid(0, "the line", "'target', its number, 'size' and metres");
+      throw lines.invalid(0, "the line", "'target', its number, 'size' and metres");
     }
     requireFields(3);
-    int first = Math.max(0, fields.count() - 2); // of x
+    int first = Math.max(0, lines.count() - 2); // of x
     if (first == 1) {
-      anchor = fields.number(0, "time", START, this::isLater);
+      anchor = lines.number(0, "time", START, this::isLater);
       since = 0;
     } else if (samples.isEmpty()) {
-      throw fields.invalid(2, "time, x and y", "all three in a track's first line");
+      throw lines.invalid(2, "time, x and y", "all three in a track's first line");
     }
     requireRoom();
     samples.add(
@@ -155,7 +144,7 @@ final class TrackReader {
 
   private void requireRoom() {
     if (++total > MAX_SAMPLES) {
-      throw lines.place(1).error("too many samples, expected at most " + MAX_SAMPLES);
+      throw lines.place().error("too many samples, expected at most " + MAX_SAMPLES);
     }
   }
 

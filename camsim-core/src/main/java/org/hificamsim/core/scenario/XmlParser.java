@@ -14,11 +14,7 @@ import org.hificamsim.core.Place;
 import org.hificamsim.core.file.PlainXml;
 import org.xml.sax.Attributes;
 import org.xml.sax.InputSource;
-import org.xml.sax.Locator;
-import org.xml.sax.SAXException;
 import org.xml.sax.SAXParseException;
-import org.xml.sax.XMLReader;
-import org.xml.sax.helpers.DefaultHandler;
 
 /**
  * Reads untrusted XML: no document types, no entities but the five of XML itself, bounded size and
@@ -26,7 +22,7 @@ import org.xml.sax.helpers.DefaultHandler;
  *
  * <p>Namespaces are not looked at: {@code a:camera} is a name like any other.
  */
-final class XmlParser extends DefaultHandler {
+final class XmlParser extends PlainXml {
   /** Bytes; a scenario of 100,000 cameras takes about 12 million. */
   static final int MAX_BYTES = 64 << 20;
 
@@ -45,7 +41,6 @@ final class XmlParser extends DefaultHandler {
   private final XmlText text;
   private final Deque<XmlElement> open = new ArrayDeque<>();
   private XmlElement root;
-  private Locator locator;
   private int parts;
 
   private XmlParser(String file, String content) {
@@ -89,29 +84,13 @@ final class XmlParser extends DefaultHandler {
   }
 
   private XmlElement parse(String content) {
-    XMLReader reader = PlainXml.reader(this);
-    try {
-      reader.parse(new InputSource(new StringReader(content)));
-      return root;
-    } catch (SAXParseException e) {
-      throw new InputException(fault(e).getMessage(), e);
-    } catch (SAXException e) { // the JDK's parser loses its way, as after <!DOCTYPE> inside <root>
-      throw new InputException(
-          fault(new SAXParseException(e.getMessage(), locator)).getMessage(), e);
-    } catch (IOException e) {
-      throw new IllegalStateException("a text is read without a fault", e);
-    }
-  }
-
-  @Override
-  public void setDocumentLocator(Locator newLocator) {
-    locator = newLocator;
+    readSource(file, new InputSource(new StringReader(content)));
+    return root;
   }
 
   @Override
   public void startElement(String uri, String local, String name, Attributes attributes) {
-    XmlElement element =
-        new XmlElement(text, name, locator.getLineNumber(), locator.getColumnNumber());
+    XmlElement element = new XmlElement(text, name, place().line(), place().column());
     for (int i = 0; i < attributes.getLength(); i++) {
       element.attributes().put(attributes.getQName(i), attributes.getValue(i));
     }
@@ -154,23 +133,13 @@ final class XmlParser extends DefaultHandler {
   }
 
   @Override
-  public InputSource resolveEntity(String publicId, String systemId) throws SAXException {
-    throw new SAXParseException("external entity " + systemId + ", expected none", locator);
-  }
-
-  @Override
-  public void fatalError(SAXParseException e) throws SAXException {
-    throw e;
-  }
-
-  private InputException fault(SAXParseException e) {
+  protected InputException fault(SAXParseException e) {
     String words = String.valueOf(e.getMessage());
     if (words.contains(NO_DOCTYPE)) {
       return text.tag(e.getLineNumber(), e.getColumnNumber())
           .error("a document type declaration (<!DOCTYPE), expected a scenario without one");
     }
-    int line = Math.max(1, e.getLineNumber()); // -1 where there is nothing at all
-    Place place = new Place(file, line, Math.max(1, e.getColumnNumber()));
+    Place place = place(e.getLineNumber(), e.getColumnNumber());
     if (words.contains(CUT_OFF) && !open.isEmpty()) {
       String name = open.getLast().name();
       return place.error("the file ends inside <" + name + ">, expected </" + name + ">");

@@ -27,10 +27,19 @@ class TextLinesTest {
       assertEquals("x", lines.text());
       assertTrue(lines.next());
       assertEquals("\ufeffy", lines.text());
-      assertEquals(2, lines.number());
-      assertEquals(file + ":2:3: no", lines.place(3).error("no").getMessage());
+      assertEquals(file + ":2:1: no", lines.place().error("no").getMessage());
       assertFalse(lines.next());
     }
+  }
+
+  @Test
+  void linesWithFieldsAreThoseThatAreNeitherEmptyNorComments() {
+    TextLines lines = new TextLines("t", new StringReader("# a\n\n \t\n1 2\n  # b\n3\n"), 1);
+    assertTrue(lines.nextFields());
+    assertEquals("1 2", lines.text());
+    assertTrue(lines.nextFields());
+    assertEquals("t:6:1", lines.place(0).toString());
+    assertFalse(lines.nextFields());
   }
 
   @Test

@@ -13,27 +13,16 @@ final class Advertised {
 
   /** Notes that a target is advertised, though no camera that can be named was asked. */
   void open(int target) {
-    if (open.get(target)) {
-      return;
+    if (!open.get(target)) {
+      open.set(target);
+      asked[target] = asked[target] == null ? new BitSet() : asked[target];
+      asked[target].clear();
     }
-    open.set(target);
-    if (asked[target] == null) {
-      asked[target] = new BitSet();
-    }
-    asked[target].clear();
   }
 
-  /** Notes that a name was asked. */
+  /** Notes that a name was asked about an advertised target. */
   void add(int target, int name) {
-    open(target);
     asked[target].set(name);
-  }
-
-  /** Notes that all of some cameras were asked but the one that asks. */
-  void addAll(int target, BitSet all, int asking) {
-    open(target);
-    asked[target].or(all);
-    asked[target].clear(asking);
   }
 
   /** Forgets that a name was asked; the target stays advertised. */

@@ -5,14 +5,16 @@ import java.util.function.IntUnaryOperator;
 import org.hificamsim.core.world.Cameras;
 
 /**
- * One camera as a member of the network: its state (behaviour 8.1) and its mail (behaviour 8.2).
+ * One camera as a trader of targets (behaviour 8.1): it advertises what it owns, bids for what
+ * others sell, and settles its own auctions (behaviour 8.3 to 8.5). An auction opened in a step is
+ * settled in it.
  */
 public final class Agent {
   /**
    * What all agents share.
    *
    * @param features of all targets that there will ever be
-   * @param searches what all look for
+   * @param searches of all agents
    * @param random draws whom Smooth and Step ask
    * @param bidderHash orders the bids of several cameras; the same number for all means the order
    *     of arrival
@@ -23,26 +25,22 @@ public final class Agent {
       Cameras cameras,
       double[] features,
       Sightings sightings,
-      SharedSearches searches,
+      Searches searches,
       MessageQueue queue,
       Random random,
       IntUnaryOperator bidderHash,
       boolean exactPrices) {}
 
-  final Links links;
-  final InsertionOrder neighbours;
-  final OwnedTargets owned;
-  final Searches searches;
-  final Advertised advertised;
-  final Bids bids;
-  final ViewTally tally = new ViewTally();
   private final int camera;
   private final int limit;
   private final Shared shared;
   private final AuctionSchedule schedule;
+  private final Contacts contacts;
+  private final Searches searches;
+  private final OwnedTargets owned;
+  private final Bids bids;
+  private final ViewTally tally = new ViewTally();
   private CommunicationPolicy policy;
-  private boolean countsFallback = true;
-  private int sent;
   private double received;
   private double paid;
 
@@ -62,14 +60,11 @@ public final class Agent {
     this.limit = limit;
     this.schedule = schedule;
     this.policy = policy;
-    this.links = links;
     this.shared = shared;
-    int targets = shared.features().length;
-    neighbours = new InsertionOrder(shared.cameras().count());
+    contacts = new Contacts(camera, links, shared);
+    searches = shared.searches();
     owned = new OwnedTargets(shared.features());
-    searches = new Searches(camera, shared.searches(), targets);
-    advertised = new Advertised(targets);
-    bids = new Bids(targets);
+    bids = new Bids(shared.features().length);
   }
 
   /** The camera's number. */
@@ -94,26 +89,32 @@ public final class Agent {
   public void follow(ScheduleKind newSchedule, CommunicationPolicy newPolicy) {
     schedule.switchTo(newSchedule);
     policy = newPolicy;
-    countsFallback = false;
-    links.thaw();
-    shared.searches().outdate();
+    contacts.beginSwitching();
   }
 
   /** Gets to know another camera, the last in its list. */
   public void meet(int other) {
-    neighbours.add(other);
-    shared.searches().outdate();
+    contacts.neighbours.add(other);
   }
 
-  /** Forgets all other cameras, for good (behaviour 7, step 4). */
+  /** Permanently forgets all other cameras (behaviour 7, step 4). */
   public void forgetNeighbours() {
-    neighbours.clear();
-    shared.searches().outdate();
+    contacts.neighbours.clear();
+  }
+
+  /** The number of cameras that it knows. */
+  int neighbours() {
+    return contacts.neighbours.size();
+  }
+
+  /** Whether a message to this camera arrives. */
+  public boolean reaches(int other) {
+    return contacts.reaches(other);
   }
 
   /** Looks for a new target that nobody owns. */
   public void lookFor(int target) {
-    searches.put(target, Searches.NOBODY);
+    searches.begin(camera, target, Searches.NOBODY);
   }
 
   /** The targets owned, for reading only. */
@@ -148,163 +149,151 @@ public final class Agent {
 
   /** How many StartSearch messages were attempted since the last settlement began. */
   public int sent() {
-    return sent;
-  }
-
-  boolean isOnline() {
-    return shared.cameras().online(camera);
-  }
-
-  /** Whether it hears all of so many other cameras, and does not count what else it hears. */
-  boolean isInReachOf(int others) {
-    return neighbours.size() == others && schedule.kind() != ScheduleKind.BANDIT_ZOOM;
+    return contacts.sent();
   }
 
   /**
-   * Takes a delivered message.
+   * Receives a message (behaviour 8.2).
    *
-   * @param value that of a bid, a price, or the time at which a search began
+   * @param value of a bid, or the price
    */
   public void receive(MessageKind kind, int from, int target, double value) {
     switch (kind) {
       case START_SEARCH -> {
-        if (neighbours.contains(from)) {
-          searches.hear(target, from, (long) value);
+        if (contacts.neighbours.contains(from)) {
+          searches.begin(camera, target, from);
         }
       }
-      case STOP_SEARCH -> stopSearch(target);
+      case STOP_SEARCH -> {
+        searches.end(camera, target);
+        if (sees(target) && !owned.contains(target)) {
+          tally.count(true);
+        }
+      }
       case FOUND -> {
-        if (neighbours.contains(from) && advertised.contains(target)) {
+        if (contacts.neighbours.contains(from) && contacts.advertised.contains(target)) {
           bids.add(target, from, value, shared.bidderHash().applyAsInt(from));
         }
       }
       case START_TRACKING -> {
         pay(value);
-        owned.add(target);
-        searches.remove(target);
+        own(target);
       }
     }
   }
 
-  private void stopSearch(int target) {
-    searches.remove(target);
-    if (sees(target) && !owned.contains(target)) {
-      tally.seenElsewhere();
-    }
+  private void own(int target) {
+    owned.add(target);
+    searches.end(camera, target);
   }
 
-  InsertionOrder visible() {
-    return shared.sightings().visible(camera);
-  }
-
-  boolean exactPrices() {
-    return shared.exactPrices();
-  }
-
-  boolean countsFallback() {
-    return countsFallback;
-  }
-
-  /** Whether a target is to be offered in this step; asked once per target and step. */
-  boolean advertises(int target) {
-    return schedule.advertises(target, confidence(target));
+  private void pay(double price) {
+    paid = shared.exactPrices() ? paid + price : price;
   }
 
   /** What a target is worth to the camera: its bid, and what a bid has to exceed. */
-  double value(int target) {
+  private double value(int target) {
     return schedule.value(target, confidence(target));
   }
 
-  /** A number in [0, 1) that decides whom to ask. */
-  double draw() {
-    return shared.random().nextDouble();
-  }
-
-  /** Whether the camera may claim one more target that nobody owns. */
-  boolean mayClaim(int claimedInThisStep) {
-    return limit == 0 || limit > claimedInThisStep + owned().size();
-  }
-
-  /** Strength of the link to a camera under its current name: one that is offline has none. */
-  double linkTo(int other, int target) {
-    return shared.cameras().online(other) ? links.strength(other, target) : Links.NONE;
-  }
-
-  /** Whether a message to this name would arrive; not all names are cameras. */
-  boolean reaches(int name) {
-    Cameras cameras = shared.cameras();
-    return name < cameras.count() && neighbours.contains(name) && cameras.online(name);
-  }
-
-  /** Sends a message; one to a name out of reach is lost silently. */
-  void send(MessageKind kind, int to, int target, double value) {
-    if (reaches(to)) {
-      shared.queue().send(kind, camera, to, target, value);
+  /** Offers its targets for sale, in the order of the map that holds them (behaviour 8.3). */
+  public void advertise() {
+    for (int i = 0; i < owned().size(); i++) {
+      int target = owned().get(i);
+      if (schedule.advertises(target, confidence(target))) {
+        searches.begin(camera, target, camera);
+        policy.startSearch(contacts, target);
+      }
     }
   }
 
-  /**
-   * Asks a neighbour to bid for a target; one that is offline does not answer (quirk Q7).
-   *
-   * @param counted whether the attempt counts as sent
-   */
-  void ask(int neighbour, int target, boolean counted) {
-    if (counted) {
-      sent++;
+  /** Bids for targets in view that others sell, and claims those nobody owns (behaviour 8.4). */
+  public void bid() {
+    InsertionOrder visible = shared.sightings().visible(camera);
+    int claimed = 0;
+    for (int target = visible.first();
+        target != InsertionOrder.END;
+        target = visible.next(target)) {
+      int searcher = searches.searcher(camera, target);
+      if (searcher == Searches.NONE || owned.contains(target)) {
+        continue;
+      }
+      if (searcher == camera) {
+        own(target);
+        policy.stopSearch(contacts, target);
+      } else if (searcher != Searches.NOBODY) {
+        contacts.send(MessageKind.FOUND, searcher, target, value(target));
+      } else if (limit == 0 || limit > claimed + owned().size()) {
+        claim(target);
+        claimed++;
+      }
     }
-    if (shared.cameras().online(neighbour)) {
-      advertised.add(target, neighbour);
-    } else {
-      advertised.open(target);
-    }
-    startSearch(neighbour, target);
   }
 
-  /** Sends a name what it takes to look for one of the camera's targets. */
-  void startSearch(int name, int target) {
-    send(MessageKind.START_SEARCH, name, target, (double) searches.changed(target));
+  private void claim(int target) {
+    own(target);
+    pay(0);
+    CommunicationPolicy.BROADCAST.stopSearch(contacts, target);
   }
 
-  /** Whether what is sent to all neighbours may go to everyone at once. */
-  boolean reachesAll() {
-    return shared.searches().reachingAll();
-  }
-
-  /** The same as {@link #ask} of each neighbour, where all are reached. */
-  void askAll(int target, boolean counted) {
-    if (counted) {
-      sent += neighbours.size();
-    }
-    advertised.addAll(target, shared.searches().listening(), camera);
-    sendToAll(MessageKind.START_SEARCH, target, (double) searches.changed(target));
-  }
-
-  /** Sends a message to all neighbours, where all are reached. */
-  void sendToAll(MessageKind kind, int target, double value) {
-    int others = shared.searches().listening().cardinality() - 1;
-    shared.queue().sendToAll(kind, camera, others, target, value);
-  }
-
-  /** Notes a price paid for a target. */
-  void pay(double price) {
-    paid = exactPrices() ? paid + price : price;
-  }
-
-  /** Notes a price received for a target. */
-  void earn(double price) {
-    received += price;
-  }
-
-  /** Begins the settlement: counters start at 0, links fade. */
-  void beginSettlement() {
-    sent = 0;
+  /** Settles its auctions (behaviour 8.5). */
+  public void settle() {
     received = 0;
     paid = 0;
-    links.decay();
+    contacts.beginSettlement();
+    int own = searches.findOwn(camera, owned());
+    for (int i = 0; i < own; i++) {
+      settle(searches.own(i));
+    }
+    schedule.settled();
   }
 
-  /** Ends the settlement. */
-  void endSettlement() {
-    schedule.settled();
+  private void settle(int target) {
+    double best = value(target);
+    Bids.OfTarget offers = bids.of(target);
+    if (offers == null) {
+      if (sees(target)) {
+        tally.count(false);
+      }
+      return;
+    }
+    double beforeBest = best;
+    double second = 0;
+    int winner = camera;
+    for (int i = 0; i < offers.size(); i++) {
+      double value = offers.value(i);
+      if (!contacts.reaches(offers.bidder(i))) {
+        continue;
+      }
+      if (value > best) {
+        second = best;
+        beforeBest = best;
+        best = value;
+        winner = offers.bidder(i);
+      } else if (value > second) {
+        second = value;
+      }
+    }
+    int count = offers.size();
+    bids.clear(target);
+    sell(target, winner, shared.exactPrices() ? second : beforeBest, count);
+  }
+
+  private void sell(int target, int winner, double price, int count) {
+    received += price;
+    if (winner == camera) {
+      pay(price);
+      if (sees(target) && count > 1) {
+        tally.count(true);
+      }
+    } else {
+      contacts.send(MessageKind.START_TRACKING, winner, target, price);
+      contacts.links.strengthen(winner, target);
+      contacts.advertised.remove(target, winner);
+      owned.remove(target);
+      tally.count(sees(target));
+    }
+    policy.stopSearch(contacts, target);
+    searches.end(camera, target);
   }
 }

@@ -40,7 +40,7 @@ public final class BidderHashes {
   /** The hash code of the camera's text as it is now. */
   public int of(int camera) {
     int hash = appendNumber(constantPart(camera), sightings.visible(camera).size());
-    return appendNumber(append(hash, " neighbours="), agents[camera].neighbours.size());
+    return appendNumber(append(hash, " neighbours="), agents[camera].neighbours());
   }
 
   /** Its hash code, computed again where the camera looks otherwise now. */

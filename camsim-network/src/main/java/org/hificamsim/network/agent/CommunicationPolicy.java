@@ -25,66 +25,51 @@ public enum CommunicationPolicy implements Named {
   }
 
   /** Asks cameras to bid for a target. */
-  void startSearch(Agent agent, int target) {
+  void startSearch(Contacts contacts, int target) {
     switch (this) {
-      case BROADCAST -> askAll(agent, target, true);
+      case BROADCAST -> contacts.askNeighbours(target);
       case SMOOTH -> {
-        double strongest = agent.links.strongest(target);
+        double strongest = contacts.links.strongest(target);
         if (strongest == 0) {
-          askAll(agent, target, agent.countsFallback());
+          contacts.askNeighboursInstead(target);
         } else {
-          askSome(agent, target, strongest);
+          askSome(contacts, target, strongest);
         }
       }
-      case STEP -> askSome(agent, target, 0);
-      case FIX -> askLinked(agent, target);
+      case STEP -> askSome(contacts, target, 0);
+      case FIX -> askLinked(contacts, target);
     }
   }
 
   /** Tells those that were asked that a target is no longer for sale. */
-  void stopSearch(Agent agent, int target) {
+  void stopSearch(Contacts contacts, int target) {
     switch (this) {
-      case BROADCAST -> tellAll(agent, target);
-      case FIX -> tell(agent, agent.links.linked(), target);
+      case BROADCAST -> contacts.sendToNeighbours(MessageKind.STOP_SEARCH, target);
+      case FIX -> tell(contacts, contacts.links.linked(), target);
       case SMOOTH, STEP -> {
-        if (agent.advertised.isEmpty()) {
-          tellAll(agent, target);
-        } else if (agent.advertised.contains(target)) {
-          tellAsked(agent, target);
+        if (contacts.advertised.isEmpty()) {
+          contacts.sendToNeighbours(MessageKind.STOP_SEARCH, target);
+        } else if (contacts.advertised.contains(target)) {
+          tellAsked(contacts, target);
         }
       }
     }
-    agent.advertised.close(target);
-  }
-
-  private static void askAll(Agent agent, int target, boolean counted) {
-    if (agent.reachesAll()) {
-      agent.askAll(target, counted);
-    } else {
-      askEach(agent, target, counted);
-    }
-  }
-
-  private static void askEach(Agent agent, int target, boolean counted) {
-    InsertionOrder all = agent.neighbours;
-    for (int camera = all.first(); camera != InsertionOrder.END; camera = all.next(camera)) {
-      agent.ask(camera, target, counted);
-    }
+    contacts.advertised.close(target);
   }
 
   /** Asks the neighbours whose chance is above one draw, or all where there are none. */
-  private void askSome(Agent agent, int target, double strongest) {
-    double draw = agent.draw();
+  private void askSome(Contacts contacts, int target, double strongest) {
+    double draw = contacts.draw();
     boolean any = false;
-    InsertionOrder all = agent.neighbours;
+    InsertionOrder all = contacts.neighbours;
     for (int camera = all.first(); camera != InsertionOrder.END; camera = all.next(camera)) {
-      if (chance(agent.linkTo(camera, target), strongest) > draw) {
-        agent.ask(camera, target, true);
+      if (chance(contacts.linkTo(camera, target), strongest) > draw) {
+        contacts.ask(camera, target);
         any = true;
       }
     }
     if (!any) {
-      askAll(agent, target, agent.countsFallback());
+      contacts.askNeighboursInstead(target);
     }
   }
 
@@ -95,35 +80,27 @@ public enum CommunicationPolicy implements Named {
     return link == Links.NONE ? CHANCE_WITHOUT_LINK : link;
   }
 
-  private static void askLinked(Agent agent, int target) {
-    agent.advertised.close(target);
-    agent.advertised.open(target);
-    InsertionOrder linked = agent.links.linked();
+  private static void askLinked(Contacts contacts, int target) {
+    contacts.advertised.close(target);
+    contacts.advertised.open(target);
+    InsertionOrder linked = contacts.links.linked();
     for (int name = linked.first(); name != InsertionOrder.END; name = linked.next(name)) {
-      agent.advertised.add(target, name);
-      agent.startSearch(name, target);
+      contacts.advertised.add(target, name);
+      contacts.send(MessageKind.START_SEARCH, name, target, 0);
     }
   }
 
-  private static void tellAll(Agent agent, int target) {
-    if (agent.reachesAll()) {
-      agent.sendToAll(MessageKind.STOP_SEARCH, target, 0);
-    } else {
-      tell(agent, agent.neighbours, target);
-    }
-  }
-
-  private static void tell(Agent agent, InsertionOrder names, int target) {
+  private static void tell(Contacts contacts, InsertionOrder names, int target) {
     for (int name = names.first(); name != InsertionOrder.END; name = names.next(name)) {
-      agent.send(MessageKind.STOP_SEARCH, name, target, 0);
+      contacts.send(MessageKind.STOP_SEARCH, name, target, 0);
     }
   }
 
-  private static void tellAsked(Agent agent, int target) {
-    Advertised advertised = agent.advertised;
+  private static void tellAsked(Contacts contacts, int target) {
+    Advertised advertised = contacts.advertised;
     int camera = advertised.nextAsked(target, 0);
     while (camera >= 0) {
-      agent.send(MessageKind.STOP_SEARCH, camera, target, 0);
+      contacts.send(MessageKind.STOP_SEARCH, camera, target, 0);
       camera = advertised.nextAsked(target, camera + 1);
     }
   }

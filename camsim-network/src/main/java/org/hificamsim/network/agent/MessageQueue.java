@@ -7,24 +7,25 @@ import java.util.Arrays;
  *
  * <p>The network empties the queue after each camera's turn. No camera reads in its own turn what
  * it writes to another one, so that this gives the same numbers as CamSim's delivery within the
- * call that sends (behaviour 8.2). A message to all cameras is one entry. A channel that delays or
- * loses messages belongs in {@link #deliver}, and takes such entries apart.
+ * call that sends (behaviour 8.2). A channel that delays or loses messages belongs in {@link
+ * #deliver}.
  */
 public final class MessageQueue {
-  /** Stands for all cameras but the one that sends. */
-  public static final int EVERYONE = -1;
+  /** Stands for all neighbours of the camera that sends. */
+  public static final int NEIGHBOURS = -1;
 
-  /** Takes delivered messages and brings each to the camera that it is for. */
+  /** Brings messages to the cameras that they are for. */
   @FunctionalInterface
   public interface Receiver {
     /**
-     * Takes one.
+     * Brings one.
      *
-     * @param to a camera, or {@link #EVERYONE}
+     * @param to a camera, or {@link #NEIGHBOURS}
      * @param target what the message is about
-     * @param value confidence, price or time of a search; 0 where the kind has none
+     * @param value confidence or price; 0 where the kind has none
+     * @return how many cameras received it
      */
-    void receive(MessageKind kind, int from, int to, int target, double value);
+    int receive(MessageKind kind, int from, int to, int target, double value);
   }
 
   private MessageKind[] kinds = new MessageKind[64];
@@ -33,11 +34,10 @@ public final class MessageQueue {
   private int[] targets = new int[64];
   private double[] values = new double[64];
   private int waiting;
-  private int others;
   private long startSearches;
   private long startTrackings;
 
-  /** Appends a message. */
+  /** Appends a message to a camera, or to {@link #NEIGHBOURS}. */
   void send(MessageKind kind, int from, int to, int target, double value) {
     if (waiting == kinds.length) {
       grow();
@@ -49,31 +49,28 @@ public final class MessageQueue {
     values[waiting++] = value;
   }
 
-  /**
-   * Appends a message to {@link #EVERYONE}.
-   *
-   * @param all how many cameras get it, the same number for all that wait
-   */
-  void sendToAll(MessageKind kind, int from, int all, int target, double value) {
-    others = all;
-    send(kind, from, EVERYONE, target, value);
-  }
-
   /** Delivers every message that waits, also those that arise on the way. */
   public void deliver(Receiver receiver) {
     for (int i = 0; i < waiting; i++) {
-      count(kinds[i], tos[i] == EVERYONE ? others : 1);
-      receiver.receive(kinds[i], froms[i], tos[i], targets[i], values[i]);
+      count(kinds[i], receiver.receive(kinds[i], froms[i], tos[i], targets[i], values[i]));
     }
     waiting = 0;
   }
 
-  /** How many StartSearch messages were delivered since the last {@link #resetCounts}. */
+  private void count(MessageKind kind, int receivers) {
+    if (kind == MessageKind.START_SEARCH) {
+      startSearches += receivers;
+    } else if (kind == MessageKind.START_TRACKING) {
+      startTrackings += receivers;
+    }
+  }
+
+  /** How many StartSearch messages cameras have received since the last {@link #resetCounts}. */
   public long startSearches() {
     return startSearches;
   }
 
-  /** How many StartTracking messages, that is handovers, were delivered since then. */
+  /** How many StartTracking messages, that is handovers, cameras have received since then. */
   public long startTrackings() {
     return startTrackings;
   }
@@ -82,14 +79,6 @@ public final class MessageQueue {
   public void resetCounts() {
     startSearches = 0;
     startTrackings = 0;
-  }
-
-  private void count(MessageKind kind, int number) {
-    if (kind == MessageKind.START_SEARCH) {
-      startSearches += number;
-    } else if (kind == MessageKind.START_TRACKING) {
-      startTrackings += number;
-    }
   }
 
   private void grow() {

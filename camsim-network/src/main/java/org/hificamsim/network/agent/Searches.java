@@ -1,145 +1,111 @@
 package org.hificamsim.network.agent;
 
 import java.util.Arrays;
+import org.hificamsim.core.world.Cameras;
 
 /**
- * The targets that a camera looks for, and for whom, in the order of insertion (behaviour 4.6): as
- * all cameras do, unless it has heard something else since.
+ * The targets that each camera looks for, for whom, and in which order it began to (behaviour 4.6).
+ *
+ * <p>What the cameras know of one target lies side by side: most messages go to all of them.
  */
-final class Searches {
+public final class Searches {
   /** Nobody owns the target: whoever sees it first may have it. */
   static final int NOBODY = -1;
 
   /** The camera does not look for the target. */
   static final int NONE = -2;
 
-  private final int camera;
-  private final SharedSearches shared;
-  private final int[] searcher;
-  private final long[] since;
-  private final long[] changed;
-  private final boolean[] listed;
+  private final Cameras cameras;
+  private final int[][] searcher; // by target, then camera
+  private final long[][] since;
+  private long searches; // that have begun
   private int[] own = new int[8];
-  private int owns;
-  private boolean deaf;
 
-  /** Looks for nothing, whatever the others do. */
-  Searches(int camera, SharedSearches shared, int targets) {
-    this.camera = camera;
-    this.shared = shared;
-    searcher = new int[targets];
-    since = new long[targets];
-    changed = new long[targets];
-    listed = new boolean[targets];
-    for (int target = 0; target < targets; target++) {
-      remove(target);
+  /** No camera looks for any target. */
+  public Searches(Cameras cameras, int targets) {
+    this.cameras = cameras;
+    searcher = new int[targets][cameras.count()];
+    since = new long[targets][cameras.count()];
+    for (int[] row : searcher) {
+      Arrays.fill(row, NONE);
     }
   }
 
-  int camera() {
-    return camera;
+  /** For whom a camera looks for a target: a camera, {@link #NOBODY} or {@link #NONE}. */
+  int searcher(int camera, int target) {
+    return searcher[target][camera];
   }
 
-  /** Looks for a target from now on, for this camera or for {@link #NOBODY}. */
-  void put(int target, int forCamera) {
-    long now = shared.tick();
-    set(target, forCamera, contains(target) ? since(target) : now, now);
-    if (forCamera == camera) {
-      list(target);
+  /** A camera looks for a target from now on, for a camera or for {@link #NOBODY}. */
+  void begin(int camera, int target, int forCamera) {
+    if (searcher[target][camera] == NONE) {
+      since[target][camera] = ++searches;
     }
+    searcher[target][camera] = forCamera;
   }
 
-  /** Looks for a target for another camera, which began at {@code time}. */
-  void hear(int target, int from, long time) {
-    set(target, from, contains(target) ? since(target) : time, shared.tick());
+  /** A camera looks for a target no longer. */
+  void end(int camera, int target) {
+    searcher[target][camera] = NONE;
   }
 
-  void remove(int target) {
-    if (contains(target)) {
-      set(target, NONE, 0, shared.tick());
-    }
+  /**
+   * Every camera online but the sender receives that a search begins, or ends.
+   *
+   * @return how many these are
+   */
+  public int receiveAll(MessageKind kind, int from, int target) {
+    return kind == MessageKind.START_SEARCH ? beginAll(target, from) : endAll(target, from);
   }
 
-  private void set(int target, int forCamera, long first, long now) {
-    if (!isApart(target)) {
-      shared.leave(target);
-    }
-    searcher[target] = forCamera;
-    since[target] = first;
-    changed[target] = now;
-  }
-
-  private void list(int target) {
-    if (!listed[target]) {
-      listed[target] = true;
-      own = owns == own.length ? Arrays.copyOf(own, 2 * owns) : own;
-      own[owns++] = target;
-    }
-  }
-
-  /** A camera that is offline hears nothing, and knows what it knew when it is back. */
-  void listen(boolean online) {
-    if (online == deaf) {
-      for (int target = 0; target < searcher.length; target++) {
-        turn(target, online);
-      }
-      deaf = !online;
-    }
-  }
-
-  private void turn(int target, boolean online) {
-    if (online) {
-      shared.leave(target);
-    } else if (isApart(target)) {
-      shared.forget(target);
-    } else {
-      searcher[target] = shared.searcher(target);
-      since[target] = shared.since(target);
-    }
-    changed[target] = shared.tick();
-  }
-
-  /** Whether the camera has heard something else of a target than all did last. */
-  boolean isApart(int target) {
-    return deaf || changed[target] > shared.changed(target);
-  }
-
-  /** When what the camera knows of a target changed last; all did later where it is not apart. */
-  long changed(int target) {
-    return changed[target];
-  }
-
-  boolean contains(int target) {
-    return searcher(target) != NONE;
-  }
-
-  /** For whom the camera looks for a target; {@link #NONE} where it does not. */
-  int searcher(int target) {
-    return isApart(target) ? searcher[target] : shared.searcher(target);
-  }
-
-  /** Since when, for a target that the camera looks for. */
-  long since(int target) {
-    return isApart(target) ? since[target] : shared.since(target);
-  }
-
-  /** Finds the targets that it looks for itself; returns how many {@link #own} has in order. */
-  int findOwn() {
-    int found = 0;
-    for (int i = 0; i < owns; i++) {
-      int target = own[i];
-      listed[target] = searcher(target) == camera;
-      if (listed[target]) {
-        insert(target, found++);
+  private int beginAll(int target, int forCamera) {
+    int[] searchers = searcher[target];
+    long[] first = since[target];
+    searches++;
+    int count = 0;
+    for (int camera = 0; camera < searchers.length; camera++) {
+      if (camera != forCamera && cameras.online(camera)) {
+        if (searchers[camera] == NONE) {
+          first[camera] = searches;
+        }
+        searchers[camera] = forCamera;
+        count++;
       }
     }
-    owns = found;
-    return found;
+    return count;
   }
 
-  private void insert(int target, int end) {
+  private int endAll(int target, int from) {
+    int[] searchers = searcher[target];
+    int count = 0;
+    for (int camera = 0; camera < searchers.length; camera++) {
+      if (camera != from && cameras.online(camera)) {
+        searchers[camera] = NONE;
+        count++;
+      }
+    }
+    return count;
+  }
+
+  /**
+   * Finds those of a camera's targets that it looks for itself, in the order in which it began to.
+   *
+   * @return how many there are; {@link #own} has them until the next call
+   */
+  int findOwn(int camera, HashOrder owned) {
+    int count = 0;
+    for (int i = 0; i < owned.size(); i++) {
+      if (searcher[owned.get(i)][camera] == camera) {
+        insert(camera, owned.get(i), count++);
+      }
+    }
+    return count;
+  }
+
+  private void insert(int camera, int target, int end) {
+    own = end == own.length ? Arrays.copyOf(own, 2 * end) : own;
     int place = end;
-    while (place > 0 && since(own[place - 1]) > since(target)) {
+    while (place > 0 && since[own[place - 1]][camera] > since[target][camera]) {
       own[place] = own[place - 1];
       place--;
     }

@@ -1,53 +1,33 @@
 package org.hificamsim.network.agent;
 
-/** Which of a camera's targets others see too, counted for the zoom bandit (behaviour 9.6). */
+/** How many targets both a camera and another see, for the zoom bandit (behaviour 9.6). */
 public final class ViewTally {
   private int shared;
-  private int yours;
-  private int alone;
+  private int all;
 
-  /** An auction ended without bids; the seller sees the target or not. */
-  void unsold(boolean visible) {
-    if (visible) {
-      alone++;
-    }
-  }
-
-  /** An auction was won by the seller itself. */
-  void kept(boolean visible, int bids) {
-    if (visible && bids > 1) {
-      shared++;
-    }
-  }
-
-  /** A target was handed over. */
-  void sold(boolean visible) {
-    if (visible) {
-      shared++;
-    } else {
-      yours++;
-    }
-  }
-
-  /** Another camera keeps a target that this one sees. */
-  void seenElsewhere() {
-    shared++;
+  /**
+   * Counts a target.
+   *
+   * @param both whether this camera and another see it, and not one of them alone
+   */
+  void count(boolean both) {
+    shared += both ? 1 : 0;
+    all++;
   }
 
   /** Whether anything has been counted. */
   public boolean counted() {
-    return shared + yours + alone > 0;
+    return all > 0;
   }
 
-  /** The share of targets that others see too; undefined while nothing is {@link #counted}. */
+  /** The share of the targets that both see; undefined while nothing is {@link #counted}. */
   public double sharedRatio() {
-    return (double) shared / (shared + yours + alone);
+    return (double) shared / all;
   }
 
   /** Starts counting at 0. */
   public void reset() {
     shared = 0;
-    yours = 0;
-    alone = 0;
+    all = 0;
   }
 }

@@ -7,11 +7,11 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.core.world.World;
 import org.hificamsim.network.Network;
+import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.statistics.OverlapTable;
+import org.hificamsim.network.statistics.RunSums;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.ResultFolder;
@@ -40,32 +40,32 @@ public final class CamSimFiles implements Closeable {
       List.of(Table.RUN_STEPS.file(), ResultFolder.SUMMARY, ResultFolder.MANIFEST);
 
   private final List<Closeable> opened = new ArrayList<>();
-  private final List<StepListener> listeners = new ArrayList<>();
   private final List<OutputFile> files = new ArrayList<>();
   private final List<Closeable> tables = new ArrayList<>();
   private final Optional<SingleRun> coverage;
   private final SummaryRows summary;
-  private final RunSums sums = new RunSums();
+  private final RunSums sums;
   private final RunPlan plan;
 
   /**
-   * Opens the files.
+   * Opens the files of a run that is to begin, and has them listen to it.
    *
    * @throws org.hificamsim.core.InputException when one of them cannot be made, or two are one
    */
-  public CamSimFiles(Places places, RunPlan plan, World world, Network network) throws IOException {
+  public CamSimFiles(Places places, RunPlan plan, NetworkRun run) throws IOException {
     this.plan = plan;
+    this.sums = run.sums();
     Path appended = places.summary().orElse(SummaryRows.beside(places.output()));
     requireSeparate(places, appended);
     summary = new SummaryRows(appended);
-    listeners.add((view, measured) -> sums.add(network.figures()));
+    Network network = run.network();
     try {
       StepTable steps = opened(StepTable.camSim(file("-o", places.output()).open()));
-      listeners.add((view, measured) -> steps.camSim(network.figures()));
+      run.listen((view, measured) -> steps.camSim(network.figures()));
       if (places.extra().isPresent()) {
         StepTable extra = opened(StepTable.extra(file("--extra-out", places.extra().get()).open()));
-        OverlapTable overlap = OverlapTable.exact(world.cameras());
-        listeners.add((view, measured) -> extra.extra(network.figures(), overlap.sum()));
+        OverlapTable overlap = OverlapTable.exact(run.world().cameras());
+        run.listen((view, measured) -> extra.extra(network.figures(), overlap.sum()));
       }
       coverage =
           places.coverage().isPresent()
@@ -73,7 +73,7 @@ public final class CamSimFiles implements Closeable {
                   new SingleRun(places.coverage().get(), 0, plan.detection(), Detail.STEPS))
               : Optional.empty();
       coverage.ifPresent(opened::add);
-      coverage.ifPresent(listeners::add);
+      coverage.ifPresent(run::listen);
     } catch (IOException | RuntimeException e) {
       close();
       throw e;
@@ -92,16 +92,6 @@ public final class CamSimFiles implements Closeable {
       files.with("--coverage-out", folder);
       COVERAGE.forEach(name -> files.with("--coverage-out", folder.resolve(name)));
     }
-  }
-
-  /** What has to watch the run. */
-  public List<StepListener> listeners() {
-    return listeners;
-  }
-
-  /** What the run added up to. */
-  public RunSums sums() {
-    return sums;
   }
 
   /** Moves the files into place and appends to the summary, after the run. */

@@ -5,7 +5,6 @@ import java.io.Reader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Locale;
 import java.util.Properties;
 import java.util.TreeSet;
@@ -17,27 +16,13 @@ import org.hificamsim.network.bandit.BanditParameters;
 
 /**
  * The parameters of {@code -p}: a Java properties file, keys in any case (behaviour 8.7; quirk Q2
- * mended). Keys that are not given keep CamSim's defaults.
+ * fixed). Keys that are not given keep CamSim's defaults.
  */
 public record ParameterFile(HistoricalParameters historical, BanditParameters bandit) {
   /** What a file that sets nothing says. */
   public static final ParameterFile DEFAULT =
       new ParameterFile(HistoricalParameters.DEFAULT, BanditParameters.DEFAULT);
 
-  private static final List<String> KEYS =
-      List.of(
-          "PreInstantiationBidCoefficient",
-          "OverstayBidCoefficient",
-          "DebugHist",
-          "ClassificationEnabled",
-          "ObjectCategories",
-          "HistPerCategoryEnabled",
-          "HistEnabled",
-          "Epsilon",
-          "Alpha",
-          "Beta",
-          "Gamma",
-          "Interval");
   private static final double MAX = 1e9;
   private static final int MAX_CATEGORIES = 360;
 
@@ -75,7 +60,14 @@ public record ParameterFile(HistoricalParameters historical, BanditParameters ba
   }
 
   private static String known(String key) {
-    return KEYS.stream().filter(key::equalsIgnoreCase).findFirst().orElse(key);
+    Options none = Options.none("");
+    historical(none);
+    bandit(none);
+    return none.declared().stream()
+        .map(Options.Declared::key)
+        .filter(key::equalsIgnoreCase)
+        .findFirst()
+        .orElse(key);
   }
 
   private static HistoricalParameters historical(Options options) {

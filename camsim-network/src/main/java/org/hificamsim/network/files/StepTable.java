@@ -5,15 +5,14 @@ import java.io.IOException;
 import java.io.Writer;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.Rows;
-import org.hificamsim.core.file.RowsAside;
 import org.hificamsim.network.statistics.StepFigures;
 
-/** A table in CamSim's form: a row for each step, written beside the run. */
+/** A table in CamSim's form: a row for each step. */
 final class StepTable implements Closeable {
   private final Rows rows;
 
   private StepTable(Writer out, String header) throws IOException {
-    rows = RowsAside.of(new NumberRows(out, header, ';', System.lineSeparator()));
+    rows = new NumberRows(out, header, ';', System.lineSeparator());
   }
 
   /** CamSim's own table of steps (behaviour 10.1). */

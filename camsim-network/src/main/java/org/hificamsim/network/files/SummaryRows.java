@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import org.hificamsim.core.InputException;
+import org.hificamsim.network.statistics.RunSums;
 
 /**
  * CamSim's summary file: one row is appended per run, under a lock and in one write, so that

@@ -1,36 +1,26 @@
 package org.hificamsim.network.statistics;
 
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.world.Cameras;
-import org.hificamsim.core.world.World;
 
 /**
  * CamSim's overlap of two cameras (behaviour 10.2, quirk Q11): two circle segments, opening angles
- * ignored, right for some positions only; kept for its numbers. {@link SectorOverlap} is right.
+ * ignored, right for some positions only; kept for its numbers. {@link FieldOfView#overlap} is
+ * right.
+ *
+ * @param field whose top left corner CamSim counts from
  */
-final class CamSimOverlap implements OverlapTable.Pair {
-  private final Cameras cameras;
-  private final Field field;
-
-  CamSimOverlap(World world) {
-    cameras = world.cameras();
-    field = world.scenario().field();
+record CamSimOverlap(Field field) {
+  /** Of two cameras, the first being earlier in the list, square metres. */
+  double of(FieldOfView first, FieldOfView second) {
+    return of(x(first), y(first), first.radius(), x(second), y(second), second.radius());
   }
 
-  @Override
-  public double overlap(int first, int second) {
-    return of(
-        x(first), y(first), cameras.range(first), x(second), y(second), cameras.range(second));
+  private double x(FieldOfView camera) {
+    return camera.x() - field.minX();
   }
 
-  /** From the left border, as CamSim counts. */
-  private double x(int camera) {
-    return cameras.x(camera) - field.minX();
-  }
-
-  /** From the top, as CamSim counts. */
-  private double y(int camera) {
-    return (field.minY() + cameras.y(camera)) * -1;
+  private double y(FieldOfView camera) {
+    return (field.minY() + camera.y()) * -1;
   }
 
   /** In square metres, of the camera at (x1, y1) with range a and a later one with range b. */

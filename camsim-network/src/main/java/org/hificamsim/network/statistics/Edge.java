@@ -3,8 +3,8 @@ package org.hificamsim.network.statistics;
 import java.util.function.DoubleConsumer;
 
 /**
- * A piece of a sector's boundary, walked through anticlockwise as its parameter goes from 0 to 1,
- * so that the inside is on the left.
+ * A piece of the boundary of a field of view, walked through anticlockwise as its parameter goes
+ * from 0 to 1, so that the inside is on the left.
  */
 sealed interface Edge {
   double x(double t);
@@ -20,8 +20,20 @@ sealed interface Edge {
   /** Half the integral of x dy - y dx from one parameter to another: its share of an area. */
   double areaBetween(double from, double to);
 
-  /** Tells the parameters at which the curve that another edge is part of is crossed. */
-  void cross(Edge other, DoubleConsumer cuts);
+  /** Passes on the parameters at which the curve that another edge is part of is crossed. */
+  default void cross(Edge other, DoubleConsumer cuts) {
+    if (other instanceof Arc arc) {
+      crossCircle(arc, cuts);
+    } else if (other instanceof Side side) {
+      crossLine(side, cuts);
+    }
+  }
+
+  /** The same of the circle that an arc is part of. */
+  void crossCircle(Arc other, DoubleConsumer cuts);
+
+  /** The same of the line that a side is part of. */
+  void crossLine(Side other, DoubleConsumer cuts);
 
   /**
    * Part of a circle.
@@ -63,37 +75,29 @@ sealed interface Edge {
     }
 
     @Override
-    public void cross(Edge other, DoubleConsumer cuts) {
-      if (other instanceof Arc arc) {
-        crossCircle(arc.cx, arc.cy, arc.radius, cuts);
-      } else if (other instanceof Side side) {
-        crossLine(side.fromX(), side.fromY(), side.directionX(), side.directionY(), cuts);
+    public void crossCircle(Arc other, DoubleConsumer cuts) {
+      double distance = Math.hypot(other.cx - cx, other.cy - cy);
+      if (distance > 0) {
+        double cosine =
+            (radius * radius + distance * distance - other.radius * other.radius)
+                / (2 * radius * distance);
+        addAround(Math.atan2(other.cy - cy, other.cx - cx), cosine, cuts);
       }
     }
 
-    private void crossCircle(double ox, double oy, double other, DoubleConsumer cuts) {
-      double distance = Math.hypot(ox - cx, oy - cy);
-      if (distance == 0) {
-        return;
-      }
-      double cosine =
-          (radius * radius + distance * distance - other * other) / (2 * radius * distance);
-      addAround(Math.atan2(oy - cy, ox - cx), cosine, cuts);
-    }
-
-    private void crossLine(double px, double py, double dx, double dy, DoubleConsumer cuts) {
-      double away = (px - cx) * -dy + (py - cy) * dx;
-      addAround(Math.atan2(dx, -dy), away / radius, cuts);
+    @Override
+    public void crossLine(Side other, DoubleConsumer cuts) {
+      double away = other.leftward(cx, cy);
+      addAround(Math.atan2(other.directionX, -other.directionY), -away / radius, cuts);
     }
 
     /** The two angles on either side of a direction that have this cosine with it, if any. */
     private void addAround(double direction, double cosine, DoubleConsumer cuts) {
-      if (Math.abs(cosine) > 1) {
-        return;
+      if (Math.abs(cosine) <= 1) {
+        double half = Math.acos(cosine);
+        addAngle(direction + half, cuts);
+        addAngle(direction - half, cuts);
       }
-      double half = Math.acos(cosine);
-      addAngle(direction + half, cuts);
-      addAngle(direction - half, cuts);
     }
 
     private void addAngle(double angle, DoubleConsumer cuts) {
@@ -113,6 +117,11 @@ sealed interface Edge {
     static Side between(double fromX, double fromY, double toX, double toY) {
       double length = Math.hypot(toX - fromX, toY - fromY);
       return new Side(fromX, fromY, (toX - fromX) / length, (toY - fromY) / length, length);
+    }
+
+    /** How far a point lies to the left. */
+    private double leftward(double x, double y) {
+      return (x - fromX) * -directionY + (y - fromY) * directionX;
     }
 
     @Override
@@ -141,28 +150,22 @@ sealed interface Edge {
     }
 
     @Override
-    public void cross(Edge other, DoubleConsumer cuts) {
-      if (other instanceof Arc arc) {
-        crossCircle(arc.cx(), arc.cy(), arc.radius(), cuts);
-      } else if (other instanceof Side side) {
-        crossLine(side.fromX, side.fromY, side.directionX, side.directionY, cuts);
-      }
-    }
-
-    private void crossCircle(double cx, double cy, double radius, DoubleConsumer cuts) {
-      double along = (cx - fromX) * directionX + (cy - fromY) * directionY;
-      double away = (cx - fromX) * -directionY + (cy - fromY) * directionX;
-      double squared = radius * radius - away * away;
+    public void crossCircle(Arc other, DoubleConsumer cuts) {
+      double along = (other.cx() - fromX) * directionX + (other.cy() - fromY) * directionY;
+      double away = leftward(other.cx(), other.cy());
+      double squared = other.radius() * other.radius() - away * away;
       if (squared >= 0) {
         cuts.accept((along - Math.sqrt(squared)) / length);
         cuts.accept((along + Math.sqrt(squared)) / length);
       }
     }
 
-    private void crossLine(double px, double py, double dx, double dy, DoubleConsumer cuts) {
-      double across = directionX * dy - directionY * dx;
+    @Override
+    public void crossLine(Side other, DoubleConsumer cuts) {
+      double across = directionX * other.directionY - directionY * other.directionX;
       if (across != 0) {
-        cuts.accept(((px - fromX) * dy - (py - fromY) * dx) / across / length);
+        double away = (other.fromX - fromX) * other.directionY;
+        cuts.accept((away - (other.fromY - fromY) * other.directionX) / across / length);
       }
     }
   }

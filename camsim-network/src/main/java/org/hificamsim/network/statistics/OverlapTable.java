@@ -1,6 +1,7 @@
 package org.hificamsim.network.statistics;
 
 import java.util.Arrays;
+import java.util.function.ToDoubleBiFunction;
 import org.hificamsim.core.world.Cameras;
 
 /**
@@ -8,37 +9,31 @@ import org.hificamsim.core.world.Cameras;
  * camera has changed.
  */
 public final class OverlapTable {
-  /** The overlap of two cameras as they are now, the first being earlier in the list. */
-  interface Pair {
-    double overlap(int first, int second);
-  }
-
   private final Cameras cameras;
-  private final Pair pair;
+  private final ToDoubleBiFunction<FieldOfView, FieldOfView> overlap;
   private final double[][] overlaps; // by camera, with each later one
-  private final Sector[] sectors;
+  private final FieldOfView[] fields;
   private final double[] before;
   private final double[] after;
-  private final boolean[] added;
   private int looks = -1;
 
-  OverlapTable(Cameras cameras, Pair pair) {
+  /**
+   * @param overlap of two cameras, the first being earlier in the list
+   */
+  OverlapTable(Cameras cameras, ToDoubleBiFunction<FieldOfView, FieldOfView> overlap) {
     this.cameras = cameras;
-    this.pair = pair;
+    this.overlap = overlap;
     int count = cameras.count();
     overlaps = new double[count][];
     Arrays.setAll(overlaps, camera -> new double[count - 1 - camera]);
-    sectors = new Sector[count];
+    fields = new FieldOfView[count];
     before = new double[count];
     after = new double[count];
-    added = new boolean[count];
   }
 
   /** The area that two fields of view share: what CamSim's overlap is taken for (quirk Q11). */
   public static OverlapTable exact(Cameras cameras) {
-    return new OverlapTable(
-        cameras,
-        (first, second) -> SectorOverlap.of(Sector.of(cameras, first), Sector.of(cameras, second)));
+    return new OverlapTable(cameras, FieldOfView::overlap);
   }
 
   /** The sum over all pairs of cameras that are online. */
@@ -55,10 +50,9 @@ public final class OverlapTable {
   /** {@code sum} plus the overlap of a camera with each later one that is online, pair by pair. */
   double addPairs(int camera, double sum) {
     refresh();
-    if (!added[camera] || before[camera] != sum) {
+    if (before[camera] != sum) {
       before[camera] = sum;
       after[camera] = added(camera, sum);
-      added[camera] = true;
     }
     return after[camera];
   }
@@ -79,17 +73,18 @@ public final class OverlapTable {
       return;
     }
     looks = cameras.looks();
-    Arrays.fill(added, false);
-    boolean[] changed = new boolean[sectors.length];
-    for (int camera = 0; camera < sectors.length; camera++) {
-      Sector now = Sector.of(cameras, camera);
-      changed[camera] = !now.equals(sectors[camera]);
-      sectors[camera] = now;
+    Arrays.fill(before, Double.NaN); // no sum
+    boolean[] changed = new boolean[fields.length];
+    for (int camera = 0; camera < fields.length; camera++) {
+      FieldOfView now = FieldOfView.of(cameras, camera);
+      changed[camera] = !now.equals(fields[camera]);
+      fields[camera] = now;
     }
-    for (int first = 0; first < sectors.length; first++) {
-      for (int second = first + 1; second < sectors.length; second++) {
+    for (int first = 0; first < fields.length; first++) {
+      for (int second = first + 1; second < fields.length; second++) {
         if (changed[first] || changed[second]) {
-          overlaps[first][second - first - 1] = pair.overlap(first, second);
+          overlaps[first][second - first - 1] =
+              overlap.applyAsDouble(fields[first], fields[second]);
         }
       }
     }

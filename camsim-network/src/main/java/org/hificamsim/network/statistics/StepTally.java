@@ -25,7 +25,8 @@ public final class StepTally {
   /** Sums of a world's steps, at 0. */
   public StepTally(World world, CameraFigures figures, Sightings sightings, MessageQueue queue) {
     this.targets = world.targets();
-    this.overlaps = new OverlapTable(world.cameras(), new CamSimOverlap(world));
+    this.overlaps =
+        new OverlapTable(world.cameras(), new CamSimOverlap(world.scenario().field())::of);
     this.figures = figures;
     this.sightings = sightings;
     this.queue = queue;

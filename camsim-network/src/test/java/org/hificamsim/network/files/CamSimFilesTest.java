@@ -10,13 +10,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.TestScenario;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.world.World;
-import org.hificamsim.core.world.movement.Movements;
-import org.hificamsim.network.Network;
+import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.runs.RunPlan;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,10 +50,9 @@ class CamSimFilesTest {
             Optional.empty());
     Scenario scenario = new TestScenario().camera(0, 0).target(1, 0).scenario();
     Detection detection = Detection.of(new CamSimVisibilityDetection());
-    World world = new World(scenario, Movements.registry(), 0);
-    Network network = new Network(world, detection, NetworkSettings.CAMSIM, 0);
     RunPlan plan = new RunPlan(scenario, detection, "zoom-out", 1, 0, 1);
-    return new CamSimFiles(places, plan, world, network);
+    return new CamSimFiles(
+        places, plan, NetworkRun.of(plan, NetworkSettings.CAMSIM, Catalogue.load()));
   }
 
   private List<Path> in(String name) throws IOException {

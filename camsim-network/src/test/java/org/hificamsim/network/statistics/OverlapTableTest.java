@@ -22,7 +22,7 @@ class OverlapTableTest {
   void eachPairThatIsOnlineCountsOnce() {
     World world = row(4);
     OverlapTable table =
-        new OverlapTable(world.cameras(), (first, second) -> 10.0 * first + second);
+        new OverlapTable(world.cameras(), (first, second) -> 10 * first.x() + second.x());
     assertEquals(1 + 2 + 3 + 12 + 13 + 23, table.sum());
     world.switchCamera(2, false);
     assertEquals(1 + 3 + 13, table.sum());

@@ -2,6 +2,7 @@ package org.hificamsim.agents.search;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import java.util.Locale;
 import java.util.SplittableRandom;
 import java.util.function.Consumer;
 import org.hificamsim.core.metrics.Objective;
@@ -48,8 +49,8 @@ class SameSearchTest {
           sums[2] += limited.gap();
         });
     assertEquals(
-        "%d %.3f %.3f".formatted(nodes, score, gap),
-        "%.0f %.3f %.3f".formatted(sums[0], sums[1], sums[2]));
+        String.format(Locale.ROOT, "%d %.3f %.3f", nodes, score, gap),
+        String.format(Locale.ROOT, "%.0f %.3f %.3f", sums[0], sums[1], sums[2]));
   }
 
   /** What one half of the cameras sees has nothing to do with the other. */

@@ -1,10 +1,16 @@
 package org.hificamsim.presentation.picture;
 
 import java.awt.image.BufferedImage;
+import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.IntFunction;
 import java.util.stream.IntStream;
 import javax.imageio.IIOImage;
@@ -17,21 +23,22 @@ import javax.imageio.stream.MemoryCacheImageOutputStream;
 
 /**
  * Writes an animation as GIF: one palette, and of each frame what differs from the one before. It
- * goes on for ever.
+ * goes on for ever. The palette has the most frequent colours of a few frames and one that shows
+ * the frame before: areas of one colour keep it exactly, the rare shades of edges are rounded.
  */
 final class GifFile {
   private static final String HEAD = "javax_imageio_gif_stream_1.0";
   private static final String FORMAT = "javax_imageio_gif_image_1.0";
   private static final int SAMPLES = 5;
+  private static final int TRANSPARENT = 255; // the index of what shows the frame before
 
-  private final GifPalette palette;
   private final IndexColorModel colors;
+  private final Map<Integer, Integer> indexes = new HashMap<>();
   private final int delay;
   private int[] before;
 
-  private GifFile(GifPalette palette, int delay) {
-    this.palette = palette;
-    this.colors = palette.model();
+  private GifFile(IndexColorModel colors, int delay) {
+    this.colors = colors;
     this.delay = delay;
   }
 
@@ -50,7 +57,7 @@ final class GifFile {
             .distinct()
             .mapToObj(frames)
             .toList();
-    GifFile file = new GifFile(GifPalette.of(samples, CoverClass.shades()), delay);
+    GifFile file = new GifFile(palette(samples), delay);
     ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
     try (MemoryCacheImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
       writer.setOutput(stream);
@@ -62,6 +69,29 @@ final class GifFile {
     } finally {
       writer.dispose();
     }
+  }
+
+  private static IndexColorModel palette(List<BufferedImage> samples) {
+    Map<Integer, Integer> counts = new TreeMap<>();
+    for (BufferedImage image : samples) {
+      for (int color : pixels(image)) {
+        counts.merge(color, 1, Integer::sum);
+      }
+    }
+    int[] frequent =
+        counts.entrySet().stream()
+            .sorted(Map.Entry.comparingByValue(Comparator.reverseOrder()))
+            .mapToInt(Map.Entry::getKey)
+            .limit(TRANSPARENT)
+            .toArray();
+    int[] all = Arrays.copyOf(frequent, TRANSPARENT + 1);
+    Arrays.fill(all, frequent.length, TRANSPARENT, all[0]);
+    return new IndexColorModel(8, all.length, all, 0, false, TRANSPARENT, DataBuffer.TYPE_BYTE);
+  }
+
+  private static int[] pixels(BufferedImage image) {
+    int width = image.getWidth();
+    return image.getRGB(0, 0, width, image.getHeight(), null, 0, width);
   }
 
   /** What stands before all frames: the palette. */
@@ -95,7 +125,7 @@ final class GifFile {
     control.setAttribute("disposalMethod", "doNotDispose");
     control.setAttribute("userInputFlag", "FALSE");
     control.setAttribute("transparentColorFlag", "TRUE");
-    control.setAttribute("transparentColorIndex", Integer.toString(GifPalette.TRANSPARENT));
+    control.setAttribute("transparentColorIndex", Integer.toString(TRANSPARENT));
     control.setAttribute("delayTime", Integer.toString(delay));
     if (first) {
       repeatForEver(child(root, "ApplicationExtensions"));
@@ -115,19 +145,23 @@ final class GifFile {
 
   /** The frame in the palette's colours; transparent where the frame before had the same. */
   private BufferedImage difference(BufferedImage frame) {
-    int width = frame.getWidth();
-    int height = frame.getHeight();
-    int[] pixels = frame.getRGB(0, 0, width, height, null, 0, width);
-    byte[] indexes = new byte[pixels.length];
+    int[] pixels = pixels(frame);
+    byte[] shown = new byte[pixels.length];
     for (int i = 0; i < pixels.length; i++) {
-      pixels[i] = palette.index(pixels[i]);
+      pixels[i] = indexes.computeIfAbsent(pixels[i], this::nearest);
       boolean same = before != null && before[i] == pixels[i];
-      indexes[i] = (byte) (same ? GifPalette.TRANSPARENT : pixels[i]);
+      shown[i] = (byte) (same ? TRANSPARENT : pixels[i]);
     }
     before = pixels;
+    int width = frame.getWidth();
+    int height = frame.getHeight();
     BufferedImage image = new BufferedImage(width, height, BufferedImage.TYPE_BYTE_INDEXED, colors);
-    image.getRaster().setDataElements(0, 0, width, height, indexes);
+    image.getRaster().setDataElements(0, 0, width, height, shown);
     return image;
+  }
+
+  private int nearest(int rgb) {
+    return ((byte[]) colors.getDataElements(rgb, null))[0] & 0xFF;
   }
 
   private static IIOMetadataNode child(IIOMetadataNode parent, String name) {

@@ -1,13 +1,17 @@
 package org.hificamsim.presentation.picture;
 
+import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.Shape;
+import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
+import java.util.Arrays;
+import java.util.List;
 import java.util.Locale;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.Picture;
+import org.hificamsim.presentation.replay.PackedHeat.ShownFigure;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
@@ -17,12 +21,17 @@ import org.hificamsim.runs.heat.HeatMap;
  * them and, if asked for, the tracks.
  */
 public final class HeatPicture implements Picture {
-  private static final int HEADING = 62;
-  private static final int GAP = 6;
+  private static final int KEY = 64;
+  private static final int BAR_WIDTH = 300;
+  private static final int BAR_HEIGHT = 12;
+  private static final int GAP = 26;
 
   private final RunFrames run;
-  private final HeatLayer layer;
+  private final HeatMap map;
+  private final HeatFigure figure;
   private final int repeats;
+  private final double[] values;
+  private final double end;
 
   /**
    * @param run one of those that the map is of
@@ -30,8 +39,11 @@ public final class HeatPicture implements Picture {
    */
   public HeatPicture(RunFrames run, HeatMap map, HeatFigure figure, int repeats) {
     this.run = run;
-    this.layer = new HeatLayer(map, figure);
+    this.map = map;
+    this.figure = figure;
     this.repeats = repeats;
+    this.values = map.places().stream().mapToDouble(figure::of).toArray();
+    this.end = figure.end(map);
   }
 
   @Override
@@ -41,27 +53,28 @@ public final class HeatPicture implements Picture {
 
   @Override
   public int height() {
-    return (int) area().getMaxY() + GAP + HeatLegend.HEIGHT + StepPicture.MARGIN;
-  }
-
-  private Rectangle2D area() {
-    return StepPicture.area(run.setup().field(), HEADING);
+    return (int) StepPicture.area(run).getMaxY() + KEY + StepPicture.MARGIN;
   }
 
   @Override
   public void paint(Graphics2D graphics) {
-    Rectangle2D area = area();
     Setup setup = run.setup();
     graphics.setColor(Color.WHITE); // to the end of a last row of pixels that is not whole
     graphics.fill(new Rectangle2D.Double(0, 0, width(), height() + 1.0));
-    line(graphics, setup.scenario() + ", heat map of " + steps(), 12, true);
-    line(graphics, StepPicture.settings(setup, run.recording().seed()), 29, false);
-    line(graphics, covered(), 44, false);
-    Shape before = graphics.getClip();
-    graphics.clip(area);
-    new FieldPainter(graphics, run, run.count() - 1, area).paintMap(layer);
-    graphics.setClip(before);
-    new HeatLegend(graphics, layer).paint(StepPicture.MARGIN, area.getMaxY() + GAP);
+    StepPicture.heading(
+        graphics,
+        setup.scenario() + ", heat map of " + steps(),
+        StepPicture.settings(setup, run.recording().seed()),
+        String.format(
+            Locale.ROOT,
+            "of area and steps %.1f %% covered by 1 or more cameras, %.1f %% by 2 or more;"
+                + " of the area %.1f %% never",
+            100 * map.covered(),
+            100 * map.coveredK(),
+            100 * map.blind()));
+    Rectangle2D area = StepPicture.area(run);
+    run.script().paint(graphics, area, run, run.count() - 1, ShownFigure.of(figure, map), values);
+    key(graphics, StepPicture.MARGIN, area.getMaxY() + 6);
   }
 
   private String steps() {
@@ -69,20 +82,34 @@ public final class HeatPicture implements Picture {
     return repeats == 1 ? steps : repeats + " runs of " + steps;
   }
 
-  private String covered() {
-    HeatMap map = layer.map();
-    return String.format(
-        Locale.ROOT,
-        "of area and steps %.1f %% covered by 1 or more cameras, %.1f %% by 2 or more;"
-            + " of the area %.1f %% never",
-        100 * map.covered(),
-        100 * map.coveredK(),
-        100 * map.blind());
+  /** What the colours mean: a bar with numbers, and what has a look of its own. */
+  private void key(Graphics2D graphics, double left, double top) {
+    text(graphics, figure.label(), left, top + 11);
+    double bar = top + 18;
+    List<Color> colors = run.script().scale(BAR_WIDTH);
+    for (int i = 0; i < BAR_WIDTH; i++) {
+      graphics.setColor(colors.get(i));
+      graphics.fill(new Rectangle2D.Double(left + i, bar, Math.min(2, BAR_WIDTH - i), BAR_HEIGHT));
+    }
+    graphics.setStroke(new BasicStroke(0.8f));
+    for (double tick : figure.ticks(end)) {
+      double x = left + BAR_WIDTH * figure.share(tick, end);
+      graphics.setColor(StepPicture.FAINT);
+      graphics.draw(new Line2D.Double(x, bar + BAR_HEIGHT, x, bar + BAR_HEIGHT + 4));
+      double start = x - Fonts.width(figure.tick(tick), Fonts.TEXT) / 2.0;
+      text(graphics, figure.tick(tick), Math.max(left, start), bar + BAR_HEIGHT + 16);
+    }
+    if (Arrays.stream(values).anyMatch(value -> value == 0)) {
+      double box = left + BAR_WIDTH + GAP;
+      graphics.setPaint(run.script().never());
+      graphics.fill(new Rectangle2D.Double(box, bar, 2 * BAR_HEIGHT, BAR_HEIGHT));
+      text(graphics, figure.never(), box + 2 * BAR_HEIGHT + 6, bar + BAR_HEIGHT - 2);
+    }
   }
 
-  private static void line(Graphics2D graphics, String text, int below, boolean title) {
-    graphics.setFont(title ? Fonts.TITLE : Fonts.TEXT);
-    graphics.setColor(title ? Palette.BLACK : FieldPainter.FAINT);
-    graphics.drawString(text, StepPicture.MARGIN, StepPicture.MARGIN + below);
+  private static void text(Graphics2D graphics, String words, double x, double y) {
+    graphics.setFont(Fonts.TEXT);
+    graphics.setColor(Palette.BLACK);
+    graphics.drawString(words, (float) x, (float) y);
   }
 }

@@ -6,7 +6,7 @@ import java.util.OptionalInt;
  * How pictures show a run, where there is a choice.
  *
  * @param floor how opaque the floorplan is, in [0, 1]
- * @param zones the camera whose {@linkplain DensityZone pixel densities} are shown
+ * @param zones the camera whose pixel densities are shown
  * @param tracks whether it is shown where each target went over the whole run
  */
 public record Look(double floor, OptionalInt zones, boolean tracks) {

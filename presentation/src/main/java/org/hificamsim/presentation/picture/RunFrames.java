@@ -1,41 +1,50 @@
 package org.hificamsim.presentation.picture;
 
 import java.awt.image.BufferedImage;
+import java.lang.reflect.Array;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.List;
-import java.util.stream.IntStream;
+import java.util.Map;
+import java.util.function.Function;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.presentation.replay.CameraPose;
 import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 
-/** A recorded run by frames, ready to be painted. */
+/** A recorded run by frames, ready to be painted. For one thread at a time. */
 public final class RunFrames {
+  private static final int TRAIL = 40; // frames, as in scene.js
+
   private final Setup setup;
-  private final Recording recording;
+  private final RecordedRun recording;
   private final Look look;
-  private final double[] prominence;
-  private final List<BufferedImage> floor;
+  private final FieldScript script;
+  private final BufferedImage[] floor;
   private final long[] steps;
   private final int[] kMin;
+  private final int most;
 
-  public RunFrames(Setup setup, Recording recording) {
+  public RunFrames(Setup setup, RecordedRun recording) {
     this(setup, recording, Look.USUAL);
   }
 
-  public RunFrames(Setup setup, Recording recording, Look look) {
+  public RunFrames(Setup setup, RecordedRun recording, Look look) {
     this.setup = setup;
     this.look = look;
-    this.prominence = prominence(setup);
-    this.floor = setup.floor().stream().map(FloorPictures::image).toList();
+    this.script = new FieldScript(setup);
+    this.floor = setup.floor().stream().map(FloorPictures::image).toArray(BufferedImage[]::new);
     this.recording = recording;
     this.steps = recording.frames().stream().mapToLong(Frame::step).toArray();
-    this.kMin = recording.frames().stream().mapToInt(frame -> frame.measure().kMin()).toArray();
+    List<StepCoverage> measured = recording.frames().stream().map(Frame::measure).toList();
+    this.kMin = measured.stream().mapToInt(StepCoverage::kMin).toArray();
+    this.most = measured.stream().mapToInt(StepCoverage::targets).max().orElse(1);
   }
 
   Setup setup() {
@@ -47,33 +56,20 @@ public final class RunFrames {
     return setup.field();
   }
 
-  private static double[] prominence(Setup setup) {
-    double[] widths =
-        IntStream.range(0, setup.targets().size()).mapToDouble(setup::width).toArray();
-    boolean alike = Arrays.stream(widths).distinct().count() < 2;
-    return Arrays.stream(widths)
-        .map(width -> alike ? 1 : Math.max(0.6, Math.min(2, width / setup.targetSize())))
-        .toArray();
-  }
-
-  /**
-   * How large a target is drawn where its own size would be too small: its width over the usual
-   * size, in [0.6, 2]; 1 where all are alike.
-   */
-  double prominence(int target) {
-    return prominence[target];
-  }
-
   Look look() {
     return look;
   }
 
   /** The pictures under the field. */
-  List<BufferedImage> floor() {
+  BufferedImage[] floor() {
     return floor;
   }
 
-  Recording recording() {
+  FieldScript script() {
+    return script;
+  }
+
+  RecordedRun recording() {
     return recording;
   }
 
@@ -140,5 +136,41 @@ public final class RunFrames {
       }
     }
     return List.of(poses);
+  }
+
+  /**
+   * The lists of a run that its picture is painted of, by camera or target and by frame: those up
+   * to a frame that leave a trail, or all where tracks are shown.
+   */
+  Map<String, Object> columns(int index) {
+    List<Frame> frames =
+        look.tracks()
+            ? recording.frames()
+            : recording.frames().subList(Math.max(0, index - TRAIL), index + 1);
+    Map<String, Object> columns = new HashMap<>();
+    columns.put("step", frames.stream().mapToLong(Frame::step).toArray());
+    columns.put("frame", look.tracks() ? index : frames.size() - 1);
+    columns.put("most", Math.max(1, most));
+    columns.put("online", lists(frames, Frame::online));
+    columns.put("level", lists(frames, Frame::level));
+    columns.put("seeing", lists(frames, Frame::seeing));
+    columns.put("present", lists(frames, Frame::present));
+    columns.put("coverage", lists(frames, Frame::coverage));
+    columns.put("x", lists(frames, Frame::x));
+    columns.put("y", lists(frames, Frame::y));
+    return columns;
+  }
+
+  /** An array of each frame as an array by frame of each of its elements. */
+  private static Object[] lists(List<Frame> frames, Function<Frame, Object> part) {
+    Object first = part.apply(frames.get(0));
+    Object[] lists = new Object[Array.getLength(first)];
+    for (int i = 0; i < lists.length; i++) {
+      lists[i] = Array.newInstance(first.getClass().componentType(), frames.size());
+      for (int frame = 0; frame < frames.size(); frame++) {
+        System.arraycopy(part.apply(frames.get(frame)), i, lists[i], frame, 1);
+      }
+    }
+    return lists;
   }
 }

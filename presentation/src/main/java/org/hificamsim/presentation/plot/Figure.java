@@ -49,7 +49,13 @@ public record Figure(
 
   /** Where the panels begin. */
   int top() {
-    return noteTop() + NOTE * noteLines().size() + LEGEND * LegendLayout.of(this).rows();
+    return noteTop() + NOTE * noteLines().size() + keys().height();
+  }
+
+  /** The legend as it is laid out. */
+  Legend keys() {
+    List<Legend.Entry> entries = legend.stream().map(LegendEntry::entry).toList();
+    return new Legend(List.of(entries), width() - 2 * MARGIN, LegendEntry.WIDTH, LEGEND);
   }
 
   /** Where the note begins. */

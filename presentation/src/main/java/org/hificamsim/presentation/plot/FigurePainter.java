@@ -1,20 +1,13 @@
 package org.hificamsim.presentation.plot;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.Shape;
-import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
-import java.awt.geom.Rectangle2D;
 import java.util.List;
 import org.knowm.xchart.internal.chartpart.Chart;
 
 /** Paints a figure: heading, legend, panels. */
 final class FigurePainter {
   private static final Color NOTE_COLOR = new Color(0x555555);
-  private static final float[] DASHES = {5, 4};
 
   private final Figure figure;
   private final Graphics2D graphics;
@@ -28,7 +21,7 @@ final class FigurePainter {
   static void paint(Figure figure, Graphics2D graphics) {
     FigurePainter painter = new FigurePainter(figure, graphics);
     painter.heading();
-    painter.legend();
+    figure.keys().paint(graphics, Figure.MARGIN, figure.top() - figure.keys().height());
     painter.panels();
   }
 
@@ -45,49 +38,6 @@ final class FigurePainter {
     for (int i = 0; i < lines.size(); i++) {
       graphics.drawString(lines.get(i), Figure.MARGIN, first + i * apart);
     }
-  }
-
-  private void legend() {
-    LegendLayout layout = LegendLayout.of(figure);
-    int first = figure.top() - layout.rows() * Figure.LEGEND;
-    graphics.setFont(Fonts.TEXT);
-    for (LegendLayout.Place place : layout.places()) {
-      int middle = first + place.row() * Figure.LEGEND + Figure.LEGEND / 2;
-      graphics.setColor(place.entry().color());
-      mark(place.entry().mark(), place.x(), middle);
-      graphics.setColor(Palette.BLACK);
-      graphics.drawString(place.entry().label(), place.textX(), middle + 4);
-    }
-  }
-
-  private void mark(LegendEntry.Mark mark, int x, int y) {
-    int middle = x + LegendLayout.MARK / 2;
-    switch (mark) {
-      case LINE -> line(x, y, new BasicStroke(2.5f));
-      case DASHES ->
-          line(
-              x,
-              y,
-              new BasicStroke(2, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, DASHES, 0));
-      case BAR -> graphics.fill(new Rectangle2D.Double(x + 4, y - 6, 14, 12));
-      case DOT -> graphics.fill(new Ellipse2D.Double(middle - 4, y - 4, 8, 8));
-      case DIAMOND -> graphics.fill(diamond(middle, y));
-    }
-  }
-
-  private void line(int x, int y, BasicStroke stroke) {
-    graphics.setStroke(stroke);
-    graphics.draw(new Line2D.Double(x, y, x + LegendLayout.MARK, y));
-  }
-
-  private static Shape diamond(int x, int y) {
-    Path2D path = new Path2D.Double();
-    path.moveTo(x, y - 5);
-    path.lineTo(x + 5, y);
-    path.lineTo(x, y + 5);
-    path.lineTo(x - 5, y);
-    path.closePath();
-    return path;
   }
 
   private void panels() {

@@ -117,6 +117,11 @@ public final class XyPanel {
     return straight(curve, color, THICK);
   }
 
+  /** Adds a thin line that is straight from point to point. */
+  public XyPanel thin(Curve curve, Color color) {
+    return straight(curve, color, THIN);
+  }
+
   /** Adds a dashed line: a reference. */
   public XyPanel dashed(Curve curve, Color color) {
     return line(curve, color, DASHED);

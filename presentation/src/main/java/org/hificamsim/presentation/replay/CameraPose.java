@@ -23,7 +23,7 @@ public record CameraPose(
     double viewingAngle,
     List<Level> levels,
     @IfAny List<Double> pans,
-    @IfAny List<Lens> lenses,
+    @IfAny List<LevelOptics> lenses,
     @IfAny List<Double> visible) {
   /** Whether its lists fit each other, as a file may say otherwise. */
   boolean consistent() {
@@ -57,7 +57,7 @@ public record CameraPose(
     return lenses.isEmpty() ? 0 : lens(view).density();
   }
 
-  private Lens lens(int view) {
+  private LevelOptics lens(int view) {
     return lenses.get(view % levels.size());
   }
 }

@@ -75,7 +75,7 @@ final class FrameRecorder implements StepListener {
     }
     return PackedRun.of(
         setup,
-        new Recording(
+        new RecordedRun(
             run, setup.seed() + run, last.step() + 1, every, estimated, List.copyOf(moves), all));
   }
 }

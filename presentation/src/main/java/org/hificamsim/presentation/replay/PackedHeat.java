@@ -2,8 +2,10 @@ package org.hificamsim.presentation.replay;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import java.util.Arrays;
 import java.util.List;
-import java.util.function.ToDoubleFunction;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
@@ -14,8 +16,9 @@ import org.hificamsim.runs.heat.HeatMap.Place;
  * @param first of these
  * @param areaCovered see {@link HeatMap#covered}; likewise the next two
  * @param perUnit parts of a unit that figures are rounded to
- * @param data a {@link Series} for each figure, in the order of {@link #FIGURES}: 0 for NaN, else
- *     zigzag + 1 of the number times {@code perUnit}; deflated (zlib), in Base64
+ * @param figures what can be shown of it
+ * @param data a {@link Series} for each figure: 0 for NaN, else zigzag + 1 of the number times
+ *     {@code perUnit}; deflated (zlib), in Base64
  */
 public record PackedHeat(
     int columns,
@@ -26,18 +29,44 @@ public record PackedHeat(
     double areaCoveredK,
     double areaBlind,
     double perUnit,
+    List<ShownFigure> figures,
     String data) {
   private static final double PER_UNIT = 1e6; // as in heatmap.csv
 
-  /** In the order in which the page's {@code heat.js} reads them. */
-  private static final List<ToDoubleFunction<Place>> FIGURES =
-      List.of(
-          Place::meanK,
-          Place::covered0,
-          Place::coveredK,
-          Place::visits,
-          Place::visitsMeanK,
-          Place::visitsCovered0);
+  /**
+   * How a figure of a map is shown.
+   *
+   * @param never what 0 says
+   * @param end of its scale
+   * @param logarithmic whether the scale is: from 1, not 0, to the end
+   * @param least the start of the scale in words
+   * @param most its end in words
+   */
+  public record ShownFigure(
+      String name,
+      String label,
+      String never,
+      int columns,
+      int rows,
+      double end,
+      boolean logarithmic,
+      String least,
+      String most) {
+    /** The figure as it is shown of a map. */
+    public static ShownFigure of(HeatFigure figure, HeatMap map) {
+      double end = figure.end(map);
+      return new ShownFigure(
+          Spelling.of(figure),
+          figure.label(),
+          figure.never(),
+          map.cells().columns(),
+          map.cells().rows(),
+          end,
+          figure.logarithmic(),
+          figure.tick(figure.ticks(end).get(0)),
+          figure.tick(end));
+    }
+  }
 
   /** Packs a map. */
   public static PackedHeat of(HeatMap map, long first, long steps) {
@@ -50,15 +79,16 @@ public record PackedHeat(
         map.coveredK(),
         map.blind(),
         PER_UNIT,
+        Arrays.stream(HeatFigure.values()).map(figure -> ShownFigure.of(figure, map)).toList(),
         Deflated.base64(out -> pack(out, map)));
   }
 
   private static void pack(OutputStream out, HeatMap map) throws IOException {
     Scale scale = new Scale(PER_UNIT);
-    for (ToDoubleFunction<Place> figure : FIGURES) {
+    for (HeatFigure figure : HeatFigure.values()) {
       long before = 0;
       for (Place place : map.places()) {
-        long code = scale.packOptional(figure.applyAsDouble(place));
+        long code = scale.packOptional(figure.of(place));
         Series.write(out, code - before);
         before = code;
       }

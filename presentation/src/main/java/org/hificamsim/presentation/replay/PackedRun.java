@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.zip.InflaterInputStream;
 
 /**
- * A {@link Recording} in few bytes.
+ * A {@link RecordedRun} in few bytes.
  *
  * @param frames how many there are
  * @param scale parts of a metre that positions are rounded to
@@ -31,7 +31,7 @@ public record PackedRun(
     double estimateScale,
     String data) {
   /** Packs a recording, each frame rounded. */
-  static PackedRun of(Setup setup, Recording recording) {
+  static PackedRun of(Setup setup, RecordedRun recording) {
     Scale place = Scale.of(setup.field());
     Scale estimate = Scale.of(largestEstimate(recording.frames()));
     List<Column> columns = Column.of(setup, place, estimate, !recording.estimated().isEmpty());
@@ -58,7 +58,7 @@ public record PackedRun(
    *
    * @throws IOException when the data are not what {@link #of} makes for this setup
    */
-  Recording unpack(Setup setup) throws IOException {
+  RecordedRun unpack(Setup setup) throws IOException {
     boolean known = !estimated.isEmpty();
     List<Column> columns = Column.of(setup, new Scale(scale), new Scale(estimateScale), known);
     List<Frame> unpacked = new ArrayList<>(frames);
@@ -79,7 +79,7 @@ public record PackedRun(
     } catch (IllegalArgumentException e) {
       throw new IOException("no Base64", e);
     }
-    return new Recording(run, seed, steps, every, estimated, moves, unpacked);
+    return new RecordedRun(run, seed, steps, every, estimated, moves, unpacked);
   }
 
   private static String pack(List<Frame> frames, List<Column> columns) {

@@ -85,8 +85,9 @@ final class Poses {
       return pans.equals(List.of(0.0)) ? List.of() : pans;
     }
 
-    private List<Lens> lenses() {
-      List<Lens> lenses = IntStream.range(0, zooms).mapToObj(zoom).map(Lens::of).toList();
+    private List<LevelOptics> lenses() {
+      List<LevelOptics> lenses =
+          IntStream.range(0, zooms).mapToObj(zoom).map(LevelOptics::of).toList();
       boolean alike = lenses.stream().distinct().count() == 1 && lenses.get(0).density() == 0;
       return alike ? List.of() : lenses;
     }

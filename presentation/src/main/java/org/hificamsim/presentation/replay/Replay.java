@@ -41,7 +41,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
    * @param index in {@link #runs}
    * @throws InputException when its data are broken
    */
-  public Recording recording(Path folder, int index) {
+  public RecordedRun recording(Path folder, int index) {
     try {
       return runs.get(index).unpack(setup);
     } catch (IOException e) {

@@ -48,8 +48,13 @@ public record Setup(
     @IfAny List<FloorPicture> floor) {
   private static final Pattern BY_CHANCE = Pattern.compile("@(chance|probability)");
 
-  /** The set-up of a world that has not begun yet. */
-  public static Setup of(World world, Detection detection, String policy, long seed) {
+  /**
+   * The set-up of a world that has not begun yet.
+   *
+   * @param floor pictures under the field
+   */
+  public static Setup of(
+      World world, Detection detection, String policy, long seed, List<FloorPicture> floor) {
     List<TargetSetup> targets =
         IntStream.range(0, world.targets().count())
             .mapToObj(i -> new TargetSetup(world.targets().name(i), world.targets().size(i)))
@@ -74,7 +79,7 @@ public record Setup(
         widths(world.targets()),
         slow(world),
         obstacles,
-        List.of());
+        floor);
   }
 
   private static CameraSetup camera(World world, int camera, Poses poses) {
@@ -95,26 +100,6 @@ public record Setup(
         .filter(i -> world.cameraSpec(i).optics().filter(OpticsSpec::takesTime).isPresent())
         .boxed()
         .toList();
-  }
-
-  /** The same with pictures under the field. */
-  public Setup on(List<FloorPicture> pictures) {
-    return new Setup(
-        scenario,
-        field,
-        order,
-        detection,
-        threshold,
-        policy,
-        seed,
-        targetSize,
-        onAxis,
-        cameras,
-        targets,
-        widths,
-        slow,
-        obstacles,
-        pictures);
   }
 
   /** How wide a target is, metres. */

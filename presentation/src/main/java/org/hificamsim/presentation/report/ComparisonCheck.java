@@ -4,9 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
-import org.hificamsim.core.InputException;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 import org.hificamsim.runs.output.Table;
-import org.hificamsim.runs.output.TableFile;
 
 /** Compares {@code summary.csv} with {@code results.csv}: a page must not mix two comparisons. */
 final class ComparisonCheck {
@@ -15,38 +15,38 @@ final class ComparisonCheck {
   private ComparisonCheck() {}
 
   /**
-   * @throws InputException when a case's mean performance is not that of its runs
+   * @throws org.hificamsim.core.InputException when a case's mean performance is not that of its
+   *     runs
    */
-  static void check(TableFile summary, TableFile results) {
+  static void check(CsvRows summary, CsvRows results) {
     Map<List<String>, SummaryStatistics> runs = new LinkedHashMap<>();
-    for (int row = 0; row < results.rows().size(); row++) {
-      runs.computeIfAbsent(results.caseOf(row), any -> new SummaryStatistics())
-          .addValue(results.number(row, "performance"));
+    for (CsvRow row : results.rows()) {
+      runs.computeIfAbsent(Table.caseOf(row), any -> new SummaryStatistics())
+          .addValue(row.numberOrNaN("performance"));
     }
-    for (int row = 0; row < summary.rows().size(); row++) {
-      double mean = summary.number(row, "mean");
-      summary.number(row, "low");
-      summary.number(row, "high");
-      SummaryStatistics own = runs.get(summary.caseOf(row));
-      if (own != null && summary.text(row, "metric").equals("performance")) {
-        compare(summary, row, mean, own);
+    for (CsvRow row : summary.rows()) {
+      double mean = row.numberOrNaN("mean");
+      row.numberOrNaN("low");
+      row.numberOrNaN("high");
+      SummaryStatistics own = runs.get(Table.caseOf(row));
+      if (own != null && row.text("metric").equals("performance")) {
+        compare(row, mean, own);
       }
     }
   }
 
-  private static void compare(TableFile summary, int row, double mean, SummaryStatistics own) {
+  private static void compare(CsvRow row, double mean, SummaryStatistics own) {
     boolean same = Math.abs(mean - own.getMean()) <= ROUNDING * Math.max(1, Math.abs(mean));
-    if (!same || summary.number(row, "runs") != own.getN()) {
-      throw new InputException(
-          "%s:%s:1: mean performance %s of %s runs, but %s has %s of %s, expected the files of one comparison"
-              .formatted(
-                  summary.file(),
-                  summary.line(row),
-                  summary.text(row, "mean"),
-                  summary.text(row, "runs"),
-                  Table.RESULTS.file(),
-                  own.getMean(),
-                  own.getN()));
+    if (!same || row.numberOrNaN("runs") != own.getN()) {
+      throw row.place(0)
+          .error(
+              "mean performance %s of %s runs, but %s has %s of %s, expected the files of one comparison"
+                  .formatted(
+                      row.text("mean"),
+                      row.text("runs"),
+                      Table.RESULTS.file(),
+                      own.getMean(),
+                      own.getN()));
     }
   }
 }

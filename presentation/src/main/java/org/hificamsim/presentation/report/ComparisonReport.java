@@ -8,12 +8,12 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
-import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 import org.hificamsim.presentation.figures.PolicyColors;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
-import org.hificamsim.runs.output.TableFile;
 
 /**
  * The page of a comparison, a reproduction, a sensitivity analysis or a ladder: its tables and
@@ -81,25 +81,22 @@ final class ComparisonReport {
   }
 
   private void addComparison() throws IOException {
-    TableFile summary = Table.SUMMARY.read(folder);
-    TableFile results = Table.RESULTS.read(folder);
+    CsvRows summary = Table.SUMMARY.read(folder);
+    CsvRows results = Table.RESULTS.read(folder);
     ComparisonCheck.check(summary, results);
     write(data.putObject("summary"), summary, MAX_SUMMARY_ROWS);
     write(data.putObject("results"), results, MAX_ROWS);
     JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
     data.set("settings", settings);
     if (Table.STEPS.isIn(folder)) {
-      data.set("curves", Curves.of(folder, settings));
+      data.set("curves", CaseCurves.of(folder, settings));
     }
     addColors(summary);
   }
 
-  private void addColors(TableFile summary) {
+  private void addColors(CsvRows summary) {
     List<String> policies =
-        IntStream.range(0, summary.rows().size())
-            .mapToObj(row -> summary.text(row, "policy"))
-            .distinct()
-            .toList();
+        summary.rows().stream().map(row -> row.text("policy")).distinct().toList();
     PolicyColors colors = new PolicyColors(policies);
     ObjectNode node = data.putObject("colours");
     policies.forEach(
@@ -109,10 +106,10 @@ final class ComparisonReport {
                 String.format(Locale.ROOT, "#%06x", colors.of(policy).getRGB() & 0xffffff)));
   }
 
-  private static void write(ObjectNode node, TableFile table, int max) {
+  private static void write(ObjectNode node, CsvRows table, int max) {
     node.put("name", table.file().getFileName().toString());
     node.put("count", table.rows().size());
     node.putPOJO("columns", table.columns());
-    node.putPOJO("rows", table.rows().subList(0, Math.min(max, table.rows().size())));
+    node.putPOJO("rows", table.rows().stream().limit(max).map(CsvRow::texts).toList());
   }
 }

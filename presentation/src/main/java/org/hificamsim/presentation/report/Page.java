@@ -46,15 +46,15 @@ public record Page(String title, String module, String function, String data, St
 
   /** The page as HTML. */
   public String html() {
-    String style = Resources.text("uplot/uPlot.min.css") + Resources.text("style.css");
-    String plot = Resources.text("uplot/uPlot.iife.min.js");
+    String style = Scripts.text("uplot/uPlot.min.css") + Scripts.text("style.css");
+    String plot = Scripts.text("uplot/uPlot.iife.min.js");
     String script = Scripts.bundle(module) + start();
     return PAGE.formatted(
         policy(style, plot, script),
         escaped(title),
         style,
         data.replace("<", "\\u003c"),
-        Resources.text("uplot/LICENSE"),
+        Scripts.text("uplot/LICENSE"),
         plot,
         script);
   }

@@ -1,5 +1,9 @@
 package org.hificamsim.presentation.report;
 
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,7 +16,7 @@ import java.util.regex.Pattern;
  * that a file opened from a mailbox needs no other one. Understands what the modules here use:
  * imports of names on one line, exports where a name is declared.
  */
-final class Scripts {
+public final class Scripts {
   private static final Pattern IMPORT =
       Pattern.compile("(?m)^import (\\{[^}\\n]*\\}) from '\\./([\\w-]+\\.js)';$");
   private static final Pattern EXPORT =
@@ -23,22 +27,31 @@ final class Scripts {
   private Scripts() {}
 
   /** The module of this name and all that it needs, ending with the object of its exports. */
-  static String bundle(String entry) {
+  public static String bundle(String entry) {
     Scripts scripts = new Scripts();
     scripts.add(entry);
     return "'use strict';\n" + String.join("", scripts.modules.values());
   }
 
   /** The variable that holds a module's exports. */
-  static String variable(String module) {
+  public static String variable(String module) {
     return "module_" + module.replace(".js", "").replace('-', '_');
+  }
+
+  /** The text of a file that pages are made of. */
+  public static String text(String name) {
+    try (InputStream in = Scripts.class.getResourceAsStream(name)) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   private void add(String name) {
     if (modules.containsKey(name)) {
       return;
     }
-    String source = Resources.text(name);
+    String source = text(name);
     Matcher imports = IMPORT.matcher(source);
     while (imports.find()) {
       add(imports.group(2));

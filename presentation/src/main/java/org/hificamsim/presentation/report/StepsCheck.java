@@ -8,7 +8,7 @@ import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.presentation.replay.Frame;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.runs.output.StepRow;
 
 /** Compares {@code steps.csv} with recorded frames: a page must show the numbers of the table. */
@@ -17,7 +17,7 @@ final class StepsCheck {
   private long performance;
 
   /** Adds the frames of a run. */
-  void expect(Recording recording) throws IOException {
+  void expect(RecordedRun recording) throws IOException {
     StringWriter text = new StringWriter();
     try (NumberRows row = new NumberRows(text, "", ',', "")) {
       for (Frame frame : recording.frames()) {

@@ -11,6 +11,7 @@ import com.fasterxml.jackson.databind.MapperFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.exc.InvalidNullException;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import java.io.IOException;
 import org.hificamsim.core.InputException;
 
 /** What the page may ask for. */
@@ -37,12 +38,12 @@ public sealed interface Command {
    *
    * @throws InputException when a value is wrong; nothing has changed then
    */
-  void obey(Session session);
+  void obey(LiveSession session);
 
   /** Step after step, until paused. */
   record Run() implements Command {
     @Override
-    public void obey(Session session) {
+    public void obey(LiveSession session) {
       session.run();
     }
   }
@@ -50,7 +51,7 @@ public sealed interface Command {
   /** No more steps. */
   record Pause() implements Command {
     @Override
-    public void obey(Session session) {
+    public void obey(LiveSession session) {
       session.pause();
     }
   }
@@ -62,7 +63,7 @@ public sealed interface Command {
    */
   record Step(int steps) implements Command {
     @Override
-    public void obey(Session session) {
+    public void obey(LiveSession session) {
       session.steps(steps);
     }
   }
@@ -74,7 +75,7 @@ public sealed interface Command {
    */
   record Speed(int perSecond) implements Command {
     @Override
-    public void obey(Session session) {
+    public void obey(LiveSession session) {
       session.speed(perSecond);
     }
   }
@@ -86,8 +87,8 @@ public sealed interface Command {
    */
   record Restart(long seed, boolean keepCameras) implements Command {
     @Override
-    public void obey(Session session) {
-      session.restart(seed, keepCameras);
+    public void obey(LiveSession session) {
+      session.renew(run -> run.restart(seed, keepCameras));
     }
   }
 
@@ -99,8 +100,8 @@ public sealed interface Command {
    */
   record Drag(int camera, double x, double y) implements Command {
     @Override
-    public void obey(Session session) {
-      session.drag(camera, x, y);
+    public void obey(LiveSession session) {
+      session.change(run -> run.drag(camera, x, y));
     }
   }
 
@@ -111,8 +112,8 @@ public sealed interface Command {
    */
   record Turn(int camera, double heading) implements Command {
     @Override
-    public void obey(Session session) {
-      session.turn(camera, heading);
+    public void obey(LiveSession session) {
+      session.change(run -> run.turn(camera, heading));
     }
   }
 
@@ -125,8 +126,8 @@ public sealed interface Command {
    */
   record Add(int like, double x, double y) implements Command {
     @Override
-    public void obey(Session session) {
-      session.add(like, x, y);
+    public void obey(LiveSession session) {
+      session.renew(run -> run.add(like, x, y));
     }
   }
 
@@ -137,16 +138,17 @@ public sealed interface Command {
    */
   record Hold(int camera, int view) implements Command {
     @Override
-    public void obey(Session session) {
-      session.hold(camera, view);
+    public void obey(LiveSession session) {
+      session.change(run -> run.hold(camera, view));
+      session.tellState();
     }
   }
 
   /** A solid wall more, its ends in metres: learning begins again. */
   record Wall(double x1, double y1, double x2, double y2) implements Command {
     @Override
-    public void obey(Session session) {
-      session.wall(x1, y1, x2, y2);
+    public void obey(LiveSession session) {
+      session.renew(run -> run.wall(x1, y1, x2, y2));
     }
   }
 
@@ -157,8 +159,8 @@ public sealed interface Command {
    */
   record Remove(int obstacle) implements Command {
     @Override
-    public void obey(Session session) {
-      session.remove(obstacle);
+    public void obey(LiveSession session) {
+      session.renew(run -> run.remove(obstacle));
     }
   }
 
@@ -169,26 +171,40 @@ public sealed interface Command {
    */
   record Choose(int side, String detection, Double threshold, String policy) implements Command {
     @Override
-    public void obey(Session session) {
-      session.choose(side, new Choice(detection, threshold, policy));
+    public void obey(LiveSession session) {
+      session.choose(side, new LiveChoice(detection, threshold, policy));
     }
   }
 
   /** A second simulation of the same targets, or no longer. */
   record Compare(boolean on) implements Command {
     @Override
-    public void obey(Session session) {
-      session.compare(on);
+    public void obey(LiveSession session) {
+      session.renew(run -> run.compare(on));
     }
   }
 
   /** A heat map of the steps from now on, in all simulations, or none any more. */
   record Heat(boolean on) implements Command {
     @Override
-    public void obey(Session session) {
+    public void obey(LiveSession session) {
       session.heat(on);
     }
   }
+
+  /** How commands are read: nothing is left out, added or converted; a threshold may be null. */
+  ObjectMapper STRICT =
+      JsonMapper.builder()
+          .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
+          .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
+          .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
+          .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
+          .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+          .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+          .defaultSetterInfo(JsonSetter.Value.forValueNulls(Nulls.FAIL))
+          .withConfigOverride(
+              Double.class, type -> type.setSetterInfo(JsonSetter.Value.forValueNulls(Nulls.SET)))
+          .build();
 
   /**
    * Reads a command.
@@ -197,7 +213,7 @@ public sealed interface Command {
    */
   static Command read(byte[] json) {
     try {
-      Command command = Json.STRICT.readValue(json, Command.class);
+      Command command = STRICT.readValue(json, Command.class);
       if (command == null) {
         throw new InputException("null, expected a command");
       }
@@ -206,26 +222,8 @@ public sealed interface Command {
       throw new InputException(e.getPropertyName() + " is null, expected a value", e);
     } catch (JsonProcessingException e) {
       throw new InputException("no command: " + e.getOriginalMessage(), e);
-    } catch (java.io.IOException e) {
+    } catch (IOException e) {
       throw new InputException("no command: " + e.getMessage(), e);
     }
-  }
-
-  /** How commands are read: nothing is left out, added or converted; a threshold may be null. */
-  final class Json {
-    private static final ObjectMapper STRICT =
-        JsonMapper.builder()
-            .disable(MapperFeature.ALLOW_COERCION_OF_SCALARS)
-            .disable(DeserializationFeature.ACCEPT_FLOAT_AS_INT)
-            .enable(DeserializationFeature.FAIL_ON_MISSING_CREATOR_PROPERTIES)
-            .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
-            .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
-            .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
-            .defaultSetterInfo(JsonSetter.Value.forValueNulls(Nulls.FAIL))
-            .withConfigOverride(
-                Double.class, type -> type.setSetterInfo(JsonSetter.Value.forValueNulls(Nulls.SET)))
-            .build();
-
-    private Json() {}
   }
 }

@@ -11,7 +11,7 @@ import org.hificamsim.presentation.replay.ReplayJson;
  * What one open page has yet to receive, as server-sent events. A page that is slow gets fewer
  * steps, never a longer queue: the last one is always among them.
  */
-final class EventStream implements Session.Watcher {
+final class EventStream implements LiveSession.Watcher {
   private static final int STEPS_PER_EVENT = 200;
   private static final long HEARTBEAT = 1000;
 

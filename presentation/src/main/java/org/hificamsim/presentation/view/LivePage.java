@@ -4,12 +4,15 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.UncheckedIOException;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.presentation.report.Page;
+import org.hificamsim.runs.heat.HeatFigure;
 
 /** The page that watches and commands a session. */
 public final class LivePage {
@@ -31,8 +34,16 @@ public final class LivePage {
             .filter(entry -> live(catalogue, entry.name()))
             .map(LivePage::described)
             .toList();
+    List<Map<String, String>> figures =
+        Arrays.stream(HeatFigure.values())
+            .map(figure -> Map.of("name", Spelling.of(figure), "label", figure.label()))
+            .toList();
     Map<String, Object> data =
-        Map.of("scenario", scenario, "detections", detections, "policies", policies);
+        Map.of(
+            "scenario", scenario,
+            "detections", detections,
+            "policies", policies,
+            "figures", figures);
     try {
       String json = new ObjectMapper().writeValueAsString(data);
       return new Page(scenario + ", live", "view-page.js", "viewPage", json, "'self'").html();

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -27,7 +28,7 @@ public final class LiveRun {
   private final EditedScenario scenario;
   private final String firstName;
   private final DetectionSpec first;
-  private final List<Choice> choices = new ArrayList<>();
+  private final List<LiveChoice> choices = new ArrayList<>();
   private final List<FloorPicture> floor;
   private final Map<String, Integer> held = new HashMap<>();
   private List<LiveSide> sides = new ArrayList<>();
@@ -37,26 +38,22 @@ public final class LiveRun {
 
   /**
    * @param choice of the first simulation; its detection may be a model file
-   * @throws InputException when the choice is wrong or does not suit the scenario
-   */
-  public LiveRun(Catalogue catalogue, Scenario scenario, Choice choice, long seed) {
-    this(catalogue, scenario, choice, seed, List.of());
-  }
-
-  /**
-   * @param choice of the first simulation; its detection may be a model file
    * @param floor pictures under the field
    * @throws InputException when the choice is wrong or does not suit the scenario
    */
   public LiveRun(
-      Catalogue catalogue, Scenario scenario, Choice choice, long seed, List<FloorPicture> floor) {
+      Catalogue catalogue,
+      Scenario scenario,
+      LiveChoice choice,
+      long seed,
+      List<FloorPicture> floor) {
     this.floor = List.copyOf(floor);
     this.catalogue = catalogue;
     this.scenario = new EditedScenario(scenario);
     this.firstName = choice.detection();
     this.first = DetectionSpec.parse(firstName, catalogue::detection);
     choices.add(choice);
-    restart(seed);
+    restart(seed, true);
   }
 
   /** Runs one step in each simulation. */
@@ -70,24 +67,24 @@ public final class LiveRun {
   }
 
   /**
-   * Begins again with the same choices, cameras where they were put.
+   * Begins again with the same choices.
    *
    * @param newSeed of targets and policies
+   * @param keepEdits whether cameras and walls stay as they were put; else all is as the scenario
+   *     says
    */
-  public void restart(long newSeed) {
-    List<LiveSide> begun = new ArrayList<>();
-    for (Choice choice : choices) {
-      begun.add(side(world(newSeed, 0), choice, newSeed, 0));
+  public void restart(long newSeed, boolean keepEdits) {
+    if (!keepEdits) {
+      scenario.forget();
+      held.clear();
     }
-    sides = begun;
     seed = newSeed;
     next = 0;
+    begin(() -> world(0));
   }
 
-  /** Has everything be as the scenario says, from the next restart on. */
-  public void forgetEdits() {
-    scenario.forget();
-    held.clear();
+  private void begin(Supplier<World> world) {
+    sides = new ArrayList<>(choices.stream().map(choice -> side(world.get(), choice)).toList());
   }
 
   /**
@@ -200,11 +197,7 @@ public final class LiveRun {
 
   private void rebuild() {
     World before = sides.get(0).world();
-    List<LiveSide> begun = new ArrayList<>();
-    for (Choice choice : choices) {
-      begun.add(side(worldAs(before), choice, seed, next));
-    }
-    sides = begun;
+    begin(() -> worldAs(before));
   }
 
   /** The name of a camera that is online. */
@@ -222,12 +215,12 @@ public final class LiveRun {
    *
    * @throws InputException when the choice is wrong; nothing has changed then
    */
-  public void choose(int side, Choice choice) {
+  public void choose(int side, LiveChoice choice) {
     if (side < 0 || side >= sides.size()) {
       throw new InputException(
           "side is %s, expected one from 0 to %s".formatted(side, sides.size() - 1));
     }
-    sides.set(side, side(sides.get(side).world(), choice, seed, next));
+    sides.set(side, side(sides.get(side).world(), choice));
     choices.set(side, choice);
   }
 
@@ -238,7 +231,7 @@ public final class LiveRun {
   public void compare(boolean on) {
     if (on && sides.size() == 1) {
       World world = worldAs(sides.get(0).world());
-      sides.add(side(world, choices.get(0), seed, next));
+      sides.add(side(world, choices.get(0)));
       choices.add(choices.get(0));
     } else if (!on && sides.size() == 2) {
       sides.remove(1);
@@ -248,8 +241,8 @@ public final class LiveRun {
   }
 
   /** A new world that has been through so many steps. */
-  private World world(long ofSeed, long steps) {
-    World world = new World(scenario.now(), catalogue.movements(), ofSeed);
+  private World world(long steps) {
+    World world = new World(scenario.now(), catalogue.movements(), seed);
     for (long step = 0; step < steps; step++) {
       world.fireEvents(step);
       world.moveTargets();
@@ -259,7 +252,7 @@ public final class LiveRun {
 
   /** A new world of the same step, with cameras where they are in another one. */
   private World worldAs(World other) {
-    World world = world(seed, next);
+    World world = world(next);
     Map<String, Integer> numbers = new HashMap<>();
     for (int camera = 0; camera < world.cameras().count(); camera++) {
       numbers.put(world.cameras().name(camera), camera);
@@ -275,12 +268,12 @@ public final class LiveRun {
     return world;
   }
 
-  private LiveSide side(World world, Choice choice, long ofSeed, long at) {
+  private LiveSide side(World world, LiveChoice choice) {
     Detection detection =
         Overrides.ofDetection(Optional.ofNullable(choice.threshold()), Optional.empty())
             .detection(spec(choice.detection()), scenario.now());
     LiveSide side =
-        new LiveSide(world, catalogue, detection, choice.policy(), ofSeed, at, floor, held);
+        new LiveSide(world, catalogue, detection, choice.policy(), seed, next, floor, held);
     side.heat(heat);
     return side;
   }

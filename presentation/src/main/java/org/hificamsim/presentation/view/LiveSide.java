@@ -63,7 +63,7 @@ final class LiveSide {
       throw new InputException(
           "policy '" + policySpec + "' turns cameras to any angle: it cannot be viewed live");
     }
-    this.setup = Setup.of(world, detection, policySpec, seed).on(floor);
+    this.setup = Setup.of(world, detection, policySpec, seed, floor);
     this.snapshots = new Snapshots(setup, detection, policy);
     this.simulation =
         new Simulation(world, detection, new HeldViews(policy, held), seed, List.of(this::record))

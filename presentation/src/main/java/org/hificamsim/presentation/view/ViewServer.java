@@ -47,7 +47,7 @@ public final class ViewServer implements AutoCloseable {
     System.setProperty("sun.net.httpserver.nodelay", "true");
   }
 
-  private final Session session;
+  private final LiveSession session;
   private final byte[] page;
   private final HttpServer server;
   private final ExecutorService threads =
@@ -70,7 +70,7 @@ public final class ViewServer implements AutoCloseable {
    * @param grace how long after the last page was closed the server ends
    * @throws InputException when the port is in use
    */
-  public ViewServer(Session session, String html, int port, Duration grace) throws IOException {
+  public ViewServer(LiveSession session, String html, int port, Duration grace) throws IOException {
     this.session = session;
     this.page = html.getBytes(StandardCharsets.UTF_8);
     this.server = open(port);
@@ -193,7 +193,10 @@ public final class ViewServer implements AutoCloseable {
   }
 
   private static void tell(HttpExchange exchange, Throwable fault) throws IOException {
-    int status = fault instanceof InputException ? 400 : fault instanceof SessionEnded ? 503 : 500;
+    int status =
+        fault instanceof InputException
+            ? 400
+            : fault instanceof LiveSession.SessionEnded ? 503 : 500;
     String text = status == 500 ? RunFault.describe(fault) : fault.getMessage();
     Reply.line(exchange, status, Place.printable(text));
   }

@@ -1,8 +1,9 @@
 // What the chosen camera does and knows: a bar of its estimate for each zoom level, or each view.
-import { el, decimals, metres, say } from './dom.js';
+import { el, say } from './dom.js';
 import { PoseForm } from './pose-form.js';
 import { ViewTable } from './view-table.js';
 import { viewOf } from './views.js';
+import { decimals, metres } from './numbers.js';
 
 const MEANING = {
   Q: 'Q of the state the camera is in. ',

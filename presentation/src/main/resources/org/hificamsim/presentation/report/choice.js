@@ -1,5 +1,6 @@
 // What a simulation runs under: detection model, threshold and policy, to be chosen while it runs.
-import { el, decimals, say } from './dom.js';
+import { el, say } from './dom.js';
+import { decimals } from './numbers.js';
 
 let forms = 0;
 

@@ -1,8 +1,9 @@
 // The page of a comparison: cases side by side with their intervals, k_min over time, all runs, pictures and settings.
-import { el, decimals, onThemeChange, rem, style } from './dom.js';
+import { el, onThemeChange, rem, style } from './dom.js';
 import { inflate } from './inflate.js';
 import { movingMean } from './smooth.js';
 import { rowsOf, sortable } from './table.js';
+import { decimals } from './numbers.js';
 
 /** The metrics that a comparison begins with: the first one that is not 0 or missing everywhere. */
 const FAVOURITES = ['proportion_of_optimal', 'performance', 'covered_k', 'mean_k', 'covered_1', 'covered_0'];

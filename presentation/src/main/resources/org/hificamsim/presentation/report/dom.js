@@ -1,4 +1,4 @@
-// Elements and numbers. Text goes in as text nodes alone: names from scenario files are not trusted.
+// Elements. Text goes in as text nodes alone: names from scenario files are not trusted.
 
 /** An element; attributes whose name starts with "on" are listeners, `data` is its data set. */
 export function el(tag, attributes = {}, ...children) {
@@ -17,17 +17,6 @@ export function el(tag, attributes = {}, ...children) {
 export function say(element, text) {
   if (element.textContent !== text) element.textContent = text;
 }
-
-/** A number with at most so many decimals. */
-export function decimals(number, most = 2) {
-  return Number.isFinite(number) ? String(Number(number.toFixed(most))) : '–';
-}
-
-/** Metres to the millimetre. */
-export const metres = number => `${number.toFixed(3)} m`;
-
-/** A share as a percentage. */
-export const percent = share => `${decimals(100 * share, 1)} %`;
 
 /** The page's unit of length in CSS pixels: drawings grow with the text. */
 export const rem = () => parseFloat(getComputedStyle(document.documentElement).fontSize);

@@ -1,66 +1,56 @@
-// The field to scale: cameras with their fields of view, the ranges in which they detect, targets and trails.
-import { el, metres, decimals, onThemeChange, style, Surface } from './dom.js';
-import { COVER, coverClass, shape } from './palette.js';
-import { densityAt, paintZones, ZONES, zoneAt } from './density.js';
-import { HeatLayer } from './heat.js';
-import { named, Site } from './site.js';
-import { Tracks } from './tracks.js';
-import { fillDetected, inSight, sector, signed, viewOf } from './views.js';
+// The field as a page shows it: the scene on a canvas, what is said of the place under the pointer, and what can be dragged or drawn.
+import { el, onThemeChange, style, Surface } from './dom.js';
+import { host } from './host.js';
+import { HeatChoice } from './heat.js';
+import { figureSize, fit, legend, paintScene, paintTracks } from './scene.js';
+import { named, obstacleAt } from './site.js';
+import { densityAt, viewAt, viewOf, zoneAt } from './views.js';
+import { decimals, metres, signed } from './numbers.js';
 
-const TRAIL = 40;
 const NEAR = 16;
 const STILL = 3; // pixels a pressed camera may be off before it moves
 const TIP_GAP = 16;
-const TRAIL_SEGMENTS = 1500;
-const MARGIN = [46, 36]; // for the numbers along the borders
-const ROOM = 40; // pixels a figure has about it before it shrinks
 
 export class FieldView {
   /**
    * @param run what is shown
    * @param on `select(camera)` when one is clicked; `drag(camera, x, y)`, if cameras can be moved; `line(ends)` when a wall has been
-   *   drawn, its ends as x and y in turn, and `lining(ends)` while it is; `heat(figure)` when a figure of the heat map is chosen, if there can be one
+   *   drawn, its ends as x and y in turn, and `lining(ends)` while it is; `heat(figure)` when one of `figures` of the heat map is chosen, if there can be one
    */
   constructor(run, on) {
     this.run = run;
     this.on = on;
     this.frame = 0;
     this.selected = -1;
-    this.prominence = prominence(run.setup);
+    this.opacity = 0.5;
     this.surface = new Surface({class: 'field', role: 'img', tabindex: 0}, (context, width, height) => this.paint(context, width, height));
     this.tip = el('div', {class: 'tip', hidden: true});
-    this.tracks = new Tracks(run);
-    this.heat = on.heat && new HeatLayer(run.setup, on.heat);
-    this.site = new Site(run.setup, () => this.surface.draw());
-    const [options, more] = [this.options(), this.site.legend(run.setup)];
-    this.element = el('div', {class: 'field-box much'}, this.surface.canvas, this.tip, options, legend(more));
+    this.layer = document.createElement('canvas'); // with the tracks up to the frame `drawn`
+    this.heat = on.heat && new HeatChoice(run.setup.field, on.figures, on.heat);
+    this.floor = (run.setup.floor ?? []).map(({area, data}) => ({area, image: el('img', {src: data, onload: () => this.surface.draw()})}));
+    this.legend = el('div', {class: 'legend'});
+    this.element = el('div', {class: 'field-box much'}, this.surface.canvas, this.tip, this.options(), this.legend);
     this.readColours();
-    onThemeChange(() => {
-      this.readColours();
-      this.surface.draw();
-    });
+    onThemeChange(() => this.readColours());
     this.listen(this.surface.canvas);
   }
 
   /** What can be shown or not: a heat map, tracks, zones of pixel density, and the floorplan, more or less of it. */
   options() {
     const known = this.run.setup.cameras.some(({pose}) => pose.lenses?.some(({density}) => density));
-    const zones = el('input', {type: 'checkbox', name: 'zones', onchange: () => this.showZones(zones.checked)});
-    this.zoneKey = el('span', {class: 'zone-key', hidden: true}, ...ZONES.map(({name, least, colour}) => swatch(colour, `${name} ${least}`)));
-    const floor = el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.site.opacity, oninput: () => this.fade(floor.value / 100)});
-    const tracks = el('input', {type: 'checkbox', name: 'tracks', onchange: () => this.showTracks(tracks.checked)});
-    const parts = [
-      ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []),
-      el('label', {}, tracks, ' tracks'),
-      ...(known ? [el('label', {}, zones, ' pixel density of the chosen camera (EN 62676-4, px/m)'), this.zoneKey] : []),
-      ...(this.site.floor.length ? [el('label', {}, 'floorplan ', floor)] : []),
-    ];
-    return el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'}, ...parts);
+    const box = (name, label) => el('label', {}, el('input', {type: 'checkbox', name, onchange: event => this.set(name, event.target.checked)}), ` ${label}`);
+    const floor = () => el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.opacity,
+      oninput: event => this.set('opacity', event.target.value / 100)});
+    return el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'},
+      ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []), box('tracks', 'tracks'),
+      known ? box('zones', 'pixel density of the chosen camera (EN 62676-4, px/m)') : null, this.floor.length ? el('label', {}, 'floorplan ', floor()) : null);
   }
 
-  showTracks(on) {
-    this.tracked = on;
+  /** Changes what is shown: a frame, a chosen camera, an option. */
+  set(name, value) {
+    this[name] = value;
     this.surface.draw();
+    if (name === 'zones' || (name === 'selected' && this.zones)) this.explain();
   }
 
   /** Shows a figure of the heat map; '' for none. */
@@ -75,37 +65,39 @@ export class FieldView {
     this.surface.draw();
   }
 
-  showZones(on) {
-    this.zones = on;
-    this.zoneKey.hidden = !on;
-    this.surface.draw();
-  }
-
-  fade(opacity) {
-    this.site.opacity = opacity;
-    this.surface.draw();
-  }
-
   /** Whether pressing in the field begins a wall. */
   drawLines(on) {
     this.draws = on;
-    this.line = null;
-    this.surface.draw();
+    this.set('line', null);
   }
 
   show(frame) {
-    this.frame = frame;
-    this.surface.draw();
+    this.set('frame', frame);
     if (this.pointer) this.hover();
   }
 
-  select(camera) {
-    this.selected = camera;
+  readColours() {
+    const names = ['ink', 'faint', 'grid', 'paper', 'camera', 'range', 'wall', 'shadow', 'accent'];
+    this.colours = Object.fromEntries(names.map(name => [name, style(`--${name}`)]));
     this.surface.draw();
+    this.explain();
   }
 
-  readColours() {
-    this.colours = Object.fromEntries(['ink', 'faint', 'grid', 'paper', 'camera', 'range', 'wall', 'shadow', 'accent'].map(name => [name, style(`--${name}`)]));
+  /** Writes the legend. */
+  explain() {
+    const entry = ({label, mark}) => el('span', {}, mark && new Surface({class: 'mark', 'aria-hidden': 'true'},
+      (context, width, height) => mark(context, width / 2, height / 2, 0.4 * height)).canvas, label);
+    this.legend.replaceChildren(...legend(this.scene()).flat().map(entry));
+  }
+
+  /** All that the field shows: see paintScene. */
+  scene() {
+    const {run, frame, map, colours, selected, opacity} = this;
+    const scene = {
+      run, frame, map, colours, selected, opacity, host, unit: this.surface.unit ?? 1, zoned: this.zones ? selected : -1, heat: this.heat?.shown,
+      floor: this.floor.filter(({image}) => image.complete), tracks: this.tracks && (context => this.paintTracks(context, scene)),
+    };
+    return scene;
   }
 
   listen(canvas) {
@@ -215,196 +207,61 @@ export class FieldView {
 
   /** The obstacle under the pointer, and what zones and heat map say of the place where they are shown. */
   describePlace() {
-    const obstacle = this.site.at(this.surface.canvas.getContext('2d'), ...this.pointer);
-    const lines = obstacle >= 0 ? [named(this.site.obstacles[obstacle])] : [];
-    const online = this.zones && this.run.online[this.selected]?.[this.frame];
+    const {surface, run} = this;
+    const obstacle = obstacleAt(surface.canvas.getContext('2d'), run.setup.obstacles ?? [], this.map, surface.unit, ...this.pointer);
+    const lines = obstacle ? [named(obstacle)] : [];
+    const online = this.zones && run.online[this.selected]?.[this.frame];
     const density = online ? densityAt(this.view(this.selected), ...this.map.place(...this.pointer)) : NaN;
     if (Number.isFinite(density)) lines.push(`${decimals(density, 1)} px/m: ${zoneAt(density)}`);
-    if (this.heat) lines.push(...this.heat.told(...this.map.place(...this.pointer)));
+    if (this.heat) lines.push(...this.heat.describe(...this.map.place(...this.pointer)));
     return lines.length ? lines : null;
   }
 
+  /** What a camera sees in this frame. */
+  view(camera) {
+    return viewAt(this.run, camera, this.frame);
+  }
+
   paint(context, width, height) {
-    const {run, frame} = this;
-    if (this.surface.changed) {
-      this.map = fit(run.setup.field, width, height, this.surface.unit);
-      this.site.fit(this.map, this.surface.unit);
-      this.surface.changed = false;
-    }
-    this.size = this.figureSize(width, height);
+    const {run} = this;
+    if (this.surface.changed) this.map = fit(run.setup.field, width, height, this.surface.unit);
+    this.surface.changed = false;
     context.fillStyle = this.colours.paper;
     context.fillRect(0, 0, width, height);
-    this.site.paintFloor(context);
-    this.paintGrid(context, width, height);
     if (!run.count) return;
-    this.heat?.paint(context, this.map, this.surface.unit);
-    this.paintSight(context);
-    if (this.tracked) this.tracks.paint(context, this.map, this.colours.ink, this.surface.unit);
-    this.paintTrails(context);
-    run.setup.cameras.forEach((camera, i) => this.paintCamera(context, i));
-    run.setup.targets.forEach((target, i) => run.present[i][frame] && this.paintTarget(context, i));
-    this.paintLine(context);
+    const scene = this.scene();
+    this.size = figureSize(scene);
+    paintScene(context, scene);
+    if (this.line) this.paintLine(context, scene);
     this.label();
   }
 
-  /** How large cameras and targets are drawn: smaller where there are many. */
-  figureSize(width, height) {
-    const room = Math.sqrt((width * height) / (this.run.setup.cameras.length + this.run.most + 1));
-    return this.surface.unit * Math.max(0.3, Math.min(1, room / (ROOM * this.surface.unit)));
-  }
-
-  paintGrid(context, width, height) {
-    const {map, colours} = this;
-    const {minX, maxX, minY, maxY} = this.run.setup.field;
-    const {unit} = this.surface;
-    const gap = niceGap((90 * unit) / map.scale);
-    context.lineWidth = 1;
-    context.strokeStyle = colours.grid;
-    context.fillStyle = colours.faint;
-    context.font = `${11 * unit}px sans-serif`;
-    context.beginPath();
-    context.textAlign = 'center';
-    for (let x = Math.ceil(minX / gap) * gap; x <= maxX + 1e-9; x += gap) {
-      context.moveTo(map.x(x), map.y(minY));
-      context.lineTo(map.x(x), map.y(maxY));
-      context.fillText(decimals(x, 3), map.x(x), map.y(minY) + 14 * unit);
+  /** The tracks in a layer of their own: only what is new is drawn, however long they are. */
+  paintTracks(context, scene) {
+    const {canvas} = context;
+    const {layer, run} = this;
+    const lines = layer.getContext('2d');
+    if (scene.map !== this.traced?.map || scene.colours !== this.traced.colours || run.count < this.drawn) {
+      [layer.width, layer.height] = [canvas.width, canvas.height];
+      lines.setTransform(context.getTransform());
+      this.drawn = 0;
     }
-    context.textAlign = 'right';
-    for (let y = Math.ceil(minY / gap) * gap; y <= maxY + 1e-9; y += gap) {
-      context.moveTo(map.x(minX), map.y(y));
-      context.lineTo(map.x(maxX), map.y(y));
-      context.fillText(decimals(y, 3), map.x(minX) - 5 * unit, map.y(y) + 4 * unit);
-    }
-    context.stroke();
-    context.strokeStyle = colours.faint;
-    context.strokeRect(map.x(minX), map.y(maxY), map.x(maxX) - map.x(minX), map.y(minY) - map.y(maxY));
-    context.textAlign = 'right';
-    context.fillText('metres', map.x(maxX), map.y(minY) + 28 * unit);
+    paintTracks(lines, scene, this.drawn);
+    this.traced = scene;
+    this.drawn = run.count;
+    context.resetTransform();
+    context.drawImage(layer, 0, 0);
   }
 
-  /** The field of view as an outline, the ranges in which a target of the usual size is detected as areas. */
-  paintView(context, i) {
-    const {run, frame, map, colours} = this;
-    const blind = run.seen(i, frame) < 0;
-    const view = this.view(i);
-    const chosen = i === this.selected;
-    const {unit} = this.surface;
-    inSight(context, map, view, () => {
-      context.fillStyle = colours.range;
-      context.globalAlpha = chosen ? 0.4 : 0.13;
-      if (!blind && !(chosen && this.zones) && !this.heat?.shown) fillDetected(context, map, view);
-      context.globalAlpha = chosen ? 1 : 0.55;
-      context.strokeStyle = colours.range;
-      context.lineWidth = (chosen ? 2.5 : 1) * unit;
-      context.setLineDash(blind ? [2 * unit, 5 * unit] : chosen ? [] : [5 * unit, 4 * unit]);
-      context.beginPath();
-      sector(context, map, view, view.reach);
-      context.stroke();
-      context.setLineDash([]);
-      context.globalAlpha = 1;
-    });
-  }
-
-  /** What a camera sees in this frame, or will see once it has moved. */
-  view(i) {
-    const {run, frame} = this;
-    const seen = run.seen(i, frame);
-    return viewOf(run.pose(i, frame), seen < 0 ? run.level[i][frame] : seen);
-  }
-
-  paintSight(context) {
-    const {run, frame, map} = this;
-    const online = run.setup.cameras.map((camera, i) => i).filter(i => run.online[i][frame]);
-    const {selected} = this;
-    if (this.zones && online.includes(selected) && run.seen(selected, frame) >= 0) {
-      paintZones(context, map, this.view(selected), this.colours, this.surface.unit);
-    }
-    online.forEach(i => this.paintView(context, i));
-    if (this.site.obstacles.length) {
-      if (!this.heat?.shown) this.site.paintShadows(context, online.filter(i => run.seen(i, frame) >= 0).map(i => this.view(i)), this.colours.shadow);
-      this.site.paintObstacles(context, this.colours.wall);
-    }
-  }
-
-  paintLine(context) {
-    if (!this.line) return;
+  /** The wall that is being drawn. */
+  paintLine(context, {map, unit, colours}) {
     const [x1, y1, x2, y2] = this.line;
-    context.strokeStyle = this.colours.accent;
-    context.lineWidth = 3 * this.surface.unit;
+    context.strokeStyle = colours.accent;
+    context.lineWidth = 3 * unit;
     context.beginPath();
-    context.moveTo(this.map.x(x1), this.map.y(y1));
-    context.lineTo(this.map.x(x2), this.map.y(y2));
+    context.moveTo(map.x(x1), map.y(y1));
+    context.lineTo(map.x(x2), map.y(y2));
     context.stroke();
-  }
-
-  paintTrails(context) {
-    const {run, frame, map} = this;
-    const length = Math.ceil(Math.min(TRAIL, TRAIL_SEGMENTS / run.most));
-    const first = Math.max(1, frame - length + 1);
-    context.lineCap = 'round';
-    for (let i = 0; i < run.setup.targets.length; i++) {
-      for (let f = first; f <= frame; f++) {
-        if (!run.present[i][f] || !run.present[i][f - 1]) continue;
-        const cover = COVER[coverClass(run.coverage[i][f])];
-        context.globalAlpha = 0.15 + (0.75 * (f - first + 1)) / (frame - first + 1);
-        context.strokeStyle = cover.colour;
-        context.lineWidth = cover.width * this.size;
-        context.beginPath();
-        context.moveTo(map.x(run.x[i][f - 1]), map.y(run.y[i][f - 1]));
-        context.lineTo(map.x(run.x[i][f]), map.y(run.y[i][f]));
-        context.stroke();
-      }
-    }
-    context.globalAlpha = 1;
-  }
-
-  /** A square with a short line along its view; hollow and crossed out while it is not online. */
-  paintCamera(context, i) {
-    const {run, frame, map, colours} = this;
-    const pose = this.view(i);
-    const [x, y] = [map.x(pose.x), map.y(pose.y)];
-    const r = (i === this.selected ? 7 : 5) * this.size;
-    const online = run.online[i][frame];
-    context.lineWidth = 1.5 * this.size;
-    context.fillStyle = online ? colours.camera : colours.paper;
-    context.strokeStyle = online ? colours.paper : colours.camera;
-    context.beginPath();
-    context.rect(x - r, y - r, 2 * r, 2 * r);
-    context.fill();
-    context.stroke();
-    context.strokeStyle = colours.camera;
-    context.beginPath();
-    if (pose.viewingAngle < 2 * Math.PI) {
-      context.moveTo(x, y);
-      context.lineTo(x + 2.4 * r * Math.sin(pose.heading), y - 2.4 * r * Math.cos(pose.heading));
-    }
-    if (!online) {
-      context.moveTo(x - r, y - r);
-      context.lineTo(x + r, y + r);
-    }
-    context.stroke();
-  }
-
-  paintTarget(context, i) {
-    const {run, frame, map, colours} = this;
-    const k = run.coverage[i][frame];
-    const kind = coverClass(k);
-    const [x, y] = [map.x(run.x[i][frame]), map.y(run.y[i][frame])];
-    const width = run.setup.widths?.[i] ?? run.setup.targets[i].size;
-    const r = Math.max(9 * this.size * this.prominence[i], (map.scale * width) / 2);
-    context.fillStyle = COVER[kind].colour;
-    context.strokeStyle = colours.ink;
-    context.lineWidth = 1.5 * this.size;
-    context.beginPath();
-    shape(context, kind, x, y, r);
-    context.fill();
-    context.stroke();
-    if (kind > 0) {
-      context.fillStyle = '#000';
-      context.font = `bold ${Math.round(r * 1.15)}px sans-serif`;
-      context.textAlign = 'center';
-      context.fillText(k, x, y + r * (kind === 1 ? 0.55 : 0.42));
-    }
   }
 
   /** What the picture says, for those who do not see it. */
@@ -422,70 +279,9 @@ function besides(pointer, size, room) {
   return Math.max(0, after + size <= room ? after : pointer - TIP_GAP - size);
 }
 
-/** Maps metres to pixels, the whole field in sight, y upwards. */
-function fit({minX, maxX, minY, maxY}, width, height, unit) {
-  const [across, down] = MARGIN.map(margin => 2 * margin * unit);
-  const scale = Math.max(1e-9, Math.min((width - across) / (maxX - minX), (height - down) / (maxY - minY)));
-  const left = width / 2 - (scale * (minX + maxX)) / 2;
-  const top = height / 2 + (scale * (minY + maxY)) / 2;
-  return {
-    scale,
-    x: x => left + scale * x,
-    y: y => top - scale * y,
-    place: (px, py) => [(px - left) / scale, (top - py) / scale],
-  };
-}
-
-/** 1, 2 or 5 times a power of ten, at least this much. */
-function niceGap(least) {
-  const power = 10 ** Math.floor(Math.log10(least));
-  return power * [1, 2, 5, 10].find(factor => factor * power >= least);
-}
-
 /** A view in words. */
 function describeView(pose, view) {
   const {zoom, pan, level, viewingAngle} = viewOf(pose, view);
   return `level ${zoom}, ${pose.pans ? `${signed(pan)}, ` : ''}` +
     (pose.lenses ? `${decimals((viewingAngle * 180) / Math.PI, 1)}° wide` : `radius ${decimals(level.radius, 3)} m`);
-}
-
-/** How large targets are drawn whose own size would be too small: by their widths, where these differ. */
-function prominence({targets, widths, targetSize}) {
-  const all = widths ?? targets.map(({size}) => size);
-  const alike = new Set(all).size < 2;
-  return all.map(width => (alike ? 1 : Math.max(0.6, Math.min(2, width / targetSize))));
-}
-
-function swatch(colour, text) {
-  const mark = el('i', {class: 'swatch'});
-  mark.style.background = colour;
-  return el('span', {}, mark, text);
-}
-
-function legend(more) {
-  const items = COVER.map((cover, kind) => {
-    const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-    svg.setAttribute('viewBox', '-10 -10 20 20');
-    svg.setAttribute('aria-hidden', 'true');
-    const path = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    path.setAttribute('d', outline(kind));
-    path.setAttribute('fill', cover.colour);
-    svg.append(path);
-    return el('span', {}, svg, cover.label);
-  });
-  return el('div', {class: 'legend'}, 'covered by', ...items, el('span', {class: 'key-view'}, 'field of view'),
-    el('span', {class: 'key-range'}, 'detection range'), ...more.map(([mark, text]) => el('span', {class: mark}, text)));
-}
-
-/** A shape as the data of an SVG path. */
-function outline(kind) {
-  const words = [];
-  shape({
-    moveTo: (x, y) => words.push(`M${x} ${y}`),
-    lineTo: (x, y) => words.push(`L${x} ${y}`),
-    closePath: () => words.push('Z'),
-    rect: (x, y, w, h) => words.push(`M${x} ${y}h${w}v${h}h${-w}Z`),
-    arc: (x, y, r) => words.push(`A${r} ${r} 0 1 1 ${x - r} ${y}A${r} ${r} 0 1 1 ${x + r} ${y}`),
-  }, kind, 0, 0, 8);
-  return words.join('');
 }

@@ -1,5 +1,6 @@
-// How many cameras cover a target, as colour (Okabe and Ito), shape and width of its trail.
+// Colours, shapes and widths that mean something, once for pages and pictures. Colours are those of Okabe and Ito.
 
+/** How many cameras cover a target, as colour, shape and width of its trail. */
 export const COVER = [
   {label: 'no camera', colour: '#d55e00', width: 1.2},
   {label: '1 camera', colour: '#e69f00', width: 2},
@@ -10,35 +11,38 @@ export const COVER = [
 /** The class of a target that k cameras cover. */
 export const coverClass = k => Math.min(k, COVER.length - 1);
 
+const CROSS = [[-1, -0.55], [-0.55, -1], [0, -0.45], [0.55, -1], [1, -0.55], [0.45, 0], [1, 0.55], [0.55, 1], [0, 0.45], [-0.55, 1], [-1, 0.55], [-0.45, 0]];
+const TRIANGLE = [[0, -1.15], [1.1, 0.8], [-1.1, 0.8]];
+const SQUARE = [[-0.9, -0.9], [0.9, -0.9], [0.9, 0.9], [-0.9, 0.9]];
+
 /** Adds the outline of a class's shape to the path: a cross, a triangle, a square or a circle. */
 export function shape(path, kind, x, y, r) {
-  if (kind === 0) {
-    const a = r * 0.45;
-    const corners = [[-r, -r + a], [-r + a, -r], [0, -a], [r - a, -r], [r, -r + a], [a, 0], [r, r - a], [r - a, r],
-      [0, a], [-r + a, r], [-r, r - a], [-a, 0]];
-    corners.forEach(([dx, dy], i) => (i ? path.lineTo(x + dx, y + dy) : path.moveTo(x + dx, y + dy)));
+  const corners = [CROSS, TRIANGLE, SQUARE][kind];
+  if (corners) {
+    corners.forEach(([dx, dy], i) => (i ? path.lineTo(x + r * dx, y + r * dy) : path.moveTo(x + r * dx, y + r * dy)));
     path.closePath();
-  } else if (kind === 1) {
-    path.moveTo(x, y - 1.15 * r);
-    path.lineTo(x + 1.1 * r, y + 0.8 * r);
-    path.lineTo(x - 1.1 * r, y + 0.8 * r);
-    path.closePath();
-  } else if (kind === 2) {
-    path.rect(x - 0.9 * r, y - 0.9 * r, 1.8 * r, 1.8 * r);
   } else {
     path.moveTo(x + r, y);
     path.arc(x, y, r, 0, 2 * Math.PI);
   }
 }
 
-// From the narrowest zoom level to the widest: dark to light, as viridis runs.
-const LEVELS = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+/** Zones of pixel density, EN 62676-4:2014, nearest first; `least` in pixels per metre. Pale is far: one shade differs from the next for every eye. */
+export const ZONES = [
+  {name: 'identify', least: 250, colour: '#56204a'},
+  {name: 'recognise', least: 125, colour: '#96487a'},
+  {name: 'observe', least: 62.5, colour: '#cc79a7'},
+  {name: 'detect', least: 25, colour: '#e7b7d3'},
+];
 
-/** The colour of a level as [red, green, blue]; `share` is 0 for the narrowest and 1 for the widest. */
-export function levelColour(share) {
-  const at = Math.min(Math.max(share, 0), 1) * (LEVELS.length - 1);
-  const low = Math.min(Math.floor(at), LEVELS.length - 2);
-  return LEVELS[low].map((from, i) => Math.round(from + (at - low) * (LEVELS[low + 1][i] - from)));
+// Dark to light: viridis, which people with colour blindness read alike.
+const SCALE = [[68, 1, 84], [59, 82, 139], [33, 145, 140], [94, 201, 98], [253, 231, 37]];
+
+/** The colour of a scale as [red, green, blue]; `share` is 0 for the least (the narrowest zoom level) and 1 for the most. */
+export function scaleColour(share) {
+  const at = Math.min(Math.max(share, 0), 1) * (SCALE.length - 1);
+  const low = Math.min(Math.floor(at), SCALE.length - 2);
+  return SCALE[low].map((from, i) => Math.round(from + (at - low) * (SCALE[low + 1][i] - from)));
 }
 
 /** Where a level lies between the narrowest and the widest, 0 to 1. */

@@ -12,7 +12,7 @@ export class Player {
    * @param playhead may be shared with other players
    * @param options `middle`: an element between the field and the timeline; `edit`: what can be done to cameras and walls, as {@link PoseForm}, {@link ViewTable}
    *   and {@link WallForm} say;
-   *   `heat(figure)` when a figure of the heat map is chosen, if there can be one; `ceiling()`: how far the axis of k_min reaches at least
+   *   `heat(figure)` when one of `figures` of the heat map is chosen, if there can be one; `ceiling()`: how far the axis of k_min reaches at least
    */
   constructor(run, playhead, options = {}) {
     this.run = run;
@@ -20,7 +20,7 @@ export class Player {
     const {edit} = options;
     const on = {
       select: camera => this.select(camera), drag: edit?.move, ceiling: options.ceiling,
-      heat: options.heat, line: ends => edit.wall(...ends), lining: ends => this.walls.show(ends),
+      heat: options.heat, figures: options.figures, line: ends => edit.wall(...ends), lining: ends => this.walls.show(ends),
     };
     this.field = new FieldView(run, on);
     this.readout = new Readout(run);
@@ -38,7 +38,7 @@ export class Player {
   /** Shows a camera's estimates; a click beside all cameras changes nothing. */
   select(camera) {
     if (camera < 0) return;
-    this.field.select(camera);
+    this.field.set('selected', camera);
     this.agent.select(camera);
     this.timeline.select(camera);
   }

@@ -1,5 +1,6 @@
 // Where the chosen camera stands and which way it looks, to be typed or stepped; and a camera more.
-import { el, decimals } from './dom.js';
+import { el } from './dom.js';
+import { decimals } from './numbers.js';
 
 const QUARTER = 90;
 

@@ -1,5 +1,6 @@
 // The numbers of the step that is shown: a row of steps.csv.
-import { el, decimals, say } from './dom.js';
+import { el, say } from './dom.js';
+import { decimals } from './numbers.js';
 
 const NUMBERS = [
   ['k_min', 'least cameras on a target (k_min)'],

@@ -1,11 +1,12 @@
 // The page of one run that was recorded: its replay, with a choice among the repeats.
-import { el, decimals, percent } from './dom.js';
+import { el } from './dom.js';
 import { thinned } from './run.js';
 import { unpack } from './recording.js';
 import { Playhead } from './playhead.js';
 import { Controls } from './controls.js';
 import { Player } from './player.js';
 import { unpackHeat } from './heat.js';
+import { decimals, percent } from './numbers.js';
 
 /** The page; `data` is what RunReport wrote. */
 export async function runPage(root, data) {
@@ -22,7 +23,7 @@ export async function runPage(root, data) {
     const playhead = new Playhead(run.count, run.every);
     controls = new Controls(playhead, run);
     const chosen = name => player.field.showHeat((figure = name));
-    const player = new Player(run, playhead, {middle: controls.element, heat: heat && chosen});
+    const player = new Player(run, playhead, {middle: controls.element, heat: heat && chosen, figures: heat?.figures});
     if (heat) {
       player.field.loadHeat(heat);
       player.field.showHeat(figure);

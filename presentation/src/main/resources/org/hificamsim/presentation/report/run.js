@@ -1,5 +1,5 @@
 // A run as far as it is known: the set-up, and a list by frame for each quantity. It may still grow.
-import { viewCount } from './views.js';
+import { poseAt, seenAt, viewCount } from './views.js';
 
 /** Says that one step in so many is shown. */
 export const thinned = (run, every) => `This run has ${run.steps} steps; the page shows one in ${every}`;
@@ -126,15 +126,12 @@ export class Run {
 
   /** Where a camera is in a frame. */
   pose(camera, frame) {
-    const poses = this.poses[camera];
-    let last = poses.length - 1;
-    while (last > 0 && poses[last].step > this.step[frame]) last--;
-    return poses[last].pose;
+    return poseAt(this, camera, frame);
   }
 
   /** The view through which a camera sees in a frame; -1 while it moves blindly. */
   seen(camera, frame) {
-    return (this.seeing[camera] ?? this.level[camera])[frame];
+    return seenAt(this, camera, frame);
   }
 
   /** The camera that has detected most. */

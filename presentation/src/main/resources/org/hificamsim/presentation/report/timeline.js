@@ -1,8 +1,9 @@
 // Quantities over time under one playhead: k_min, how targets are covered, and each camera's zoom.
-import { el, decimals, onThemeChange, rem, say, style, Surface } from './dom.js';
-import { COVER, levelColour, levelShare } from './palette.js';
+import { el, onThemeChange, rem, say, style, Surface } from './dom.js';
+import { COVER, scaleColour, levelShare } from './palette.js';
 import { SHOWN_RAW, smoothed } from './smooth.js';
-import { signed, viewOf } from './views.js';
+import { viewOf } from './views.js';
+import { decimals, signed } from './numbers.js';
 
 const GUTTER = 6.5; // rem, as in the style sheet
 const RIGHT = 1;
@@ -206,13 +207,13 @@ function meanLevel(run, camera, from, to) {
 function paintCell(image, column, row, share) {
   if (Number.isNaN(share)) return;
   const at = 4 * (row * image.width + column);
-  image.data.set([...levelColour(share), 255], at);
+  image.data.set([...scaleColour(share), 255], at);
 }
 
 function key() {
   const stops = [0, 0.25, 0.5, 0.75, 1].map(share => {
     const swatch = el('i', {class: 'swatch'});
-    swatch.style.background = `rgb(${levelColour(share).join()})`;
+    swatch.style.background = `rgb(${scaleColour(share).join()})`;
     return swatch;
   });
   return el('span', {class: 'key'}, 'narrow', ...stops, 'wide');

@@ -1,5 +1,5 @@
 // The live page: one or two simulations of the same targets, stepped by the command that serves it.
-import { el, decimals, say } from './dom.js';
+import { el, say } from './dom.js';
 import { Run, thinned } from './run.js';
 import { Controls, onKeys } from './controls.js';
 import { Player } from './player.js';
@@ -8,7 +8,8 @@ import { ChoiceForm } from './choice.js';
 import { degrees, tidy } from './pose-form.js';
 import { located } from './site.js';
 import { unpackHeat } from './heat.js';
-import { signed, viewOf } from './views.js';
+import { viewOf } from './views.js';
+import { decimals, signed } from './numbers.js';
 
 const MAX_FRAMES = 8000;
 const RECENT = 100;
@@ -122,7 +123,7 @@ class LiveView {
       wall: (...ends) => this.wall(...ends), remove: obstacle => this.remove(obstacle),
     };
     const ceiling = () => Math.max(...this.runs.map(run => run.highest));
-    this.players = this.runs.map(run => new Player(run, this.playhead, {edit, ceiling, heat: figure => this.chooseHeat(figure), middle: pair ? null : this.controls.element}));
+    this.players = this.runs.map(run => new Player(run, this.playhead, {edit, ceiling, heat: figure => this.chooseHeat(figure), figures: this.data.figures, middle: pair ? null : this.controls.element}));
     this.selectTogether();
     this.showHeat(this.figure);
     if (fresh) this.columns = this.forms.map(form => el('section', {class: 'column'}, form.element));

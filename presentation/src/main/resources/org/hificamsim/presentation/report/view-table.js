@@ -1,6 +1,6 @@
 // The views of a camera that can turn: a row for each zoom level, a column for each pan angle.
-import { el, decimals, say } from './dom.js';
-import { signed } from './views.js';
+import { el, say } from './dom.js';
+import { decimals, signed } from './numbers.js';
 
 export class ViewTable {
   /**

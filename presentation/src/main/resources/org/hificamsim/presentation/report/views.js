@@ -1,4 +1,5 @@
-// What a camera sees in one of its views: a zoom level at a pan angle, cut off by walls.
+// What a camera sees in one of its views: a zoom level at a pan angle, cut off by walls. Rhino runs this file too: see scene.js.
+import { ZONES } from './palette.js';
 
 /** How many views a camera in this pose can choose. */
 export const viewCount = ({levels, pans}) => levels.length * (pans?.length || 1);
@@ -9,12 +10,28 @@ export function viewOf(pose, view) {
   const pan = pose.pans?.[Math.floor(view / pose.levels.length)] ?? 0;
   const lens = pose.lenses?.[zoom];
   const level = pose.levels[zoom];
-  const detected = Math.max(0, ...level.detected.map(({to}) => to));
+  const detected = level.detected.reduce((most, {to}) => Math.max(most, to), 0);
   return {
     zoom, pan, level, x: pose.x, y: pose.y, visible: pose.visible, heading: pose.heading + pan,
     viewingAngle: lens?.viewingAngle ?? pose.viewingAngle, density: lens?.density ?? 0,
     reach: lens && detected ? detected : level.radius, // a lens reaches as far as it detects
   };
+}
+
+/** Where a camera of a run is in a frame. */
+export function poseAt({poses, step}, camera, frame) {
+  let last = poses[camera].length - 1;
+  while (last > 0 && poses[camera][last].step > step[frame]) last--;
+  return poses[camera][last].pose;
+}
+
+/** The view through which a camera of a run sees in a frame; -1 while it moves blindly. */
+export const seenAt = ({seeing, level}, camera, frame) => (seeing[camera] ?? level[camera])[frame];
+
+/** What a camera of a run sees in a frame, or will see once it has moved. */
+export function viewAt(run, camera, frame) {
+  const seen = seenAt(run, camera, frame);
+  return viewOf(poseAt(run, camera, frame), seen < 0 ? run.level[camera][frame] : seen);
 }
 
 /** Adds a sector or a full circle about a camera to the path; headings run clockwise from +y, which is upwards. */
@@ -29,6 +46,12 @@ export function sector(path, map, {x, y, heading, viewingAngle}, radius) {
     path.arc(cx, cy, r, along - viewingAngle / 2, along + viewingAngle / 2);
     path.closePath();
   }
+}
+
+/** Adds the part of a view between two distances to the path; to be filled `evenodd`. */
+export function band(path, map, view, from, to) {
+  sector(path, map, view, to);
+  if (from > 0) sector(path, map, view, from);
 }
 
 /** Adds corners, x and y in turn in metres, to the path as a ring. */
@@ -50,16 +73,20 @@ export function inSight(context, map, {visible}, draw) {
 
 /** Fills the ranges of a view in which a target of the usual size is detected. */
 export function fillDetected(context, map, view) {
-  for (const {from, to} of view.level.detected) {
+  view.level.detected.forEach(({from, to}) => {
     context.beginPath();
-    sector(context, map, view, to);
-    if (from > 0) sector(context, map, view, from);
+    band(context, map, view, from, to);
     context.fill('evenodd');
-  }
+  });
 }
 
-/** Radians as whole degrees, with a sign. */
-export const signed = radians => {
-  const degrees = Math.round((radians * 180) / Math.PI);
-  return `${degrees > 0 ? '+' : degrees < 0 ? '−' : ''}${Math.abs(degrees)}°`;
-};
+/** The pixel density at a place in a view, pixels per metre; NaN where it is not in the picture or not known. */
+export function densityAt(view, x, y) {
+  const [right, up] = [x - view.x, y - view.y];
+  const off = Math.atan2(right, up) - view.heading;
+  const away = Math.abs(off - 2 * Math.PI * Math.round(off / (2 * Math.PI)));
+  return view.density && away <= view.viewingAngle / 2 ? view.density / Math.hypot(right, up) : NaN;
+}
+
+/** What may be done at a density. */
+export const zoneAt = density => ZONES.find(({least}) => density >= least)?.name ?? 'less than detect';

@@ -1,6 +1,7 @@
 // Walls, to be drawn with the mouse or typed, and taken away.
-import { el, decimals } from './dom.js';
+import { el } from './dom.js';
 import { located } from './site.js';
+import { decimals } from './numbers.js';
 
 const ENDS = ['x1', 'y1', 'x2', 'y2'];
 

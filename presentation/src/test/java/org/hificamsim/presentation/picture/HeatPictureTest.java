@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.awt.Color;
-import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -17,9 +16,8 @@ import java.util.OptionalInt;
 import java.util.stream.IntStream;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.presentation.plot.FigureFile;
-import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.replay.Frame;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.TargetSetup;
 import org.hificamsim.runs.heat.Cells;
@@ -35,6 +33,8 @@ class HeatPictureTest {
   private static final int WIDTH = 800; // one pixel a point
   private static final Field FIELD = new Field(0, 30, 0, 20);
   private static final double NONE = Double.NaN;
+  private static final Color NEVER = new Color(0xD55E00);
+  private static final double[] SAME = {1, 0, 0, 0, 1, 0, 0, 0, 1};
   private static final boolean[] STAYS = {true, true, true, true};
 
   /** From the lower left: never covered, by half a camera, by two; then three that differ. */
@@ -53,19 +53,19 @@ class HeatPictureTest {
   void aCellHasTheColourOfItsFigure() {
     BufferedImage image = image(HeatFigure.MEAN_K, frames(false, STAYS));
     assertHatched(image, 5.3, 5.2);
-    assertEquals(seen(Palette.scale(0.25)), at(image, 15.3, 5.2));
-    assertEquals(seen(Palette.scale(1)), at(image, 25.3, 5.2));
+    assertSeen(0.25, at(image, 15.3, 5.2));
+    assertSeen(1, at(image, 25.3, 5.2));
     assertEquals(Color.WHITE, at(image, 5.3, 15.2), "in an obstacle");
-    assertEquals(seen(Palette.scale(0.5)), at(image, 15.3, 15.2));
+    assertSeen(0.5, at(image, 15.3, 15.2));
   }
 
   @Test
   void visitsGoByTheirLogarithmAndOtherSharesByTheirWhole() {
     BufferedImage visits = image(HeatFigure.VISITS, frames(false, STAYS));
     assertEquals(Color.WHITE, at(visits, 5.3, 5.2), "nobody was there");
-    assertEquals(seen(Palette.scale(1 / 3.0)), at(visits, 15.3, 15.2));
+    assertSeen(1 / 3.0, at(visits, 15.3, 15.2));
     BufferedImage covered = image(HeatFigure.VISITS_COVERED, frames(false, STAYS));
-    assertEquals(seen(Palette.scale(0.75)), at(covered, 25.3, 5.2));
+    assertSeen(0.75, at(covered, 25.3, 5.2));
     assertHatched(covered, 15.3, 5.2);
   }
 
@@ -112,12 +112,13 @@ class HeatPictureTest {
       })
   void everyEyeTellsTheColoursApart(String eye) {
     double[] matrix = Arrays.stream(eye.split(" ")).mapToDouble(Double::parseDouble).toArray();
+    List<double[]> colors =
+        frames(false, STAYS).script().scale(101).stream().map(one -> lab(one, matrix)).toList();
     for (int i = 0; i <= 100; i++) {
-      double[] here = lab(Palette.scale(i / 100.0), matrix);
-      assertTrue(apart(here, lab(HeatLayer.NEVER, matrix)) > 20, "never from " + i);
-      assertTrue(i == 0 || here[0] > lab(Palette.scale((i - 1) / 100.0), matrix)[0], "lighter");
-      assertTrue(
-          i < 20 || apart(here, lab(Palette.scale((i - 20) / 100.0), matrix)) > 10, "a fifth on");
+      double[] here = colors.get(i);
+      assertTrue(apart(here, lab(NEVER, matrix)) > 20, "never from " + i);
+      assertTrue(i == 0 || here[0] > colors.get(i - 1)[0], "lighter");
+      assertTrue(i < 20 || apart(here, colors.get(i - 20)) > 10, "a fifth on");
     }
   }
 
@@ -142,18 +143,18 @@ class HeatPictureTest {
       palest = Math.max(palest, blue);
       darkest = Math.min(darkest, blue);
     }
-    assertEquals(255 * (1 - HeatLayer.NEVER_GROUND), palest, 3, "the ground");
+    assertEquals(255 * (1 - 0.22), palest, 3, "the ground");
     assertTrue(darkest < 130, "a line, whose blue is " + darkest);
   }
 
-  private static Color seen(Color color) {
-    BufferedImage one = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
-    Graphics2D graphics = one.createGraphics();
-    graphics.setColor(Color.WHITE);
-    graphics.fillRect(0, 0, 1, 1);
-    graphics.setColor(Palette.pale(color, HeatLayer.STRENGTH));
-    graphics.fillRect(0, 0, 1, 1);
-    return new Color(one.getRGB(0, 0));
+  /** A colour of the scale as it is seen on white. */
+  private static Color seen(double share) {
+    return frames(false, STAYS).script().scale(1000).get(Math.min(999, (int) (1000 * share)));
+  }
+
+  private static void assertSeen(double share, Color color) {
+    double[] wanted = lab(seen(share), SAME);
+    assertTrue(apart(wanted, lab(color, SAME)) < 1, color + " instead of " + seen(share));
   }
 
   private static double apart(double[] a, double[] b) {
@@ -213,7 +214,7 @@ class HeatPictureTest {
     for (int step = 0; step < 4; step++) {
       frames.add(frame(step, present[step]));
     }
-    Recording recording = new Recording(0, 0, 4, 1, "", List.of(), frames);
+    RecordedRun recording = new RecordedRun(0, 0, 4, 1, "", List.of(), frames);
     return new RunFrames(setup, recording, new Look(0.5, OptionalInt.empty(), tracks));
   }
 
@@ -238,7 +239,6 @@ class HeatPictureTest {
   }
 
   private static Color at(BufferedImage image, double x, double y) {
-    FieldMap map = StepPicture.map(FIELD);
-    return new Color(image.getRGB((int) Math.round(map.x(x)), (int) Math.round(map.y(y))));
+    return new Places(FIELD).color(image, x, y);
   }
 }

@@ -21,9 +21,9 @@ import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Interval;
-import org.hificamsim.presentation.replay.Lens;
 import org.hificamsim.presentation.replay.Level;
-import org.hificamsim.presentation.replay.Recording;
+import org.hificamsim.presentation.replay.LevelOptics;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
 import org.junit.jupiter.api.Test;
 
@@ -38,15 +38,28 @@ class SitePictureTest {
       List.of(5.0, 10.0, 30.0, -10.0, 30.0, 0.0, 10.0, 8.0, 10.0, 12.0, 30.0, 20.0, 30.0, 30.0);
 
   private static final Color LIT = new Color(222, 237, 245);
-  private static final Color SHADOW = new Color(0xD6, 0xD9, 0xDD);
+  private static final Color NO_CAMERA = new Color(0xD55E00);
+  private static final Color WALL_COLOR = new Color(0x1D2733);
 
   @Test
   void whatAWallHidesIsInShadowAndWhatIsBeforeItIsLit() {
     BufferedImage image = image(setup(List.of(WALL), VISIBLE, List.of()), 1, Look.USUAL);
     assertEquals(LIT, at(image, 8.3, 10.2));
-    assertEquals(SHADOW, at(image, 12.3, 10.2));
+    assertShadow(image, 12.3, 10.2);
     assertEquals(Color.WHITE, at(image, 2.3, 10.2), "behind the camera");
-    assertEquals(SitePainter.WALL, at(image, 10, 9.2));
+    assertEquals(WALL_COLOR, at(image, 10, 9.2));
+  }
+
+  /** Within a metre there is the pale ground of the hatch, and there are its lines. */
+  private static void assertShadow(BufferedImage image, double x, double y) {
+    int palest = 0;
+    int darkest = 255;
+    for (int i = 0; i < 100; i++) {
+      int green = at(image, x + i % 10 * 0.1, y + i * 0.01).getGreen();
+      palest = Math.max(palest, green);
+      darkest = Math.min(darkest, green);
+    }
+    assertTrue(palest > 200 && palest < 225 && darkest < 180, darkest + " to " + palest);
   }
 
   @Test
@@ -104,10 +117,11 @@ class SitePictureTest {
   @Test
   void widerTargetsAreDrawnLarger() {
     Setup setup = setup(List.of(), List.of(), List.of());
-    RunFrames frames = frames(setup, 1, Look.USUAL);
-    assertEquals(1, frames.prominence(0));
-    assertEquals(2, frames.prominence(1));
-    assertNotEquals(setup.width(0), setup.width(1));
+    RunFrames frames = frames(setup, 1, Look.USUAL, true);
+    BufferedImage image = FigureFile.image(new StepPicture(frames, 0), WIDTH);
+    double off = 12 / new Places(FIELD).scale(); // 12 points aside and up
+    assertNotEquals(NO_CAMERA, at(image, 13 + off, 2 + off));
+    assertEquals(NO_CAMERA, at(image, 20 + off, 2 + off));
   }
 
   private static FloorPicture floor() throws IOException {
@@ -133,7 +147,7 @@ class SitePictureTest {
             Math.PI / 3,
             List.of(level),
             List.of(-Math.PI / 2, 0.0),
-            List.of(new Lens(Math.PI / 3, 500)),
+            List.of(new LevelOptics(Math.PI / 3, 500)),
             visible);
     return new Setup(
         "hall",
@@ -156,20 +170,24 @@ class SitePictureTest {
   }
 
   private static RunFrames frames(Setup setup, int seeing, Look look) {
+    return frames(setup, seeing, look, false);
+  }
+
+  private static RunFrames frames(Setup setup, int seeing, Look look, boolean present) {
     Frame frame =
         new Frame(
             0,
             new boolean[] {true},
             new int[] {Math.max(0, seeing)},
             new int[1],
-            new boolean[2],
-            new double[2],
-            new double[2],
+            new boolean[] {present, present},
+            new double[] {13, 20},
+            new double[] {2, 2},
             new int[2],
             new double[0][],
             new double[0][],
             new int[] {seeing});
-    return new RunFrames(setup, new Recording(0, 0, 1, 1, "", List.of(), List.of(frame)), look);
+    return new RunFrames(setup, new RecordedRun(0, 0, 1, 1, "", List.of(), List.of(frame)), look);
   }
 
   private static BufferedImage image(Setup setup, int seeing, Look look) {
@@ -177,7 +195,6 @@ class SitePictureTest {
   }
 
   private static Color at(BufferedImage image, double x, double y) {
-    FieldMap map = StepPicture.map(FIELD);
-    return new Color(image.getRGB((int) Math.round(map.x(x)), (int) Math.round(map.y(y))));
+    return new Places(FIELD).color(image, x, y);
   }
 }

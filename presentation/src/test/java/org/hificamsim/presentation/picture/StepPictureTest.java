@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.awt.Color;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
@@ -12,9 +13,8 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.EnumSet;
+import java.util.HashSet;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -43,6 +43,9 @@ import org.junit.jupiter.api.io.TempDir;
 /** Pictures of recorded steps: to scale, in the colours of coverage. */
 class StepPictureTest {
   private static final int WIDTH = 800; // one pixel a point
+  private static final Color[] COVER = {
+    new Color(0xD55E00), new Color(0xE69F00), new Color(0x56B4E9), new Color(0x009E73)
+  };
   private static RunFrames run;
 
   @BeforeAll
@@ -63,7 +66,7 @@ class StepPictureTest {
             0,
             1);
     World world = new World(plan.scenario(), catalogue.movements(), 0);
-    Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0);
+    Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0, List.of());
     ReplayRecorder recorder = new ReplayRecorder(setup, plan.detection(), 1);
     new RunExecutor(catalogue).execute(plan, i -> List.of(recorder.listener(i)));
     try (OutputStream out = Files.newOutputStream(folder.resolve(ResultFolder.REPLAY))) {
@@ -111,29 +114,29 @@ class StepPictureTest {
 
   @Test
   void everyTargetStandsWhereItIsInTheColourOfItsCoverage() {
-    Set<CoverClass> seen = EnumSet.noneOf(CoverClass.class);
+    Set<Integer> seen = new HashSet<>();
     for (int step = 0; step < 300; step += 7) {
       BufferedImage image = FigureFile.image(new StepPicture(run, step), WIDTH);
       Frame frame = run.frame(step);
-      FieldMap map = StepPicture.map(run.setup().field());
+      Places map = new Places(run.setup().field());
       for (int target = 0; target < frame.x().length; target++) {
         if (alone(frame, target, map)) {
-          CoverClass cover = CoverClass.of(frame.coverage()[target]);
+          int cover = Math.min(3, frame.coverage()[target]);
           int x = (int) map.x(frame.x()[target]);
           int y = (int) map.y(frame.y()[target]);
           boolean painted = false;
           for (int down = -6; down <= 6; down++) {
-            painted |= image.getRGB(x, y + down) == cover.color().getRGB();
+            painted |= image.getRGB(x, y + down) == COVER[cover].getRGB();
           }
           assertTrue(painted, "step " + step + ", target " + target + ", " + cover);
           seen.add(cover);
         }
       }
     }
-    assertTrue(seen.contains(CoverClass.NONE) && seen.contains(CoverClass.MORE), seen.toString());
+    assertTrue(seen.contains(0) && seen.contains(3), seen.toString());
   }
 
-  private static boolean alone(Frame frame, int target, FieldMap map) {
+  private static boolean alone(Frame frame, int target, Places map) {
     for (int other = 0; other < frame.x().length; other++) {
       double gap =
           Math.hypot(frame.x()[other] - frame.x()[target], frame.y()[other] - frame.y()[target]);
@@ -142,27 +145,6 @@ class StepPictureTest {
       }
     }
     return true;
-  }
-
-  @Test
-  void coverageHasTheColoursOfThePage() throws IOException {
-    String page;
-    try (var in =
-        StepPicture.class.getResourceAsStream("/org/hificamsim/presentation/report/palette.js")) {
-      page = new String(in.readAllBytes(), java.nio.charset.StandardCharsets.UTF_8);
-    }
-    for (CoverClass cover : CoverClass.values()) {
-      String rgb = String.format(Locale.ROOT, "%06x", cover.color().getRGB() & 0xFFFFFF);
-      assertTrue(
-          page.contains("{label: '%s', colour: '#%s'".formatted(cover.label(), rgb)),
-          cover.toString());
-    }
-  }
-
-  @Test
-  void metresAreEquallyLongInBothDirections() {
-    FieldMap map = StepPicture.map(run.setup().field());
-    assertEquals(map.x(3) - map.x(1), map.y(1) - map.y(3), 1e-9);
   }
 
   @Test

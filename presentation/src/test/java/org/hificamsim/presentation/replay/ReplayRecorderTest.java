@@ -41,7 +41,7 @@ class ReplayRecorderTest {
   void givesBackEveryStepToTheMillimetre(String policy) throws IOException {
     RunPlan plan = plan("cluster-random", policy, 300, 1);
     List<Frame> seen = record(plan, RecordingLimits.USUAL);
-    Recording recording = Replay.read(folder).recording(folder, 0);
+    RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(300, recording.frames().size());
     assertEquals(policy.equals("zoom-out"), recording.estimated().isEmpty());
     for (int step = 0; step < 300; step++) {
@@ -53,7 +53,7 @@ class ReplayRecorderTest {
   void thinsALongRunAndKeepsItsLastStep() throws IOException {
     RunPlan plan = plan("lattice-random", "sarsa", 1000, 1);
     List<Frame> seen = record(plan, new RecordingLimits(100, 1 << 20, 1 << 20));
-    Recording recording = Replay.read(folder).recording(folder, 0);
+    RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(1000, recording.steps());
     assertEquals(16, recording.every());
     assertEquals(64, recording.frames().size());
@@ -113,7 +113,7 @@ class ReplayRecorderTest {
 <event timestep="5" participant="camera" event="error" name="Cam_02" duration="-1"/>
 </events></simulation>"""));
     record(plan(scenario, "epsilon-greedy", 10, 1), RecordingLimits.USUAL);
-    Recording recording = Replay.read(folder).recording(folder, 0);
+    RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(1, recording.moves().size(), recording.moves().toString());
     Move move = recording.moves().get(0);
     assertEquals(3, move.step());
@@ -238,7 +238,7 @@ class ReplayRecorderTest {
   /** Records a plan into the folder; returns the first run's frames as they were. */
   private List<Frame> record(RunPlan plan, RecordingLimits limits) throws IOException {
     World world = new World(plan.scenario(), catalogue.movements(), 0);
-    Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0);
+    Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0, List.of());
     ReplayRecorder recorder = new ReplayRecorder(setup, plan.detection(), plan.repeats(), limits);
     Watch watch = new Watch(setup, plan.detection());
     new RunExecutor(catalogue)

@@ -36,7 +36,7 @@ class BrokenViewTest {
 
   private final HttpClient client = HttpClient.newHttpClient();
   private final List<Socket> sockets = new ArrayList<>();
-  private Session session;
+  private LiveSession session;
   private ViewServer server;
   private URI address;
 
@@ -45,8 +45,10 @@ class BrokenViewTest {
     Catalogue catalogue = Catalogue.load();
     catalogue.policies().register("exhausting", "no memory after step 3", Exhausting::new);
     catalogue.policies().register("unready", "cannot be made", () -> missing());
-    Choice choice = new Choice("geometric", null, "exhausting");
-    session = new Session(new LiveRun(catalogue, Scenarios.read("cluster-random"), choice, 0));
+    LiveChoice choice = new LiveChoice("geometric", null, "exhausting");
+    session =
+        new LiveSession(
+            new LiveRun(catalogue, Scenarios.read("cluster-random"), choice, 0, List.of()));
     server = new ViewServer(session, "<p>the page</p>", 0, Duration.ofSeconds(1));
     address = URI.create(server.address());
   }

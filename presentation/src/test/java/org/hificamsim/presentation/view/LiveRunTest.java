@@ -33,13 +33,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Simulations side by side, as commands change them. */
 class LiveRunTest {
-  private static final Choice CHOICE = new Choice("hifi:orb-lin", null, "epsilon-greedy");
+  private static final LiveChoice CHOICE = new LiveChoice("hifi:orb-lin", null, "epsilon-greedy");
   private final Catalogue catalogue = Catalogue.load();
 
   @TempDir private Path folder;
 
   private LiveRun live(String scenario, long seed) {
-    return new LiveRun(catalogue, Scenarios.read(scenario), CHOICE, seed);
+    return new LiveRun(catalogue, Scenarios.read(scenario), CHOICE, seed, List.of());
   }
 
   @ParameterizedTest
@@ -101,7 +101,7 @@ class LiveRunTest {
     LiveRun live = live("cluster-random", 3);
     steps(live, 70);
     live.compare(true);
-    live.choose(1, new Choice("geometric", null, "zoom-out"));
+    live.choose(1, new LiveChoice("geometric", null, "zoom-out"));
     boolean differs = false;
     for (int step = 70; step < 200; step++) {
       LiveStep both = live.step();
@@ -120,7 +120,7 @@ class LiveRunTest {
     LiveRun same = live("ring-random", 1);
     for (int step = 0; step < 100; step++) {
       if (step == 40) {
-        changed.choose(0, new Choice("camsim-range", 0.3, "sarsa"));
+        changed.choose(0, new LiveChoice("camsim-range", 0.3, "sarsa"));
       }
       Frame frame = frame(changed.step(), 0);
       assertArrayEquals(frame(same.step(), 0).x(), frame.x());
@@ -144,10 +144,9 @@ class LiveRunTest {
       assertEquals(0.25, move.pose().x());
       assertEquals(-0.5, move.pose().y());
     }
-    live.restart(0);
+    live.restart(0, true);
     assertEquals(0.25, live.step().sides().get(0).moves().get(1).pose().x());
-    live.forgetEdits();
-    live.restart(0);
+    live.restart(0, false);
     assertNotEquals(0.25, live.step().sides().get(0).moves().get(1).pose().x());
   }
 
@@ -178,7 +177,7 @@ class LiveRunTest {
     live.compare(true);
     LiveStep both = live.step();
     assertEquals(Math.toRadians(30), both.sides().get(1).moves().get(1).pose().heading());
-    live.restart(0);
+    live.restart(0, true);
     assertEquals(Math.toRadians(30), live.step().sides().get(0).moves().get(1).pose().heading());
     assertThrows(InputException.class, () -> live.turn(1, Double.NaN));
     assertThrows(InputException.class, () -> live.turn(99, 0));
@@ -208,8 +207,7 @@ class LiveRunTest {
     }
     live.add(starts, 0, 0);
     assertEquals("added-2", live.scenario().cameras().get(starts + 1).name());
-    live.forgetEdits();
-    live.restart(4);
+    live.restart(4, false);
     assertEquals(starts, live.scenario().cameras().size());
   }
 
@@ -223,8 +221,8 @@ class LiveRunTest {
     Path file = folder.resolve("edited.xml");
     assertDoesNotThrow(() -> Files.writeString(file, ScenarioWriter.write(live.scenario())));
     Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
-    LiveRun other = new LiveRun(catalogue, read, CHOICE, 7);
-    live.restart(7);
+    LiveRun other = new LiveRun(catalogue, read, CHOICE, 7, List.of());
+    live.restart(7, true);
     for (int step = 0; step < 60; step++) {
       assertEquals(ReplayJson.of(live.step()), ReplayJson.of(other.step()));
     }
@@ -232,9 +230,9 @@ class LiveRunTest {
 
   @Test
   void aWallHidesTargetsFromTheNextStepOnUntilItIsRemoved() {
-    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-scripted"), zoomOut(), 0);
+    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-scripted"), zoomOut(), 0, List.of());
     int sure = detections(live, 60);
-    live.restart(0);
+    live.restart(0, true);
     Scenario scenario = live.scenario();
     List<CameraSpec> cameras = scenario.cameras();
     for (CameraSpec camera : cameras) {
@@ -246,7 +244,7 @@ class LiveRunTest {
     for (int i = 0; i < cameras.size(); i++) {
       live.remove(0);
     }
-    live.restart(0);
+    live.restart(0, true);
     assertEquals(sure, detections(live, 60));
     assertEquals(scenario, live.scenario());
   }
@@ -290,7 +288,8 @@ class LiveRunTest {
   @Test
   void aHeldCameraStaysInItsViewWhateverItsPolicyChooses() {
     Scenario hall = Scenarios.hall();
-    LiveRun live = new LiveRun(catalogue, hall, new Choice("hifi:orb-lin", null, "random"), 0);
+    LiveRun live =
+        new LiveRun(catalogue, hall, new LiveChoice("hifi:orb-lin", null, "random"), 0, List.of());
     live.compare(true);
     live.hold(1, 7);
     for (int step = 0; step < 30; step++) {
@@ -312,7 +311,7 @@ class LiveRunTest {
 
   @Test
   void wallsAndOpticsAreReadBackFromWhatIsSaved() throws Exception {
-    LiveRun live = new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7);
+    LiveRun live = new LiveRun(catalogue, Scenarios.hall(), zoomOut(), 7, List.of());
     live.wall(25, 15, 28.5, 15);
     live.remove(1);
     live.turn(0, 45);
@@ -320,8 +319,8 @@ class LiveRunTest {
     Files.writeString(file, ScenarioWriter.write(live.scenario()));
     Scenario read = ScenarioReader.read(file, catalogue.movements()::knows, warning -> {});
     assertEquals(live.scenario().surroundings(), read.surroundings());
-    LiveRun other = new LiveRun(catalogue, read, zoomOut(), 7);
-    live.restart(7);
+    LiveRun other = new LiveRun(catalogue, read, zoomOut(), 7, List.of());
+    live.restart(7, true);
     for (int step = 0; step < 30; step++) {
       assertEquals(ReplayJson.of(live.step()), ReplayJson.of(other.step()));
     }
@@ -329,8 +328,8 @@ class LiveRunTest {
 
   @Test
   void draggingChangesWhatIsDetected() {
-    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0);
-    LiveRun still = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0);
+    LiveRun live = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of());
+    LiveRun still = new LiveRun(catalogue, Scenarios.read("ring-random"), zoomOut(), 0, List.of());
     steps(live, 10);
     steps(still, 10);
     Frame before = frame(still.step(), 0);
@@ -341,14 +340,14 @@ class LiveRunTest {
     assertNotEquals(0, after.detected()[0]);
   }
 
-  private static Choice zoomOut() {
-    return new Choice("geometric", null, "zoom-out");
+  private static LiveChoice zoomOut() {
+    return new LiveChoice("geometric", null, "zoom-out");
   }
 
   @Test
   void aDetectionMayBringAThresholdOfItsOwn() {
     LiveRun live = live("cluster-random", 0);
-    live.choose(0, new Choice("geometric@0.25", 0.5, "zoom-out"));
+    live.choose(0, new LiveChoice("geometric@0.25", 0.5, "zoom-out"));
     assertEquals(0.25, live.sides().get(0).setup().threshold());
     assertEquals("geometric@0.25", live.sides().get(0).setup().detection());
   }
@@ -358,7 +357,7 @@ class LiveRunTest {
     Consumer<LiveRun> commands =
         live -> {
           live.drag(2, 1, 1);
-          live.choose(0, new Choice("hifi:sift-lin", 0.05, "softmax"));
+          live.choose(0, new LiveChoice("hifi:sift-lin", 0.05, "softmax"));
           live.compare(true);
         };
     List<String> once = played(commands);
@@ -396,7 +395,8 @@ class LiveRunTest {
     LiveRun live = live("cluster-random", 0);
     InputException wrong =
         assertThrows(
-            InputException.class, () -> live.choose(0, new Choice(detection, threshold, policy)));
+            InputException.class,
+            () -> live.choose(0, new LiveChoice(detection, threshold, policy)));
     assertTrue(wrong.getMessage().contains(expected), wrong.getMessage());
     assertEquals("epsilon-greedy", live.sides().get(0).setup().policy());
   }

@@ -43,7 +43,7 @@ class ViewServerTest {
 
   private final HttpClient client = HttpClient.newHttpClient();
   private final CountDownLatch ended = new CountDownLatch(1);
-  private Session session;
+  private LiveSession session;
   private ViewServer server;
   private URI address;
 
@@ -54,9 +54,10 @@ class ViewServerTest {
         new LiveRun(
             catalogue,
             Scenarios.read("cluster-random"),
-            new Choice("hifi:orb-lin", null, "sarsa"),
-            0);
-    session = new Session(run);
+            new LiveChoice("hifi:orb-lin", null, "sarsa"),
+            0,
+            List.of());
+    session = new LiveSession(run);
     server = new ViewServer(session, "<p>the page</p>", 0, GRACE);
     address = URI.create(server.address());
     Thread waiting =

@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.TextLines;
 import org.hificamsim.tracks.format.Unit;
+import org.hificamsim.tracks.ground.MatrixFile;
 
 /**
  * Reads a calibration: XML by Tsai's method, as the PETS recordings have it, or a matrix of three
@@ -39,7 +40,8 @@ final class CalibrationFile {
   }
 
   private static CalibratedPicture matrix(Path file, Unit unit, Optional<ImageSize> image) {
-    ProjectionMatrix camera = MatrixFile.read(file, unit.metres());
+    double[] rows = MatrixFile.read(file, 3, 4, "three rows of four numbers");
+    ProjectionMatrix camera = camera(file, rows, unit.metres());
     ImageSize size =
         image.orElseThrow(
             () ->
@@ -48,5 +50,13 @@ final class CalibrationFile {
                         + ": a matrix does not say how large the picture is, expected --image"
                         + " WIDTHxHEIGHT"));
     return new CalibratedPicture(camera, size.width(), size.height());
+  }
+
+  private static ProjectionMatrix camera(Path file, double[] rows, double metres) {
+    try {
+      return new ProjectionMatrix(rows, metres);
+    } catch (InputException e) {
+      throw new InputException(file + ": " + e.getMessage(), e);
+    }
   }
 }

@@ -5,15 +5,15 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.PlainXml;
 import org.hificamsim.tracks.format.Unit;
-import org.hificamsim.tracks.format.XmlFormat;
 import org.xml.sax.Attributes;
 
 /**
  * Reads the XML of the PETS recordings: {@code <Camera>} with {@code <Geometry width height dpx
  * dpy>}, {@code <Intrinsic focal kappa1 cx cy sx>} and {@code <Extrinsic tx ty tz rx ry rz>}.
  */
-final class TsaiFile extends XmlFormat {
+final class TsaiFile extends PlainXml {
   private static final List<String> ELEMENTS = List.of("Geometry", "Intrinsic", "Extrinsic");
 
   private final Unit unit;
@@ -34,7 +34,7 @@ final class TsaiFile extends XmlFormat {
    * @param image that somebody says; must be that of the file, where it has one
    */
   CalibratedPicture read(Path file, Optional<ImageSize> image) {
-    parse(file);
+    readFile(file);
     for (String element : ELEMENTS) {
       if (!found.contains(element)) {
         throw new InputException(

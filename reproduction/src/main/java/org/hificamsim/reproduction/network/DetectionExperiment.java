@@ -13,18 +13,14 @@ import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.engine.Simulation;
-import org.hificamsim.core.engine.StepListener;
-import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
-import org.hificamsim.core.world.World;
 import org.hificamsim.network.CamSimScenario;
-import org.hificamsim.network.Network;
+import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.agent.ScheduleKind;
-import org.hificamsim.network.files.RunSums;
+import org.hificamsim.network.statistics.RunSums;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.LegendEntry;
@@ -112,15 +108,9 @@ public final class DetectionExperiment {
     PrintWriter nowhere =
         new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
     Scenario scenario = CamSimScenario.read(file, null, false, settings, catalogue, nowhere);
-    World world = new World(scenario, catalogue.movements(), seed);
     Detection model = Detection.of(catalogue.detection(detection));
-    Network network = new Network(world, model, settings, seed);
-    RunSums sums = new RunSums();
-    StepListener listener = (view, measured) -> sums.add(network.figures());
     ZoomPolicy zooms = catalogue.policies().create("zoom-out");
-    new Simulation(world, model, zooms, network, seed, List.of(listener), Workers.CALLER)
-        .run(STEPS);
-    return sums;
+    return new NetworkRun(scenario, model, zooms, catalogue.movements(), settings, seed).run(STEPS);
   }
 
   private static double mean(List<RunSums> runs, ToDoubleFunction<RunSums> figure) {

@@ -6,8 +6,8 @@ import java.util.stream.IntStream;
 import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
- * What a picture of a heat map shows of each cell: the figures of the page's {@code heat.js}. NaN
- * is nothing to show; 0 has a look of its own.
+ * What pictures and pages of a heat map show of each cell. NaN is nothing to show; 0 has a look of
+ * its own.
  */
 public enum HeatFigure {
   MEAN_K("cameras that would detect there, mean", "no camera, at no step", Unit.CAMERAS) {
@@ -96,7 +96,12 @@ public enum HeatFigure {
     return figure / end;
   }
 
-  /** The numbers that are written beside a scale, rising. */
+  /** Whether its scale is logarithmic. */
+  public boolean logarithmic() {
+    return unit == Unit.COUNT;
+  }
+
+  /** The numbers that are written along a scale, rising. */
   public List<Double> ticks(double end) {
     return switch (unit) {
       case SHARE -> List.of(0.0, 0.25, 0.5, 0.75, 1.0);

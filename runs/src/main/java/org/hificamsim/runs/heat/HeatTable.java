@@ -7,10 +7,11 @@ import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 import org.hificamsim.runs.heat.HeatMap.Place;
 import org.hificamsim.runs.output.CsvTable;
 import org.hificamsim.runs.output.Table;
-import org.hificamsim.runs.output.TableFile;
 
 /** A heat map as a table, a row per cell: written, and read again. */
 public final class HeatTable {
@@ -57,57 +58,48 @@ public final class HeatTable {
    * @throws InputException when it is broken, or of another field
    */
   public static HeatMap read(Path folder, Field field) throws IOException {
-    TableFile table = Table.HEATMAP.read(folder);
+    CsvRows table = Table.HEATMAP.read(folder);
     Cells cells = cells(table, field);
     List<Place> places = new ArrayList<>();
-    for (int row = 0; row < table.rows().size(); row++) {
-      check(table, row, cells);
-      places.add(place(table, row));
+    for (CsvRow row : table.rows()) {
+      check(row, "x", cells.x(places.size()), cells.field().width());
+      check(row, "y", cells.y(places.size()), cells.field().height());
+      places.add(place(row));
     }
     return new HeatMap(cells, places);
   }
 
-  private static Cells cells(TableFile table, Field field) {
-    int last = table.rows().size() - 1;
-    int columns = last < 0 ? 0 : 1 + (int) table.number(last, "column");
-    int rows = last < 0 ? 0 : 1 + (int) table.number(last, "row");
+  private static Cells cells(CsvRows table, Field field) {
+    int count = table.rows().size();
+    int columns = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("column");
+    int rows = count == 0 ? 0 : 1 + (int) table.rows().get(count - 1).numberOrNaN("row");
     boolean whole = columns > 0 && rows > 0 && columns <= Cells.MAX && rows <= Cells.MAX;
-    if (!whole || (long) columns * rows != table.rows().size()) {
+    if (!whole || (long) columns * rows != count) {
       throw new InputException(
           "%s:%s:1: %s rows, expected one for each cell of a rectangle"
-              .formatted(table.file(), last + 2, last + 1));
+              .formatted(table.file(), count + 1, count));
     }
     return new Cells(field, columns, rows);
   }
 
-  private static void check(TableFile table, int row, Cells cells) {
-    check(table, row, "x", cells.x(row), cells.field().width());
-    check(table, row, "y", cells.y(row), cells.field().height());
-  }
-
-  private static void check(TableFile table, int row, String column, double expected, double side) {
-    double found = table.number(row, column);
+  private static void check(CsvRow row, String column, double expected, double side) {
+    double found = row.numberOrNaN(column);
     if (!(Math.abs(found - expected) <= ROUNDING * Math.max(1, side))) {
-      throw new InputException(
-          "%s:%s:%s: %s is %s, expected %s, as the field of this run is cut into cells"
-              .formatted(
-                  table.file(),
-                  table.line(row),
-                  1 + table.columns().indexOf(column),
-                  column,
-                  found,
-                  rounded(expected)));
+      throw row.place(column)
+          .error(
+              "%s is %s, expected %s, as the field of this run is cut into cells"
+                  .formatted(column, found, rounded(expected)));
     }
   }
 
-  private static Place place(TableFile table, int row) {
+  private static Place place(CsvRow row) {
     return new Place(
-        table.number(row, "mean_k"),
-        table.number(row, "covered_0"),
-        table.number(row, "covered_1"),
-        table.number(row, "covered_k"),
-        (long) table.number(row, "visits"),
-        table.number(row, "visits_mean_k"),
-        table.number(row, "visits_covered_0"));
+        row.numberOrNaN("mean_k"),
+        row.numberOrNaN("covered_0"),
+        row.numberOrNaN("covered_1"),
+        row.numberOrNaN("covered_k"),
+        (long) row.numberOrNaN("visits"),
+        row.numberOrNaN("visits_mean_k"),
+        row.numberOrNaN("visits_covered_0"));
   }
 }

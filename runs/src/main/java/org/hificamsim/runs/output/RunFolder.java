@@ -12,7 +12,6 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
-import org.hificamsim.core.file.RowsAside;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.runs.RunPlan;
@@ -61,7 +60,7 @@ public final class RunFolder implements Closeable {
       Table ofTargets = certain ? Table.RUN_TARGETS : Table.RUN_TARGETS_BY_CHANCE;
       targets = record ? format.create(ofTargets, folder) : null;
       Table ofSteps = certain ? Table.RUN_STEPS : Table.RUN_STEPS_BY_CHANCE;
-      steps = RowsAside.of(format.createNumbers(ofSteps, folder));
+      steps = format.createNumbers(ofSteps, folder);
     } catch (IOException | RuntimeException e) {
       folder.close(); // and its lock, for whoever tries again
       throw e;

@@ -9,6 +9,9 @@ import java.util.Locale;
 import java.util.function.Consumer;
 import org.hificamsim.core.file.NumberRows;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 
 /** Every table of results: its file, and its columns, which {@code docs/data.md} explains. */
 public enum Table {
@@ -63,8 +66,6 @@ public enum Table {
       "rungs.csv",
       "scenario,rung,optimum,tau,tau_low,tau_high,chosen,regret,regret_low,regret_high,"
           + "share,share_low,share_high");
-
-  private static final int BLOCK_ROWS = 10_000;
 
   private final String file;
   private final String first;
@@ -121,18 +122,34 @@ public enum Table {
    *
    * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
    */
-  public TableFile read(Path folder) throws IOException {
-    return TableFile.read(new ResultFolder(folder).file(file), List.of(first.split(",")));
+  public CsvRows read(Path folder) {
+    return reader(folder).all(required());
   }
 
   /**
-   * Reads the table of a folder in blocks of rows, so that any size will do.
+   * Reads the table of a folder row by row, so that any size will do.
    *
-   * @param taker takes each block in order, at least one
+   * @param taker takes each row in order
    * @throws org.hificamsim.core.InputException when it is missing, broken or lacks a column
    */
-  public void read(Path folder, Consumer<TableFile> taker) throws IOException {
-    TableFile.read(
-        new ResultFolder(folder).file(file), List.of(first.split(",")), BLOCK_ROWS, taker);
+  public void read(Path folder, Consumer<CsvRow> taker) {
+    try (CsvReader reader = reader(folder)) {
+      reader.header(required());
+      reader.each(taker);
+    }
+  }
+
+  private CsvReader reader(Path folder) {
+    return CsvReader.betweenCommas(
+        new ResultFolder(folder).file(file), "a table that 'hificamsim' writes");
+  }
+
+  private List<String> required() {
+    return List.of(first.split(","));
+  }
+
+  /** The scenario, detection and policy of a row. */
+  public static List<String> caseOf(CsvRow row) {
+    return List.of(row.text("scenario"), row.text("detection"), row.text("policy"));
   }
 }

@@ -196,7 +196,7 @@ class HeatRecorderTest {
     InputException other =
         assertThrows(InputException.class, () -> HeatTable.read(out, new Field(0, 13, 0, 8)));
     assertTrue(
-        other.getMessage().contains("heatmap.csv:2:3: x is 0.25, expected 0.27"),
+        other.getMessage().contains("heatmap.csv:2:5: x is 0.25, expected 0.27"),
         other.getMessage());
     Path table = out.resolve("heatmap.csv");
     Files.writeString(table, Files.readString(table).replaceFirst("(?s)\n[^\n]*\n$", "\n"));

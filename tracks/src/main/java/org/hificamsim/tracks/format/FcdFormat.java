@@ -1,10 +1,11 @@
 package org.hificamsim.tracks.format;
 
 import java.util.Set;
+import org.hificamsim.core.file.PlainXml;
 import org.xml.sax.Attributes;
 
 /** SUMO's floating car data: timesteps with vehicles, persons and containers; metres, seconds. */
-final class FcdFormat extends XmlFormat implements TrackFormat {
+final class FcdFormat extends PlainXml implements TrackFormat {
   private static final Set<String> TARGETS = Set.of("vehicle", "person", "container");
 
   private SampleSink samples;
@@ -14,11 +15,11 @@ final class FcdFormat extends XmlFormat implements TrackFormat {
   public Clock read(Recording recording, SampleSink sink) {
     samples = sink;
     samples.measuredIn(geographic(recording) ? Unit.DEG : recording.only(Unit.M));
-    parse(recording.file());
+    readFile(recording.file());
     return Clock.SECONDS;
   }
 
-  /** Where SUMO was told to write longitude and latitude, which only its user knows. */
+  /** Whether SUMO was asked for longitude and latitude, which only its user knows. */
   private static boolean geographic(Recording recording) {
     return recording.unit().filter(unit -> unit == Unit.DEG).isPresent();
   }

@@ -4,9 +4,9 @@ import com.fasterxml.jackson.core.JsonToken;
 import java.time.DateTimeException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import org.hificamsim.core.Place;
+import org.hificamsim.data.JsonStream;
 
 /**
  * GeoJSON features: a {@code LineString} with {@code coordTimes} or {@code times} is a target's
@@ -29,37 +29,20 @@ final class GeoJsonFormat implements TrackFormat {
   @Override
   public Clock read(Recording recording, SampleSink samples) {
     samples.measuredIn(recording.unit().orElse(Unit.DEG));
-    Map<String, String> columns = recording.columns();
-    timeName = columns.getOrDefault("time", "time");
-    idName = columns.getOrDefault("id", "id");
-    try (JsonStream stream = new JsonStream(recording.file())) {
+    timeName = recording.columns().getOrDefault("time", "time");
+    idName = recording.columns().getOrDefault("id", "id");
+    try (JsonStream stream = JsonStream.open(recording.file())) {
       json = stream;
       json.next();
-      requireStart(JsonToken.START_OBJECT, "a GeoJSON object");
-      collection(samples);
+      json.object(
+          "a GeoJSON object",
+          name -> {
+            if (name.equals("features")) {
+              json.array("an array of features", () -> feature(samples));
+            }
+          });
     }
     return Clock.SECONDS;
-  }
-
-  private void requireStart(JsonToken token, String expected) {
-    if (json.token() != token) {
-      throw json.error("expected " + expected);
-    }
-  }
-
-  private void collection(SampleSink samples) {
-    while (json.nextProperty()) {
-      boolean isFeatures = json.text().equals("features");
-      json.next();
-      if (isFeatures) {
-        requireStart(JsonToken.START_ARRAY, "an array of features");
-        while (json.next() == JsonToken.START_OBJECT) {
-          feature(samples);
-        }
-      } else {
-        json.skip();
-      }
-    }
   }
 
   private void feature(SampleSink samples) {
@@ -68,11 +51,7 @@ final class GeoJsonFormat implements TrackFormat {
     times.clear();
     target = null;
     features++;
-    while (json.nextProperty()) {
-      String name = json.text();
-      json.next();
-      member(name);
-    }
+    json.object("a feature", this::member);
     if (points.isEmpty()) {
       return;
     }
@@ -89,38 +68,18 @@ final class GeoJsonFormat implements TrackFormat {
   }
 
   private void member(String name) {
-    switch (name) {
-      case "id" -> target = target == null ? json.text() : target;
-      case "geometry" -> geometry();
-      case "properties" -> properties();
-      default -> json.skip();
+    if (name.equals("id")) {
+      target = target == null ? json.text() : target;
+    } else if (name.equals("geometry") && json.isBegun()) {
+      json.object("a geometry", this::coordinates);
+    } else if (name.equals("properties") && json.isBegun()) {
+      json.object("properties", this::property);
     }
   }
 
-  private void geometry() {
-    if (json.token() != JsonToken.START_OBJECT) {
-      return;
-    }
-    while (json.nextProperty()) {
-      boolean coordinates = json.text().equals("coordinates");
-      json.next();
-      if (coordinates) {
-        requireStart(JsonToken.START_ARRAY, "an array of coordinates");
-        Positions.read(json).forEach(points::addAll);
-      } else {
-        json.skip();
-      }
-    }
-  }
-
-  private void properties() {
-    if (json.token() != JsonToken.START_OBJECT) {
-      return;
-    }
-    while (json.nextProperty()) {
-      String name = json.text();
-      json.next();
-      property(name);
+  private void coordinates(String name) {
+    if (name.equals("coordinates")) {
+      Positions.read(json).forEach(points::addAll);
     }
   }
 
@@ -130,14 +89,9 @@ final class GeoJsonFormat implements TrackFormat {
     } else if (name.equals(idName)) {
       target = json.text();
     } else if (TIMES.contains(name) && json.token() == JsonToken.START_OBJECT) {
-      properties(); // coordinateProperties holds times
+      json.object("properties", this::property); // coordinateProperties holds times
     } else if (TIMES.contains(name)) {
-      requireStart(JsonToken.START_ARRAY, "an array of times");
-      while (json.next() != JsonToken.END_ARRAY) {
-        times.add(time());
-      }
-    } else {
-      json.skip();
+      json.array("an array of times", () -> times.add(time()));
     }
   }
 
@@ -147,7 +101,7 @@ final class GeoJsonFormat implements TrackFormat {
       return json.number("time");
     }
     try {
-      return Instants.seconds(json.text());
+      return Clock.sinceEpoch(json.text());
     } catch (DateTimeException e) {
       throw json.invalid("time", "as 2024-05-31T12:00:00Z, or a number of seconds");
     }

@@ -1,10 +1,11 @@
 package org.hificamsim.tracks.format;
 
 import java.time.DateTimeException;
+import org.hificamsim.core.file.PlainXml;
 import org.xml.sax.Attributes;
 
 /** GPX: each {@code trk} is a target, each {@code trkpt} a sample with its {@code time}. */
-final class GpxFormat extends XmlFormat implements TrackFormat {
+final class GpxFormat extends PlainXml implements TrackFormat {
   private final StringBuilder text = new StringBuilder();
   private SampleSink samples;
   private int tracks;
@@ -16,7 +17,7 @@ final class GpxFormat extends XmlFormat implements TrackFormat {
   public Clock read(Recording recording, SampleSink sink) {
     samples = sink;
     samples.measuredIn(recording.only(Unit.DEG));
-    parse(recording.file());
+    readFile(recording.file());
     return Clock.SECONDS;
   }
 
@@ -48,7 +49,7 @@ final class GpxFormat extends XmlFormat implements TrackFormat {
 
   private double time(String written) {
     try {
-      return Instants.seconds(written);
+      return Clock.sinceEpoch(written);
     } catch (DateTimeException e) {
       throw place().error("<time> is '" + written + "', expected as 2024-05-31T12:00:00Z");
     }

@@ -3,7 +3,7 @@ package org.hificamsim.tracks.format;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import org.hificamsim.core.file.Fields;
-import org.hificamsim.core.file.TextLines;
+import org.hificamsim.data.CsvReader;
 
 /**
  * Reads MOTChallenge files row by row: {@code frame,id,left,top,width,height[,conf[,x,y,z]]}. Rows
@@ -23,16 +23,16 @@ public final class MotFile {
    * @throws org.hificamsim.core.InputException with the place, when something is wrong
    */
   public static void read(Path file, Consumer<MotRow> rows) {
-    try (TextLines lines = TextLines.open(file)) {
-      Fields fields = new Fields(lines, ',');
-      int columns = 0;
-      while (lines.next()) {
-        if (!lines.text().isBlank() && !lines.text().startsWith("#")) {
-          fields.split();
-          columns = columns == 0 ? Math.max(BOX, fields.count()) : columns;
-          rows.accept(row(fields, columns));
-        }
-      }
+    try (CsvReader table =
+        CsvReader.betweenCommas(file, "rows of frame,id,left,top,width,height")) {
+      int[] columns = {0}; // of the first row
+      table.each(
+          row -> {
+            if (!row.text(0).startsWith("#")) {
+              columns[0] = columns[0] == 0 ? Math.max(BOX, row.count()) : columns[0];
+              rows.accept(row(row, columns[0]));
+            }
+          });
     }
   }
 

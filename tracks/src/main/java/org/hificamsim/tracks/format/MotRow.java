@@ -14,8 +14,8 @@ import org.hificamsim.core.Place;
  * @param height pixels
  * @param confidence 0 where the row is not to count; 1 where the file has none
  * @param x in the world, NaN where the file does not say
- * @param y in the world, NaN likewise
- * @param z in the world, NaN likewise
+ * @param y in the world, NaN where the file does not say
+ * @param z in the world, NaN where the file does not say
  */
 public record MotRow(
     Place place,

@@ -5,18 +5,19 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.hificamsim.core.file.Fields;
 import org.hificamsim.core.file.TextLines;
 
 /**
  * PeTrack and the Juelich data archive: {@code id frame x y [z]}, with rate and unit in comments,
- * as {@code # framerate: 25} and {@code # id frame x/cm y/cm}, or in none. What is given beside the
- * file counts before what it says.
+ * as {@code # framerate: 25} and {@code # id frame x/cm y/cm}, or in none. What the user says takes
+ * precedence.
  */
 final class PeTrackFormat implements TrackFormat {
   private static final Pattern RATE =
       Pattern.compile("frame\\s*rate\\W*?\\s*[:=]?\\s*([0-9]+(\\.[0-9]+)?)");
   private static final Pattern UNIT = Pattern.compile("\\bx\\s*(?:/|in|\\[)\\s*(mm|cm|m)\\b");
+
+  private static final RowFormat ROWS = new RowFormat("id frame x y");
 
   private OptionalDouble rate = OptionalDouble.empty();
   private Optional<Unit> unit = Optional.empty();
@@ -27,13 +28,12 @@ final class PeTrackFormat implements TrackFormat {
     unit = recording.unit();
     Clock clock = null;
     try (TextLines lines = TextLines.open(recording.file())) {
-      Fields fields = new Fields(lines, Fields.BLANKS);
       while (lines.next()) {
-        if (fields.split() > 0 && fields.text(0).startsWith("#")) {
+        if (lines.isComment()) {
           comment(lines.text().toLowerCase(Locale.ROOT));
-        } else if (fields.count() > 0) {
+        } else if (lines.count() > 0) {
           clock = clock == null ? begin(recording, samples) : clock;
-          samples.accept(RowFormat.sample(fields, Row.PETRACK));
+          samples.accept(ROWS.sample(lines));
         }
       }
     }

@@ -1,9 +1,9 @@
 package org.hificamsim.tracks.format;
 
-import com.fasterxml.jackson.core.JsonToken;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.Place;
+import org.hificamsim.data.JsonStream;
 
 /** The {@code coordinates} of a GeoJSON geometry. */
 public final class Positions {
@@ -15,7 +15,12 @@ public final class Positions {
    */
   public record Position(Place place, double x, double y) {}
 
-  private Positions() {}
+  private final JsonStream json;
+  private final List<List<Position>> lines = new ArrayList<>();
+
+  private Positions(JsonStream json) {
+    this.json = json;
+  }
 
   /**
    * Reads the array that has been begun: each innermost array of positions by itself, a position
@@ -24,45 +29,39 @@ public final class Positions {
    * @throws org.hificamsim.core.InputException with the place, when it holds anything else
    */
   public static List<List<Position>> read(JsonStream json) {
-    List<List<Position>> lines = new ArrayList<>();
-    Position alone = array(json, lines);
-    if (alone != null) {
-      lines.add(List.of(alone));
-    }
-    return lines;
+    Positions positions = new Positions(json);
+    List<Position> alone = new ArrayList<>();
+    positions.array(alone);
+    positions.add(alone);
+    return positions.lines;
   }
 
-  /** A position, or null where the array holds arrays. */
-  private static Position array(JsonStream json, List<List<Position>> lines) {
+  private void add(List<Position> line) {
+    if (!line.isEmpty()) {
+      lines.add(line);
+    }
+  }
+
+  /** Reads a position into the list that it belongs to, or the arrays in an array. */
+  private void array(List<Position> above) {
     Place place = json.place();
-    JsonToken token = json.next();
-    if (token != JsonToken.START_ARRAY && token != JsonToken.END_ARRAY) {
-      return position(json, place);
-    }
     List<Position> own = new ArrayList<>();
-    while (token == JsonToken.START_ARRAY) {
-      Position position = array(json, lines);
-      if (position != null) {
-        own.add(position);
-      }
-      token = json.next();
+    List<Double> numbers = new ArrayList<>();
+    json.array(
+        "arrays of coordinates",
+        () -> {
+          if (numbers.isEmpty() && json.isBegun()) {
+            array(own);
+          } else {
+            numbers.add(json.coordinate("a coordinate"));
+          }
+        });
+    if (numbers.size() == 1 || (!numbers.isEmpty() && !own.isEmpty())) {
+      throw place.error("expected two coordinates, or arrays of coordinates");
     }
-    if (token != JsonToken.END_ARRAY) {
-      throw json.error("expected arrays of coordinates");
+    if (!numbers.isEmpty()) {
+      above.add(new Position(place, numbers.get(0), numbers.get(1)));
     }
-    if (!own.isEmpty()) {
-      lines.add(own);
-    }
-    return null;
-  }
-
-  private static Position position(JsonStream json, Place place) {
-    double x = json.coordinate("a coordinate");
-    json.next();
-    double y = json.coordinate("a coordinate");
-    while (json.next() != JsonToken.END_ARRAY) {
-      json.number("a coordinate");
-    }
-    return new Position(place, x, y);
+    add(own);
   }
 }

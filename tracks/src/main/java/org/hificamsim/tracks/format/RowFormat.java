@@ -1,14 +1,19 @@
 package org.hificamsim.tracks.format;
 
+import java.util.List;
 import org.hificamsim.core.file.Fields;
 import org.hificamsim.core.file.TextLines;
 
 /** ETH/UCY: rows of numbers between blanks or tabs, metres and frames. */
 final class RowFormat implements TrackFormat {
-  private final Row row;
+  private final List<String> columns;
 
-  RowFormat(Row row) {
-    this.row = row;
+  /**
+   * @param columns what a row has at least, in order: {@code frame}, {@code id}, {@code x}, {@code
+   *     y} and others, between blanks
+   */
+  RowFormat(String columns) {
+    this.columns = List.of(columns.split(" "));
   }
 
   @Override
@@ -16,27 +21,24 @@ final class RowFormat implements TrackFormat {
     Clock clock = recording.frames();
     samples.measuredIn(recording.only(Unit.M));
     try (TextLines lines = TextLines.open(recording.file())) {
-      Fields fields = new Fields(lines, Fields.BLANKS);
-      while (lines.next()) {
-        if (fields.split() > 0 && !fields.text(0).startsWith("#")) {
-          samples.accept(sample(fields, row));
-        }
+      while (lines.nextFields()) {
+        samples.accept(sample(lines));
       }
     }
     return clock;
   }
 
   /** The sample of a row, all of whose columns must be there. */
-  static Sample sample(Fields fields, Row row) {
+  Sample sample(Fields fields) {
     Sample sample =
         new Sample(
             fields.place(0),
-            target(fields, row.target()),
-            fields.number(row.frame(), "frame"),
-            fields.coordinate(row.x(), "x"),
-            fields.coordinate(row.y(), "y"));
-    if (fields.count() < row.columns()) {
-      throw fields.invalid(fields.count(), "further number", row.columns() + " columns");
+            target(fields, columns.indexOf("id")),
+            fields.number(columns.indexOf("frame"), "frame"),
+            fields.coordinate(columns.indexOf("x"), "x"),
+            fields.coordinate(columns.indexOf("y"), "y"));
+    if (fields.count() < columns.size()) {
+      throw fields.invalid(fields.count(), "further number", columns.size() + " columns");
     }
     return sample;
   }

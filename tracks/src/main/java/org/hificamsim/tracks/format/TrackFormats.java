@@ -9,8 +9,11 @@ public final class TrackFormats {
   /** All of them. */
   public static Registry<TrackFormat> registry() {
     return new Registry<TrackFormat>("format")
-        .register("obsmat", "ETH/UCY: frame id x z y vx vz vy", () -> new RowFormat(Row.OBSMAT))
-        .register("ethucy", "ETH/UCY as text: frame id x y", () -> new RowFormat(Row.ETH_UCY))
+        .register(
+            "obsmat",
+            "ETH/UCY: frame id x z y vx vz vy",
+            () -> new RowFormat("frame id x z y vx vz vy"))
+        .register("ethucy", "ETH/UCY as text: frame id x y", () -> new RowFormat("frame id x y"))
         .register("trajnet", "TrajNet++: a JSON object a line", TrajNetFormat::new)
         .register("mot", "MOTChallenge: boxes, world positions", MotFormat::new)
         .register("petrack", "PeTrack and Juelich: id frame x y z", PeTrackFormat::new)

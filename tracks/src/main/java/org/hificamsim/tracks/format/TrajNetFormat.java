@@ -1,91 +1,67 @@
 package org.hificamsim.tracks.format;
 
-import com.fasterxml.jackson.core.JsonToken;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import org.hificamsim.core.Place;
+import org.hificamsim.data.JsonStream;
 
 /**
  * TrajNet++: objects, one a line, each a {@code track} with frame f, pedestrian p, x and y in
  * metres, or a {@code scene}, whose {@code fps} counts a pedestrian's samples, whatever the
- * distance of two frames. A rate that is given beside the file counts frames and comes before it.
+ * distance of two frames. A rate that the user gives counts frames and takes precedence.
  */
 final class TrajNetFormat implements TrackFormat {
+  private static final List<String> NUMBERS = List.of("f", "p", "x", "y");
+
   private double fps = Double.NaN;
 
   @Override
   public Clock read(Recording recording, SampleSink samples) {
     samples.measuredIn(recording.only(Unit.M));
-    try (JsonStream json = new JsonStream(recording.file())) {
+    try (JsonStream json = JsonStream.open(recording.file())) {
       while (json.next() != null) {
-        object(json, samples);
+        json.object(
+            "an object with a track or a scene",
+            name -> {
+              if (name.equals("track")) {
+                samples.accept(track(json));
+              } else if (name.equals("scene")) {
+                scene(json);
+              }
+            });
       }
     }
-    return clock(recording);
-  }
-
-  private Clock clock(Recording recording) {
     return recording.rate().isPresent() || Double.isNaN(fps)
         ? recording.frames()
         : new Clock(fps, true);
   }
 
-  private void object(JsonStream json, SampleSink samples) {
-    if (json.token() != JsonToken.START_OBJECT) {
-      throw json.error("expected an object with a track or a scene");
-    }
-    while (json.nextProperty()) {
-      String name = json.text();
-      json.next();
-      if (name.equals("track")) {
-        samples.accept(track(json));
-      } else if (name.equals("scene")) {
-        scene(json);
-      } else {
-        json.skip();
-      }
-    }
-  }
-
   private static Sample track(JsonStream json) {
     Place place = json.place();
-    double frame = Double.NaN;
-    double pedestrian = Double.NaN;
-    double x = Double.NaN;
-    double y = Double.NaN;
-    requireObject(json, "track");
-    while (json.nextProperty()) {
-      String name = json.text();
-      json.next();
-      switch (name) {
-        case "f" -> frame = json.number(name);
-        case "p" -> pedestrian = json.number(name);
-        case "x" -> x = json.coordinate(name);
-        case "y" -> y = json.coordinate(name);
-        default -> json.skip();
-      }
-    }
-    if (Double.isNaN(frame + pedestrian + x + y)) {
+    Map<String, Double> found = new HashMap<>();
+    json.object(
+        "a track",
+        name -> {
+          if (NUMBERS.contains(name)) {
+            found.put(name, "fp".contains(name) ? json.number(name) : json.coordinate(name));
+          }
+        });
+    if (found.size() < NUMBERS.size()) {
       throw place.error("a track without all of f, p, x and y, expected them");
     }
-    return new Sample(place, Long.toString((long) pedestrian), frame, x, y);
-  }
-
-  private static void requireObject(JsonStream json, String name) {
-    if (json.token() != JsonToken.START_OBJECT) {
-      throw json.invalid(name, "an object");
-    }
+    String pedestrian = Long.toString(found.get("p").longValue());
+    return new Sample(place, pedestrian, found.get("f"), found.get("x"), found.get("y"));
   }
 
   private void scene(JsonStream json) {
-    requireObject(json, "scene");
-    while (json.nextProperty()) {
-      String name = json.text();
-      json.next();
-      if (name.equals("fps")) {
-        rate(json);
-      } else {
-        json.skip();
-      }
-    }
+    json.object(
+        "a scene",
+        name -> {
+          if (name.equals("fps")) {
+            rate(json);
+          }
+        });
   }
 
   private void rate(JsonStream json) {

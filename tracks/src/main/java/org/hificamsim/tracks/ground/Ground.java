@@ -22,7 +22,7 @@ public interface Ground {
       throw new InputException(
           unit == Unit.PX
               ? "positions are pixels, expected --homography FILE, which takes them to the ground"
-              : "--homography is for pixels, expected --unit px beside it");
+              : "--homography is for pixels, expected --unit px as well");
     }
     return switch (unit) {
       case PX -> homography.get();
@@ -34,10 +34,7 @@ public interface Ground {
   private static Sample scaled(Sample sample, double metres) {
     return metres == 1
         ? sample
-        : new Sample(
-            sample.place(),
-            sample.target(),
-            sample.tick(),
+        : sample.at(
             sample.x() * metres,
             sample.y() * metres,
             sample.width() * metres,

@@ -1,8 +1,6 @@
 package org.hificamsim.tracks.ground;
 
 import java.nio.file.Path;
-import org.hificamsim.core.file.Fields;
-import org.hificamsim.core.file.TextLines;
 import org.hificamsim.tracks.format.Sample;
 
 /**
@@ -11,8 +9,6 @@ import org.hificamsim.tracks.format.Sample;
  * width as in the picture.
  */
 public final class Homography implements Ground {
-  private static final int SIZE = 3;
-
   private final double[] h;
 
   private Homography(double[] h) {
@@ -25,30 +21,7 @@ public final class Homography implements Ground {
    * @throws org.hificamsim.core.InputException with the place, when it has others
    */
   public static Homography read(Path file) {
-    double[] h = new double[SIZE * SIZE];
-    int count = 0;
-    try (TextLines lines = TextLines.open(file)) {
-      Fields fields = new Fields(lines, Fields.BLANKS);
-      while (lines.next()) {
-        if (fields.split() > 0 && !fields.text(0).startsWith("#")) {
-          count = row(fields, h, count);
-        }
-      }
-      if (count < h.length) {
-        throw lines.place(1).error("the matrix ends, expected three rows of three numbers");
-      }
-    }
-    return new Homography(h);
-  }
-
-  private static int row(Fields fields, double[] h, int count) {
-    if (fields.count() != SIZE || count == h.length) {
-      throw fields.place(0).error("expected a matrix of three rows of three numbers");
-    }
-    for (int i = 0; i < SIZE; i++) {
-      h[count + i] = fields.number(i, "the number");
-    }
-    return count + SIZE;
+    return new Homography(MatrixFile.read(file, 3, 3, "a matrix of three rows of three numbers"));
   }
 
   @Override
@@ -68,7 +41,7 @@ public final class Homography implements Ground {
             x(sample.x() + half, sample.y()) - x(sample.x() - half, sample.y()),
             y(sample.x() + half, sample.y()) - y(sample.x() - half, sample.y()));
     double height = width * sample.height() / sample.width();
-    return new Sample(sample.place(), sample.target(), sample.tick(), x, y, width, height);
+    return sample.at(x, y, width, height);
   }
 
   private double x(double u, double v) {

@@ -53,14 +53,7 @@ public final class LocalProjection implements Ground {
   @Override
   public Sample onGround(Sample sample) {
     Point point = metres(sample.place(), sample.x(), sample.y());
-    return new Sample(
-        sample.place(),
-        sample.target(),
-        sample.tick(),
-        point.x(),
-        point.y(),
-        sample.width(),
-        sample.height());
+    return sample.at(point.x(), point.y(), sample.width(), sample.height());
   }
 
   /** A point of the ellipsoid, degrees, as one of the plane. */

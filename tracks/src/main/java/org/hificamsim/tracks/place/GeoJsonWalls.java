@@ -5,7 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.obstacle.Point;
-import org.hificamsim.tracks.format.JsonStream;
+import org.hificamsim.data.JsonStream;
 import org.hificamsim.tracks.format.Positions;
 
 /**
@@ -21,49 +21,36 @@ final class GeoJsonWalls {
   }
 
   void read(Path file) {
-    try (JsonStream stream = new JsonStream(file)) {
+    try (JsonStream stream = JsonStream.open(file)) {
       json = stream;
-      if (json.next() != JsonToken.START_OBJECT) {
-        throw json.error("expected a GeoJSON object");
-      }
+      json.next();
       object();
     }
   }
 
   /** An object that may be a geometry, or hold some. */
   private void object() {
-    String type = "";
+    String[] type = {""};
     List<List<Point>> lines = new ArrayList<>();
-    while (json.nextProperty()) {
-      String name = json.text();
-      JsonToken token = json.next();
-      if (name.equals("type")) {
-        type = json.text();
-      } else if (name.equals("coordinates") && token == JsonToken.START_ARRAY) {
-        Positions.read(json).forEach(line -> lines.add(line(line)));
-      } else if (token == JsonToken.START_OBJECT && !name.equals("properties")) {
-        object();
-      } else if (token == JsonToken.START_ARRAY) {
-        array();
-      } else {
-        json.skip();
-      }
-    }
-    add(type, lines);
+    json.object(
+        "a GeoJSON object",
+        name -> {
+          if (name.equals("type")) {
+            type[0] = json.text();
+          } else if (name.equals("coordinates") && json.token() == JsonToken.START_ARRAY) {
+            Positions.read(json).forEach(line -> lines.add(line(line)));
+          } else if (json.token() == JsonToken.START_ARRAY) {
+            json.array("an array", this::member);
+          } else if (!name.equals("properties")) {
+            member();
+          }
+        });
+    add(type[0], lines);
   }
 
-  private void array() {
-    JsonToken token = json.next();
-    while (token != JsonToken.END_ARRAY) {
-      if (token == null) {
-        throw json.error("the file ends inside an array, expected ]");
-      }
-      if (token == JsonToken.START_OBJECT) {
-        object();
-      } else {
-        json.skip();
-      }
-      token = json.next();
+  private void member() {
+    if (json.token() == JsonToken.START_OBJECT) {
+      object();
     }
   }
 

@@ -8,10 +8,10 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Set;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.PlainXml;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.tracks.format.Unit;
-import org.hificamsim.tracks.format.XmlFormat;
 import org.hificamsim.tracks.ground.LocalProjection;
 import org.xml.sax.Attributes;
 
@@ -20,7 +20,7 @@ import org.xml.sax.Attributes;
  * path} of straight parts, moved as {@code transform} says. Polygons and rectangles are solid. What
  * only describes ({@code defs}, {@code symbol}, ...) is left out.
  */
-final class SvgWalls extends XmlFormat {
+final class SvgWalls extends PlainXml {
   private static final Set<String> HIDDEN =
       Set.of("defs", "symbol", "clipPath", "mask", "marker", "pattern");
 
@@ -40,7 +40,7 @@ final class SvgWalls extends XmlFormat {
 
   /** All of them, in metres. */
   List<Obstacle> read() {
-    parse(file);
+    readFile(file);
     return walls.all();
   }
 

@@ -32,7 +32,7 @@ public final class WallFile {
     if (name.endsWith(".json") || name.endsWith(".geojson")) {
       new GeoJsonWalls(walls).read(file);
     } else if (name.endsWith(".xml")) {
-      new XmlWalls(walls).read(file);
+      new XmlWalls(walls).readFile(file);
     } else if (name.endsWith(".svg")) {
       return new SvgWalls(file, frame.orElseThrow(() -> noScale(file))).read();
     } else {
@@ -44,6 +44,6 @@ public final class WallFile {
 
   private static InputException noScale(Path file) {
     return new InputException(
-        file + ": expected --scale M beside an SVG, how many metres a unit of the drawing is");
+        file + ": expected --scale M with an SVG, how many metres a unit of the drawing is");
   }
 }

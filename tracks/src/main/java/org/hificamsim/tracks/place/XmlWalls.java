@@ -1,20 +1,15 @@
 package org.hificamsim.tracks.place;
 
-import java.nio.file.Path;
 import java.util.List;
-import org.hificamsim.tracks.format.XmlFormat;
+import org.hificamsim.core.file.PlainXml;
 import org.xml.sax.Attributes;
 
 /** Elements {@code <Line x1="" y1="" x2="" y2=""/>}, wherever they stand. */
-final class XmlWalls extends XmlFormat {
+final class XmlWalls extends PlainXml {
   private final WallCollector walls;
 
   XmlWalls(WallCollector walls) {
     this.walls = walls;
-  }
-
-  void read(Path file) {
-    parse(file);
   }
 
   @Override

@@ -1,0 +1,18 @@
+// Numbers in words.
+
+/** A number with at most so many decimals. */
+export function decimals(number, most = 2) {
+  return Number.isFinite(number) ? String(Number(number.toFixed(most))) : '–';
+}
+
+/** Metres to the millimetre. */
+export const metres = number => `${number.toFixed(3)} m`;
+
+/** A share as a percentage. */
+export const percent = share => `${decimals(100 * share, 1)} %`;
+
+/** Radians as whole degrees, with a sign. */
+export const signed = radians => {
+  const degrees = Math.round((radians * 180) / Math.PI);
+  return `${degrees > 0 ? '+' : degrees < 0 ? '−' : ''}${Math.abs(degrees)}°`;
+};
