@@ -42,7 +42,7 @@ final class ComparisonTable {
   /** One row per case; of the optimum, the last column is what adapting is worth. */
   private static void cases(PrintWriter out, List<CaseResult> cases) {
     boolean fixed = cases.stream().anyMatch(one -> one.runs().get(0).bestFixed().isPresent());
-    boolean scored = cases.stream().anyMatch(one -> one.plan().objective().isBesidePerformance());
+    boolean scored = cases.stream().anyMatch(one -> one.plan().objective().hasOwnFigure());
     Columns table = new Columns(3);
     table.add("scenario", "detection", "policy", "performance [95%]");
     if (scored) {

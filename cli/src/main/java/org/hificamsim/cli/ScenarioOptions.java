@@ -30,7 +30,7 @@ final class ScenarioOptions {
 
   @Option(
       names = "--objective",
-      paramLabel = "kmin|covered:k=1|lexicographic|sum:cap=3",
+      paramLabel = Objective.CHOICES,
       description =
           "What a step is scored by, and optimal, one-hop and best-fixed maximise; before the"
               + " scenario's own. See docs/objectives.md.")

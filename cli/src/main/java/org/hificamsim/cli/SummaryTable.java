@@ -42,7 +42,7 @@ final class SummaryTable {
                     + " to "
                     + plan.seed(plan.repeats() - 1)));
     table.figure("performance", Metric.PERFORMANCE, "%.0f", "sum of k_min");
-    if (plan.objective().isBesidePerformance()) {
+    if (plan.objective().hasOwnFigure()) {
       table.figure("score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
     }
     table.figure("mean k_min", Metric.MEAN_K_MIN, "%.4f", "per step");

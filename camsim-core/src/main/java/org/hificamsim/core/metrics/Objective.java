@@ -16,6 +16,12 @@ import org.hificamsim.core.registry.Registry;
  * #share}), and what its score is called.
  */
 public sealed interface Objective {
+  /** All of them as users write them, for help. */
+  String CHOICES = "kmin|covered:k=1|lexicographic|sum:cap=3";
+
+  /** The number of cameras of a target that an option may ask for. */
+  int MAX = 1_000_000;
+
   /** As users write it, with all its options. */
   String text();
 
@@ -33,8 +39,8 @@ public sealed interface Objective {
   }
 
   /**
-   * What configurations of up to so many cameras and targets are compared by: sums over the targets
-   * of what each is worth, the first sum that differs decides.
+   * What configurations of up to these numbers of cameras and targets are compared by: sums over
+   * targets of what each is worth, the first sum that differs decides.
    *
    * @return for each sum a table: at k, what a target is worth that k cameras detect, 0 at 0 and
    *     never falling, up to k = {@code cameras}
@@ -86,8 +92,8 @@ public sealed interface Objective {
     return "score";
   }
 
-  /** Whether the score of a run is a figure beside its performance (Eq 7.2). */
-  default boolean isBesidePerformance() {
+  /** Whether the score of a run is a figure of its own, next to the performance (Eq 7.2). */
+  default boolean hasOwnFigure() {
     return true;
   }
 
@@ -173,7 +179,7 @@ public sealed interface Objective {
     }
 
     @Override
-    public boolean isBesidePerformance() {
+    public boolean hasOwnFigure() {
       return false;
     }
   }
@@ -327,7 +333,4 @@ public sealed interface Objective {
       return k <= cap ? 1 : 0;
     }
   }
-
-  /** Cameras of a target that an option may ask for. */
-  int MAX = 1_000_000;
 }

@@ -17,7 +17,7 @@ import org.hificamsim.core.policy.NetworkView;
 final class RunDetections {
   private final List<BitSet[]> seen = new ArrayList<>();
   private int[] momentOf = {}; // by target, of the step that is added
-  private boolean[] coverable = {}; // likewise
+  private boolean[] coverable = {}; // by target
   private long[] masks = {};
   private int[] ends = new int[16];
   private int steps;

@@ -18,7 +18,7 @@ public final class BranchAndBound {
     /** Takes a decision. */
     void take(int decision);
 
-    /** Takes back the last decision and all that it led to, for good. */
+    /** Takes back the last decision and all that it led to; it is not taken again. */
     void refuse(int decision);
 
     /** Whether what has been met is enough. */

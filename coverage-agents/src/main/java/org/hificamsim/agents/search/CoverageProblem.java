@@ -1,8 +1,8 @@
 package org.hificamsim.agents.search;
 
 /**
- * A max-min coverage problem: each camera chooses one of its detection sets, so that the least
- * covered target is covered by as many cameras as possible (k_min of Eq 7.1).
+ * A coverage problem: each camera chooses one of its detection sets. How good a choice is depends on
+ * how many cameras cover each target; an {@link org.hificamsim.core.metrics.Objective} says how.
  *
  * <p>Cameras, sets and targets are numbered from 0. A camera's sets are listed in its order of
  * preference, which decides between equally good choices; a set may equal, include or be included
@@ -20,7 +20,7 @@ public final class CoverageProblem {
   private int cameras;
   private int sets;
 
-  /** A problem without cameras, with room for so many cameras, sets of all cameras, and targets. */
+  /** A problem without cameras, with room for these numbers of cameras, their sets, and targets. */
   public CoverageProblem(int maxCameras, int maxSets, int maxTargets) {
     firstSet = new int[maxCameras + 1];
     cameraOf = new int[maxSets];
@@ -120,6 +120,18 @@ public final class CoverageProblem {
       holds &= (mask(other, word) & ~mask(set, word)) == 0;
     }
     return holds;
+  }
+
+  /** Whether a set of the last camera holds all of a mask: {@code source} from {@code from} on. */
+  public boolean lastCameraHas(long[] source, int from) {
+    boolean has = false;
+    for (int set = firstSet[cameras - 1]; set < sets && !has; set++) {
+      has = true;
+      for (int word = 0; word < words; word++) {
+        has &= (source[from + word] & ~mask(set, word)) == 0;
+      }
+    }
+    return has;
   }
 
   /** A set of the camera that holds all its others; -1 when there is none. */

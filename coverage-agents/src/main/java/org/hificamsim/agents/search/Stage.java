@@ -247,7 +247,7 @@ final class Stage {
     return gain[set];
   }
 
-  /** The most that a set of an open camera gains, likewise. */
+  /** The most that a set of an open camera gains, as last weighed. */
   long mostGain(int camera) {
     return mostGain[camera];
   }

@@ -46,7 +46,7 @@ final class TargetWorth {
     return unit;
   }
 
-  /** From so many cameras on a further one is worth nothing. */
+  /** The number of cameras from which on a further one is worth nothing. */
   int top() {
     return top;
   }

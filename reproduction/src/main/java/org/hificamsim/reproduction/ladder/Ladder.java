@@ -72,7 +72,7 @@ public final class Ladder {
 
   /** What the rungs are judged by: k_min, or where a scenario has another objective the score. */
   String measure() {
-    return all().stream().anyMatch(one -> one.changed().objective().isBesidePerformance())
+    return all().stream().anyMatch(one -> one.changed().objective().hasOwnFigure())
         ? "score"
         : "k_min";
   }

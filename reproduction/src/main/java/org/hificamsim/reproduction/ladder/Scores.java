@@ -29,7 +29,7 @@ record Scores(double[][] score, double[] optimum) {
   }
 
   private static double score(RunPlan plan, ScoredRun run) {
-    return plan.objective().isBesidePerformance()
+    return plan.objective().hasOwnFigure()
         ? run.result().score() / plan.steps()
         : kMin(plan, run);
   }

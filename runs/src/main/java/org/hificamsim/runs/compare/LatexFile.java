@@ -37,7 +37,7 @@ public final class LatexFile {
         new ArrayList<>(
             List.of("Scenario", "Detection", "Policy", "Performance", "Of the optimum"));
     header.addAll(fixed ? List.of("Over best-fixed") : List.of());
-    boolean scored = cases.stream().anyMatch(one -> one.plan().objective().isBesidePerformance());
+    boolean scored = cases.stream().anyMatch(one -> one.plan().objective().hasOwnFigure());
     header.addAll(scored ? List.of("Score") : List.of());
     LatexTable table =
         new LatexTable(

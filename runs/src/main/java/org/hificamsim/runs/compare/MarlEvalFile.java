@@ -25,7 +25,7 @@ public final class MarlEvalFile {
   private MarlEvalFile(JsonGenerator json, List<CaseResult> cases) {
     this.json = json;
     this.proportions =
-        cases.stream().noneMatch(one -> one.plan().objective().isBesidePerformance())
+        cases.stream().noneMatch(one -> one.plan().objective().hasOwnFigure())
             && cases.stream()
                 .flatMap(one -> one.runs().stream())
                 .allMatch(run -> run.optimum() > 0);
