@@ -33,11 +33,6 @@ public sealed interface Objective {
    */
   double score(int[] k, int from, int to);
 
-  /** The score of a step that has been measured, which may look at what was observed once more. */
-  default double score(StepCoverage measured, CoverableTargets observed) {
-    return measured.score(observed);
-  }
-
   /**
    * What configurations of up to these numbers of cameras and targets are compared by: sums over
    * targets of what each is worth, the first sum that differs decides.
@@ -141,11 +136,6 @@ public sealed interface Objective {
     @Override
     public double score(int[] k, int from, int to) {
       return least(k, from, to);
-    }
-
-    @Override
-    public double score(StepCoverage measured, CoverableTargets observed) {
-      return measured.kMin();
     }
 
     @Override

@@ -53,13 +53,8 @@ public final class StepCoverage {
 
   /** Measures what the objective makes of the last observation; after {@link #measure}. */
   public void measureScore(CoverableTargets observed) {
-    score = objective.score(this, observed);
-  }
-
-  /** The score of the targets that count, one by one. */
-  double score(CoverableTargets observed) {
     int count = collect(observed);
-    return objective.score(counting, 0, count);
+    score = objective.score(counting, 0, count);
   }
 
   /** Collects k of the targets that count; returns how many there are. */
