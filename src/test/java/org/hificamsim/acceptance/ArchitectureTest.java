@@ -118,8 +118,7 @@ class ArchitectureTest {
           .that()
           .resideInAPackage("org.hificamsim.agents..")
           .and()
-          .resideOutsideOfPackages(
-              "org.hificamsim.agents.optimal..", "org.hificamsim.agents.hindsight..")
+          .resideOutsideOfPackage("org.hificamsim.agents.optimal..")
           .and()
           .doNotHaveSimpleName("GreedyZoomPolicy")
           .should()

@@ -56,7 +56,7 @@ class ProofTest {
   /** Many cameras side by side, with lenses: of their views, none sees all that another does. */
   private Path dense() throws IOException {
     Path scenario = folder.resolve("dense.xml");
-    Cli.run("generate", scenario, "--cameras", 60, "--targets", 30, "--area", 3);
+    Cli.run("generate", scenario, "--cameras", 24, "--targets", 30, "--area", 1);
     String lens =
         "<optics name='lens' law='constant-area' reach='4' hfov='160 80 40' pan='-90 0 90'/>";
     String round = Files.readString(scenario);

@@ -9,8 +9,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.hificamsim.agents.search.CoverageProblem;
-import org.hificamsim.agents.search.CoverageSolver;
+import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.bench.OptimumInstance.Density;
+import org.hificamsim.core.metrics.Objective;
 
 /**
  * Times proofs of optimality on 30 instances of each {@link Density}, one thread, and writes the
@@ -32,7 +33,7 @@ public final class OptimumTimes {
     Path folder = Files.createDirectories(Path.of(args[0]));
     long nodes = args.length > 1 ? Long.parseLong(args[1]) : 1_000_000;
     CoverageProblem problem = OptimumInstance.room();
-    CoverageSolver solver = new CoverageSolver(problem, nodes);
+    StepSolver solver = new StepSolver(Objective.kMin(), problem, nodes);
     for (int seed = 0; seed < WARM_UP; seed++) {
       OptimumInstance.random(Density.CLUSTER, SEEDS + seed).fill(problem);
       solver.solve();
@@ -52,12 +53,17 @@ public final class OptimumTimes {
     Files.write(folder.resolve("ours.csv"), rows);
   }
 
-  private static String row(CoverageSolver solver) {
+  private static String row(StepSolver solver) {
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     long before = threads.getCurrentThreadCpuTime();
     solver.solve();
     double milliseconds = (threads.getCurrentThreadCpuTime() - before) / 1e6;
     return String.format(
-        Locale.ROOT, "%d,%d,%d,%.3f", solver.value(), solver.bound(), solver.nodes(), milliseconds);
+        Locale.ROOT,
+        "%.0f,%.0f,%d,%.3f",
+        solver.score(),
+        solver.score() + solver.gap(),
+        solver.nodes(),
+        milliseconds);
   }
 }

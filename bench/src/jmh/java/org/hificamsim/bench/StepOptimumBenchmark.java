@@ -10,8 +10,8 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.agents.search.CoverageProblem;
-import org.hificamsim.agents.search.CoverageSolver;
 import org.hificamsim.agents.search.Solver;
+import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.metrics.Objective;
 import org.openjdk.jmh.annotations.Benchmark;
 import org.openjdk.jmh.annotations.BenchmarkMode;
@@ -98,14 +98,14 @@ public class StepOptimumBenchmark {
     int sets = read.stream().mapToInt(Instance::sets).max().orElseThrow();
     problem = new CoverageProblem(cameras, sets, Long.SIZE);
     scored = Objective.parse(objective);
-    solver = Solver.of(scored, problem, CoverageSolver.UNLIMITED);
+    solver = new StepSolver(scored, problem, Solver.UNLIMITED);
     k = new int[Long.SIZE];
     List<String> values = new ArrayList<>();
     for (Instance instance : read) {
       solve();
       values.add(score(instance));
     }
-    String name = scored.isKMin() ? instances : instances + "-" + objective;
+    String name = scored.equals(Objective.kMin()) ? instances : instances + "-" + objective;
     Files.write(Path.of(name + ".values"), values);
   }
 

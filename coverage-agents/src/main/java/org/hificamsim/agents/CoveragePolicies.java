@@ -3,14 +3,13 @@ package org.hificamsim.agents;
 import org.hificamsim.agents.bandit.EpsilonGreedyZoomPolicy;
 import org.hificamsim.agents.bandit.SoftmaxZoomPolicy;
 import org.hificamsim.agents.bandit.Ucb1ZoomPolicy;
+import org.hificamsim.agents.baseline.AheadZoomPolicy;
 import org.hificamsim.agents.baseline.FixedZoomPolicy;
 import org.hificamsim.agents.baseline.GreedyZoomPolicy;
 import org.hificamsim.agents.baseline.PatrolZoomPolicy;
 import org.hificamsim.agents.baseline.RandomZoomPolicy;
 import org.hificamsim.agents.baseline.TrackerZoomPolicy;
-import org.hificamsim.agents.baseline.ZoomInPolicy;
-import org.hificamsim.agents.baseline.ZoomOutPolicy;
-import org.hificamsim.agents.hindsight.BestFixedZoomPolicy;
+import org.hificamsim.agents.optimal.BestFixedZoomPolicy;
 import org.hificamsim.agents.optimal.OneHopZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalExpectedZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalZoomPolicy;
@@ -28,9 +27,13 @@ public final class CoveragePolicies {
   public static Registry<ZoomPolicy> register(Registry<ZoomPolicy> registry) {
     return registry
         .register(
-            ZoomOutPolicy.NAME, "every camera ahead at its widest zoom level", ZoomOutPolicy::new)
+            "zoom-out",
+            "every camera ahead at its widest zoom level",
+            () -> new AheadZoomPolicy("zoom-out", PatrolZoomPolicy.Zoom.WIDEST))
         .register(
-            ZoomInPolicy.NAME, "every camera ahead at its narrowest zoom level", ZoomInPolicy::new)
+            "zoom-in",
+            "every camera ahead at its narrowest zoom level",
+            () -> new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST))
         .register(
             FixedZoomPolicy.NAME, "given views, one for all or one each", FixedZoomPolicy::from)
         .register(RandomZoomPolicy.NAME, "a uniformly drawn view each step", RandomZoomPolicy::new)

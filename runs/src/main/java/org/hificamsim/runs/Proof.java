@@ -29,12 +29,11 @@ public record Proof(long unprovenSteps, double gap) {
    * @param steps how many there were
    */
   public String missing(long steps, Objective objective) {
-    String score = objective.isKMin() ? "k_min" : "score by " + objective.text();
     return unprovenSteps
         + " of "
         + steps
         + " steps; their "
-        + score
+        + objective.stepScore()
         + " might be up to "
         + (gap == Math.rint(gap)
             ? Long.toString((long) gap)

@@ -57,7 +57,7 @@ public enum Setting {
       "The zoom policy; see 'list policies'."),
   OBJECTIVE(
       Kind.TEXT,
-      "kmin|covered:k=1|lexicographic|sum:cap=3",
+      Objective.CHOICES,
       null,
       new Holder(
           plan -> plan.objective().text(),

@@ -4,8 +4,8 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * How an action says what a camera is to do. A camera that is on its way goes on, whatever it is
- * told, and so does one that is told what its mask forbids.
+ * How an action says what a camera is to do. A camera that is on its way goes on, whatever its
+ * action says, and so does one whose action its mask forbids.
  */
 public enum ActionKind {
   /** The number of a view. */
@@ -44,23 +44,21 @@ public enum ActionKind {
 
     @Override
     int view(NetworkView network, int camera, int[] actions, int at) {
-      int zooms = network.zooms(camera);
-      int pan = network.view(camera) / zooms + actions[at] - 1;
-      int zoom = network.view(camera) % zooms + actions[at + 1] - 1;
-      int stays = network.view(camera);
-      pan = isOneOf(network.views(camera) / zooms, pan) ? pan : stays / zooms;
-      zoom = isOneOf(zooms, zoom) ? zoom : stays % zooms;
-      return pan * zooms + zoom;
+      int pan = network.panOf(camera, network.view(camera));
+      int zoom = network.zoomOf(camera, network.view(camera));
+      return network.viewAt(
+          camera,
+          moved(pan, actions[at] - 1, network.pans(camera)),
+          moved(zoom, actions[at + 1] - 1, network.zooms(camera)));
     }
 
     @Override
     void mask(NetworkView network, int camera, byte[] out, int from, int to) {
-      int zooms = network.zooms(camera);
       for (int step = 0; step < 3; step++) {
-        int pan = network.view(camera) / zooms + step - 1;
-        int zoom = network.view(camera) % zooms + step - 1;
-        out[from + step] = (byte) (isOneOf(network.views(camera) / zooms, pan) ? 1 : 0);
-        out[from + 3 + step] = (byte) (isOneOf(zooms, zoom) ? 1 : 0);
+        int pan = network.panOf(camera, network.view(camera)) + step - 1;
+        int zoom = network.zoomOf(camera, network.view(camera)) + step - 1;
+        out[from + step] = (byte) (isOneOf(network.pans(camera), pan) ? 1 : 0);
+        out[from + 3 + step] = (byte) (isOneOf(network.zooms(camera), zoom) ? 1 : 0);
       }
     }
 
@@ -81,6 +79,11 @@ public enum ActionKind {
     return number >= 0 && number < count;
   }
 
+  /** The number after a move, the same where the move leads nowhere. */
+  private static int moved(int number, int by, int count) {
+    return isOneOf(count, number + by) ? number + by : number;
+  }
+
   /** How many numbers an action has. */
   public int numbers() {
     return numbers;
@@ -92,7 +95,7 @@ public enum ActionKind {
   /** The view that an action sends a camera to that is not on its way. */
   abstract int view(NetworkView network, int camera, int[] actions, int at);
 
-  /** Writes 1 for what a camera may be told that is where it went, over zeros. */
+  /** Writes 1, over zeros, for the actions of a camera that has arrived. */
   abstract void mask(NetworkView network, int camera, byte[] out, int from, int to);
 
   /** Writes 1 for what says that a camera goes on. */

@@ -5,15 +5,15 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * What each camera may be told: 1 for each choice of each number of its action. One on its way may
- * only go on, and one that is off may be told anything: nobody listens.
+ * Which actions each camera may be given: 1 for each allowed choice of each number of its action. A
+ * camera on its way may only go on; for one that is off every action is allowed, since none counts.
  */
 public final class Masks {
   private final ActionKind kind;
   private final int width;
   private final byte[] masks;
 
-  /** Of a network whose cameras are told by such actions. */
+  /** Of a network whose cameras are given such actions. */
   public Masks(NetworkView network, ActionKind kind) {
     this.kind = kind;
     this.width = width(network, kind);

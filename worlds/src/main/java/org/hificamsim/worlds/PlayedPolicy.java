@@ -3,7 +3,7 @@ package org.hificamsim.worlds;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
-/** Does what it is told: the actions of a step, one camera after the other. */
+/** Carries out the actions of a step that it is given, one camera after the other. */
 public final class PlayedPolicy implements ZoomPolicy {
   private final ActionKind kind;
   private int[] actions = {};

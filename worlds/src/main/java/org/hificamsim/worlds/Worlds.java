@@ -125,7 +125,7 @@ public final class Worlds implements AutoCloseable {
     return worlds[world].network();
   }
 
-  /** Has one listener told of the steps of a world, from its next episode on. */
+  /** Reports the steps of a world to one listener, from its next episode on. */
   public void watch(int world, StepListener listener) {
     worlds[world].watch(listener);
   }

@@ -1,5 +1,9 @@
 package org.hificamsim.core.metrics;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.LongStream;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 
@@ -7,10 +11,17 @@ import org.hificamsim.core.registry.Registry;
  * What a step is scored by, and what the best configuration of a step is: what the option {@code
  * --objective} and the attribute {@code objective} choose ({@code docs/objectives.md}).
  *
- * <p>Every score but that of {@link KMin} and {@link Lexicographic} is a sum over the targets of a
- * function of k, the number of cameras that detect the target; no score falls when a k rises.
+ * <p>No score falls when k rises, the number of cameras that detect a target. An objective says
+ * itself how configurations are compared ({@link #worths}), what a camera has of a score ({@link
+ * #share}), and what its score is called.
  */
 public sealed interface Objective {
+  /** All of them as users write them, for help. */
+  String CHOICES = "kmin|covered:k=1|lexicographic|sum:cap=3";
+
+  /** The number of cameras of a target that an option may ask for. */
+  int MAX = 1_000_000;
+
   /** As users write it, with all its options. */
   String text();
 
@@ -22,14 +33,63 @@ public sealed interface Objective {
    */
   double score(int[] k, int from, int to);
 
-  /** Whether this is the objective of the thesis. */
-  default boolean isKMin() {
+  /**
+   * What configurations of up to these numbers of cameras and targets are compared by: sums over
+   * targets of what each is worth, the first sum that differs decides.
+   *
+   * @return for each sum a table: at k, what a target is worth that k cameras detect, 0 at 0 and
+   *     never falling, up to k = {@code cameras}
+   */
+  List<long[]> worths(int cameras, int targets);
+
+  /** Whether configurations are compared by the least k of a target, and not by the sum of all. */
+  default boolean byLeast() {
     return false;
   }
+
+  /**
+   * What no score exceeds.
+   *
+   * @param worth the most that the first sum of {@link #worths}, or the least k, comes to
+   */
+  double scoreAtMost(long worth, int targets);
 
   /** Whether a target that no camera could detect at any view does not count. */
   default boolean ofCoverableAlone() {
     return false;
+  }
+
+  /**
+   * What one of k cameras that detect a target adds for it: what the score would lose without the
+   * camera. Where the score hangs on one target that a camera may never see, it is the difference
+   * of a harmonic sum, so that targets which few cameras detect count most.
+   *
+   * @param k 1 or more
+   */
+  default double share(int k) {
+    return 1.0 / k;
+  }
+
+  /**
+   * Whether learners are rewarded with the number of targets that they detect, as in the thesis.
+   */
+  default boolean rewardsCount() {
+    return false;
+  }
+
+  /** What the score of a step is called. */
+  default String stepScore() {
+    return "score by " + text();
+  }
+
+  /** What the sum of the scores of a run is called. */
+  default String runScore() {
+    return "score";
+  }
+
+  /** Whether the score of a run is a figure of its own, next to the performance (Eq 7.2). */
+  default boolean hasOwnFigure() {
+    return true;
   }
 
   /** The objective of the thesis, and the default. */
@@ -74,13 +134,43 @@ public sealed interface Objective {
     }
 
     @Override
-    public boolean isKMin() {
+    public double score(int[] k, int from, int to) {
+      return least(k, from, to);
+    }
+
+    @Override
+    public List<long[]> worths(int cameras, int targets) {
+      return List.of(LongStream.rangeClosed(0, cameras).toArray());
+    }
+
+    @Override
+    public boolean byLeast() {
       return true;
     }
 
     @Override
-    public double score(int[] k, int from, int to) {
-      return least(k, from, to);
+    public double scoreAtMost(long worth, int targets) {
+      return worth;
+    }
+
+    @Override
+    public boolean rewardsCount() {
+      return true;
+    }
+
+    @Override
+    public String stepScore() {
+      return "k_min";
+    }
+
+    @Override
+    public String runScore() {
+      return "performance";
+    }
+
+    @Override
+    public boolean hasOwnFigure() {
+      return false;
     }
   }
 
@@ -107,6 +197,21 @@ public sealed interface Objective {
       }
       return from == to ? 0 : (double) enough / (to - from);
     }
+
+    @Override
+    public List<long[]> worths(int cameras, int targets) {
+      return List.of(LongStream.rangeClosed(0, cameras).map(n -> n < k ? 0 : 1).toArray());
+    }
+
+    @Override
+    public double scoreAtMost(long worth, int targets) {
+      return (double) worth / targets;
+    }
+
+    @Override
+    public double share(int cameras) {
+      return cameras == k ? 1 : 0;
+    }
   }
 
   /**
@@ -116,6 +221,9 @@ public sealed interface Objective {
    * so on. The score is the least k alone.
    */
   record Lexicographic() implements Objective {
+    /** What the worths of all targets may add up to, with room for what a search makes of them. */
+    private static final double MAX_SUM = 0x1p55;
+
     @Override
     public String text() {
       return "lexicographic";
@@ -129,6 +237,47 @@ public sealed interface Objective {
     @Override
     public double score(int[] k, int from, int to) {
       return least(k, from, to);
+    }
+
+    /**
+     * One target more that is covered j times outweighs whatever happens to those above j: weights
+     * that fall by a factor of one more than there are targets. As many k as fit into a number are
+     * one sum.
+     */
+    @Override
+    public List<long[]> worths(int cameras, int targets) {
+      int levels = levelsThatFit(cameras, targets);
+      List<long[]> worths = new ArrayList<>();
+      for (int from = 0; from < Math.max(1, cameras); from += levels) {
+        worths.add(falling(from, Math.min(cameras, from + levels), cameras, targets + 1L));
+      }
+      return worths;
+    }
+
+    private static int levelsThatFit(int cameras, int targets) {
+      double base = targets + 2.0;
+      double sum = (cameras + 2) * base * base;
+      int fit = 1;
+      for (; fit < cameras && sum * base < MAX_SUM; fit++) {
+        sum *= base;
+      }
+      return fit;
+    }
+
+    private static long[] falling(int from, int to, int cameras, long base) {
+      long[] worth = new long[cameras + 1];
+      long weight = 1;
+      for (int k = to; k > from; k--) {
+        worth[k] = weight;
+        weight *= base;
+      }
+      Arrays.parallelPrefix(worth, Long::sum);
+      return worth;
+    }
+
+    @Override
+    public double scoreAtMost(long worth, int targets) {
+      return Double.POSITIVE_INFINITY;
     }
   }
 
@@ -158,8 +307,20 @@ public sealed interface Objective {
       }
       return sum;
     }
-  }
 
-  /** Cameras of a target that an option may ask for. */
-  int MAX = 1_000_000;
+    @Override
+    public List<long[]> worths(int cameras, int targets) {
+      return List.of(LongStream.rangeClosed(0, cameras).map(n -> Math.min(n, cap)).toArray());
+    }
+
+    @Override
+    public double scoreAtMost(long worth, int targets) {
+      return worth;
+    }
+
+    @Override
+    public double share(int k) {
+      return k <= cap ? 1 : 0;
+    }
+  }
 }

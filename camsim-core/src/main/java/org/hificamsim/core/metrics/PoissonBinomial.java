@@ -11,7 +11,7 @@ final class PoissonBinomial {
   /**
    * Takes the chances from index {@code from} up to {@code to}, each in [0, 1].
    *
-   * @param most successes that are told apart; what is beyond counts as that many
+   * @param most successes that are counted exactly; what is beyond counts as that number
    */
   void set(double[] chances, int from, int to, int most) {
     this.most = Math.min(most, to - from);
@@ -49,7 +49,7 @@ final class PoissonBinomial {
   /**
    * The chance of this many successes or more, in [0, 1].
    *
-   * @param successes 0 or more; of more than are told apart it is 0
+   * @param successes 0 or more; of more than are counted it is 0
    */
   double atLeast(int successes) {
     return successes > most ? 0 : atLeast[successes];

@@ -53,10 +53,8 @@ public final class StepCoverage {
 
   /** Measures what the objective makes of the last observation; after {@link #measure}. */
   public void measureScore(CoverableTargets observed) {
-    if (!objective.isKMin()) {
-      int count = collect(observed);
-      score = objective.score(counting, 0, count);
-    }
+    int count = collect(observed);
+    score = objective.score(counting, 0, count);
   }
 
   /** Collects k of the targets that count; returns how many there are. */
@@ -111,7 +109,7 @@ public final class StepCoverage {
 
   /** What the objective makes of the step; k_min by default. */
   public double score() {
-    return objective.isKMin() ? least : score;
+    return score;
   }
 
   /** What the step is scored by. */

@@ -51,9 +51,29 @@ public interface NetworkView extends CoveredTargets {
   /** The number of views of this camera, 1 or more. */
   int views(int camera);
 
-  /** The number of its zoom levels: {@code view % zooms} is a view's level. */
+  /** The number of its zoom levels, 1 or more. */
   default int zooms(int camera) {
     return views(camera);
+  }
+
+  /** The number of its pan angles, 1 or more. */
+  default int pans(int camera) {
+    return views(camera) / zooms(camera);
+  }
+
+  /** The number of a view's zoom level, 0 the narrowest. */
+  default int zoomOf(int camera, int view) {
+    return view % zooms(camera);
+  }
+
+  /** The number of a view's pan angle, 0 the first. */
+  default int panOf(int camera, int view) {
+    return view / zooms(camera);
+  }
+
+  /** The view with these numbers of a pan angle and a zoom level. */
+  default int viewAt(int camera, int pan, int zoom) {
+    return pan * zooms(camera) + zoom;
   }
 
   /** The view that the camera chose last. */

@@ -1,5 +1,6 @@
 package org.hificamsim.core.metrics;
 
+import static java.util.stream.Collectors.joining;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -21,6 +22,15 @@ class ObjectiveTest {
   @ValueSource(strings = {"kmin", "covered:k=1", "covered:k=12", "lexicographic", "sum:cap=3"})
   void isReadAsItIsWritten(String text) {
     assertEquals(text, Objective.parse(text).text());
+  }
+
+  @Test
+  void helpListsThemAllWithTheirDefaults() {
+    String all =
+        Objective.objectives().names().stream()
+            .map(name -> Objective.parse(name).text())
+            .collect(joining("|"));
+    assertEquals(all, Objective.CHOICES);
   }
 
   @Test

@@ -5,6 +5,7 @@ import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -12,24 +13,19 @@ import org.hificamsim.core.registry.Options;
  * fixed:0,1,2} with one level for each camera in the scenario's order, those that are added later
  * included. Cameras that turn look ahead, or where {@code fixed:0,1,2,pans=3,0,4} says.
  */
-public final class FixedZoomPolicy extends AbstractConstantZoomPolicy {
+public final class FixedZoomPolicy implements ZoomPolicy {
   public static final String NAME = "fixed";
 
   private static final int MAX_NUMBER = 1_000_000;
 
   private final List<Integer> levels;
   private final List<Integer> pans;
+  private int[] fixed = {};
 
   /**
    * @param levels one level for all cameras, or one for each
-   */
-  public FixedZoomPolicy(List<Integer> levels) {
-    this(levels, List.of());
-  }
-
-  /**
-   * @param levels one level for all cameras, or one for each
-   * @param pans likewise the number of a pan angle, 0 the first; empty for straight ahead
+   * @param pans one pan angle for all cameras, or one for each, 0 the first; empty for straight
+   *     ahead
    */
   public FixedZoomPolicy(List<Integer> levels, List<Integer> pans) {
     this.levels = List.copyOf(levels);
@@ -68,12 +64,15 @@ public final class FixedZoomPolicy extends AbstractConstantZoomPolicy {
     if (!pans.isEmpty()) {
       checkCount("pans", pans, network);
     }
-    super.begin(network, random);
+    fixed = new int[network.cameras()];
+    for (int camera = 0; camera < fixed.length; camera++) {
+      fixed[camera] = network.viewAt(camera, pan(network, camera), level(network, camera));
+    }
   }
 
   @Override
-  protected int view(NetworkView network, int camera) {
-    return PanAngles.view(network, camera, pan(network, camera), level(network, camera));
+  public void decide(NetworkView network, int[] views) {
+    System.arraycopy(fixed, 0, views, 0, fixed.length);
   }
 
   private int level(NetworkView network, int camera) {
@@ -90,7 +89,7 @@ public final class FixedZoomPolicy extends AbstractConstantZoomPolicy {
       return PanAngles.home(network, camera);
     }
     int pan = given(pans, camera);
-    int last = PanAngles.count(network, camera) - 1;
+    int last = network.pans(camera) - 1;
     if (pan < 0 || pan > last) {
       throw invalid("pan", network, camera, pan, "0 (first pan angle) to " + last + " (last)");
     }

@@ -96,14 +96,13 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
     if (other == current) {
       return false;
     }
-    int wider = view % network.zooms(camera) - other % network.zooms(camera);
+    int wider = network.zoomOf(camera, view) - network.zoomOf(camera, other);
     return wider > 0
         || (wider == 0
             && turn(network, camera, view, current) < turn(network, camera, other, current));
   }
 
   private static double turn(NetworkView network, int camera, int view, int from) {
-    return PanAngles.off(
-        network, camera, PanAngles.of(network, camera, view), network.pan(camera, from));
+    return PanAngles.off(network, camera, network.panOf(camera, view), network.pan(camera, from));
   }
 }

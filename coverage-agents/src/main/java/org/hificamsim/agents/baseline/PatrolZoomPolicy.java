@@ -6,7 +6,7 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
-/** Each camera sweeps over its pan angles to and fro, at one zoom level, whatever it sees. */
+/** Each camera patrols over its pan angles back and forth, at one zoom level, whatever it sees. */
 public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
   public static final String NAME = "patrol";
 
@@ -29,7 +29,7 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
 
   private final int dwell;
   private final Zoom zoom;
-  private Sweep[] sweeps = {};
+  private PanPatrol[] patrols = {};
 
   /**
    * @param dwell steps that a camera stays in each view, 1 or more
@@ -53,12 +53,12 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    sweeps = new Sweep[network.cameras()];
-    Arrays.setAll(sweeps, camera -> new Sweep(dwell));
+    patrols = new PanPatrol[network.cameras()];
+    Arrays.setAll(patrols, camera -> new PanPatrol(dwell));
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    return sweeps[camera].next(network, camera, zoom.of(network.zooms(camera)));
+    return patrols[camera].next(network, camera, zoom.of(network.zooms(camera)));
   }
 }

@@ -14,7 +14,7 @@ import org.hificamsim.core.registry.Options;
  * level that has the target in angle and reach with a margin. Where none has, it stays where it
  * sees the target.
  *
- * <p>A camera that sees no target widens, and then sweeps over its pan angles. It knows what it
+ * <p>A camera that sees no target widens, and then patrols over its pan angles. It knows what it
  * sees, and how far its views reach, and nothing else.
  */
 public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
@@ -26,7 +26,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   private final int dwell;
   private final PatrolZoomPolicy.Zoom search;
   private NearestTarget[] nearest = {};
-  private Sweep[] sweeps = {};
+  private PanPatrol[] patrols = {};
 
   /**
    * @param margin share of half the opening angle, and of the reach, that is to stay free, [0, 1)
@@ -65,15 +65,15 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   public void begin(NetworkView network, SplittableRandom random) {
     nearest = new NearestTarget[network.cameras()];
     Arrays.setAll(nearest, camera -> new NearestTarget());
-    sweeps = new Sweep[network.cameras()];
-    Arrays.setAll(sweeps, camera -> new Sweep(dwell));
+    patrols = new PanPatrol[network.cameras()];
+    Arrays.setAll(patrols, camera -> new PanPatrol(dwell));
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
     return nearest[camera].find(network, camera)
         ? follow(network, camera)
-        : sweeps[camera].next(network, camera, search.of(network.zooms(camera)));
+        : patrols[camera].next(network, camera, search.of(network.zooms(camera)));
   }
 
   /** A camera that sees while it moves follows what comes into its picture. */
@@ -88,7 +88,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
     int pan = PanAngles.nearest(network, camera, direction);
     double off = PanAngles.off(network, camera, pan, direction);
     for (int zoom = 0; zoom < network.zooms(camera); zoom++) {
-      int view = PanAngles.view(network, camera, pan, zoom);
+      int view = network.viewAt(camera, pan, zoom);
       if (fits(network, camera, view, off)) {
         return view;
       }

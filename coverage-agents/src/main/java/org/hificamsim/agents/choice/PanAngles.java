@@ -2,37 +2,14 @@ package org.hificamsim.agents.choice;
 
 import org.hificamsim.core.policy.NetworkView;
 
-/**
- * Pan angles by number, 0 the first: where they stand among a camera's views, and which of them is
- * nearest to a direction.
- */
+/** Which of a camera's pan angles, by number, is nearest to a direction. */
 public final class PanAngles {
   private PanAngles() {}
-
-  /** The number of pan angles, 1 or more. */
-  public static int count(NetworkView network, int camera) {
-    return network.views(camera) / network.zooms(camera);
-  }
-
-  /** The pan angle of a view. */
-  public static int of(NetworkView network, int camera, int view) {
-    return view / network.zooms(camera);
-  }
-
-  /** The view with this pan angle and zoom level. */
-  public static int view(NetworkView network, int camera, int pan, int zoom) {
-    return pan * network.zooms(camera) + zoom;
-  }
-
-  /** The view with this pan angle at the widest zoom level. */
-  public static int widest(NetworkView network, int camera, int pan) {
-    return view(network, camera, pan, network.zooms(camera) - 1);
-  }
 
   /** The pan angle nearest to where the camera is mounted to look: the first of equally near. */
   public static int home(NetworkView network, int camera) {
     int home = 0;
-    for (int pan = 1; pan < count(network, camera); pan++) {
+    for (int pan = 1; pan < network.pans(camera); pan++) {
       boolean nearer =
           Math.abs(angle(network, camera, pan)) < Math.abs(angle(network, camera, home));
       home = nearer ? pan : home;
@@ -48,7 +25,7 @@ public final class PanAngles {
   public static int nearest(NetworkView network, int camera, double direction) {
     int nearest = 0;
     double least = off(network, camera, 0, direction);
-    for (int pan = 1; pan < count(network, camera); pan++) {
+    for (int pan = 1; pan < network.pans(camera); pan++) {
       double off = off(network, camera, pan, direction);
       nearest = off < least ? pan : nearest;
       least = Math.min(off, least);
@@ -63,6 +40,6 @@ public final class PanAngles {
   }
 
   private static double angle(NetworkView network, int camera, int pan) {
-    return network.pan(camera, view(network, camera, pan, 0));
+    return network.pan(camera, network.viewAt(camera, pan, 0));
   }
 }

@@ -18,7 +18,7 @@ public final class TieBreak {
 
   private int ahead(NetworkView network, int camera) {
     int zoom = ties.best(network.zooms(camera));
-    return PanAngles.view(network, camera, PanAngles.home(network, camera), zoom);
+    return network.viewAt(camera, PanAngles.home(network, camera), zoom);
   }
 
   /** The camera's view where all are equally good. */
@@ -26,15 +26,8 @@ public final class TieBreak {
     return ahead[camera];
   }
 
-  /**
-   * The camera's view with the largest value.
-   *
-   * @param values holds the value of view l at {@code from + l}; infinite values are allowed, NaN
-   *     is not
-   * @param views the number of views, 1 or more
-   */
+  /** The camera's view with the largest value, see {@link Ties#best(double[], int, int)}. */
   public int best(int camera, double[] values, int from, int views) {
-    int best = ties.best(values, from, views);
-    return values[from + ahead[camera]] == values[from + best] ? ahead[camera] : best;
+    return ties.best(values, from, views, ahead[camera]);
   }
 }

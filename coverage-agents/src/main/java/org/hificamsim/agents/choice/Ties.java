@@ -2,7 +2,10 @@ package org.hificamsim.agents.choice;
 
 import org.hificamsim.core.registry.Options;
 
-/** Which of several equally good views a camera takes; the thesis does not say. */
+/**
+ * Which of several equally good views a camera takes; the thesis does not say. All learners and
+ * votes ask here.
+ */
 public enum Ties {
   WIDEST,
   NARROWEST;
@@ -12,7 +15,7 @@ public enum Ties {
     return options.choice("ties", defaultValue, "which of equally good views: widest, narrowest");
   }
 
-  /** The view to take of so many equally good ones. */
+  /** The view to take where all are equally good. */
   public int best(int views) {
     return this == WIDEST ? views - 1 : 0;
   }
@@ -34,5 +37,11 @@ public enum Ties {
       most = better ? value : most;
     }
     return best;
+  }
+
+  /** The view with the largest value: of several this one, where it is among them. */
+  public int best(double[] values, int from, int views, int preferred) {
+    int best = best(values, from, views);
+    return values[from + preferred] == values[from + best] ? preferred : best;
   }
 }

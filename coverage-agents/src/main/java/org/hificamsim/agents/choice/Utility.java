@@ -29,7 +29,8 @@ public final class Utility {
 
   public Utility(Reading reading, Objective objective) {
     this.objective = objective;
-    this.counts = reading == Reading.COUNT || (reading == Reading.OBJECTIVE && objective.isKMin());
+    this.counts =
+        reading == Reading.COUNT || (reading == Reading.OBJECTIVE && objective.rewardsCount());
   }
 
   /** The option {@code utility}. */
@@ -56,19 +57,9 @@ public final class Utility {
     double sum = 0;
     for (int target = 0; target < network.targets(); target++) {
       if (network.coverage(target) > 0 && network.sees(camera, target)) {
-        sum += share(network.coverage(target));
+        sum += objective.share(network.coverage(target));
       }
     }
     return sum;
-  }
-
-  /** What one of k cameras adds to a target's worth. */
-  private double share(int k) {
-    if (objective instanceof Objective.Covered covered) {
-      return k == covered.k() ? 1 : 0;
-    } else if (objective instanceof Objective.Sum sum) {
-      return k <= sum.cap() ? 1 : 0;
-    }
-    return 1.0 / k;
   }
 }

@@ -20,8 +20,8 @@ final class ViewFeatures {
   private final float[] rows;
   private final double[] perReach;
   private final double[] perAngle;
-  private final int[] told; // where each neighbour's last number is, in the observations of all
-  private final int[] teller; // where that neighbour's own numbers begin
+  private final int[] copyTo; // where each neighbour's last number is, in the observations of all
+  private final int[] copyFrom; // where that neighbour's own numbers begin
 
   ViewFeatures(
       NetworkView network,
@@ -35,8 +35,8 @@ final class ViewFeatures {
       firstRow[camera + 1] = firstRow[camera] + network.views(camera);
       links += nearest.count(camera);
     }
-    told = new int[links];
-    teller = new int[links];
+    copyTo = new int[links];
+    copyFrom = new int[links];
     link(network, nearest);
     rows = new float[firstRow[network.cameras()] * size];
     perReach = new double[firstRow[network.cameras()]];
@@ -53,8 +53,8 @@ final class ViewFeatures {
     for (int camera = 0; camera < network.cameras(); camera++) {
       for (int i = 0; i < nearest.count(camera); i++) {
         int last = ObservationLayout.OWN_SIZE + (i + 1) * ObservationLayout.NEIGHBOUR.size() - 1;
-        told[link] = camera * size + last;
-        teller[link] = nearest.neighbour(camera, i) * size;
+        copyTo[link] = camera * size + last;
+        copyFrom[link] = nearest.neighbour(camera, i) * size;
         link++;
       }
     }
@@ -74,7 +74,7 @@ final class ViewFeatures {
     rows[at + 3] = Bounds.signed(Math.sin(network.cameraHeading(camera)));
     rows[at + 4] = Bounds.signed(Math.cos(network.cameraHeading(camera)));
     rows[at + SEEING] = Bounds.signed(network.pan(camera, view) / Math.PI);
-    rows[at + SEEING + 1] = zooms == 1 ? 1 : Bounds.share(view % zooms / (zooms - 1.0));
+    rows[at + SEEING + 1] = zooms == 1 ? 1 : Bounds.share(network.zoomOf(camera, view) / (zooms - 1.0));
     rows[at + SEEING + 2] = Bounds.share(angle / (2 * Math.PI));
     System.arraycopy(rows, at + SEEING, rows, at + GOAL, 2);
     fillNeighbours(network, standpoints, nearest, camera, at + ObservationLayout.OWN_SIZE);
@@ -115,8 +115,8 @@ final class ViewFeatures {
    * @param which of the camera's own numbers
    */
   void copyToNeighbours(float[] out, int which) {
-    for (int link = 0; link < told.length; link++) {
-      out[told[link]] = out[teller[link] + which];
+    for (int link = 0; link < copyTo.length; link++) {
+      out[copyTo[link]] = out[copyFrom[link] + which];
     }
   }
 
@@ -141,7 +141,7 @@ final class ViewFeatures {
         && Arrays.equals(rows, others.rows)
         && Arrays.equals(perReach, others.perReach)
         && Arrays.equals(perAngle, others.perAngle)
-        && Arrays.equals(told, others.told)
-        && Arrays.equals(teller, others.teller);
+        && Arrays.equals(copyTo, others.copyTo)
+        && Arrays.equals(copyFrom, others.copyFrom);
   }
 }

@@ -1,6 +1,7 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
+import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
@@ -13,12 +14,12 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
  *
  * <p>Only {@linkplain PanSweep maximal detection sets} are searched. Among configurations with the
  * best score it is the one in which camera 0 has its first set, then camera 1, and so on; sets are
- * in the order of the zoom levels, the narrowest first. With no target present the views stay.
+ * in the order of the zoom levels, the narrowest first.
  */
-final class AimedOptimalZoomPolicy implements AimingZoomPolicy, ProvingZoomPolicy {
+final class AimedOptimalZoomPolicy extends AbstractExactZoomPolicy
+    implements AimingZoomPolicy, ProvingZoomPolicy {
   private final int nodes;
   private AimedSets sets;
-  private ConfigurationSearch search;
 
   /**
    * @param nodes search nodes after which a step's proof is given up, 0 or more
@@ -42,27 +43,12 @@ final class AimedOptimalZoomPolicy implements AimingZoomPolicy, ProvingZoomPolic
               + " optimal:pan=continuous");
     }
     sets = new AimedSets(network);
-    search = new ConfigurationSearch(network, sets, nodes);
-  }
-
-  @Override
-  public void decide(NetworkView network, int[] views) {
-    search.decide(network, views);
+    search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));
   }
 
   @Override
   public double pan(int camera) {
-    int set = search.chosen(camera);
-    return set == ConfigurationSearch.NONE ? Double.NaN : sets.panOf(set);
-  }
-
-  @Override
-  public long unprovenSteps() {
-    return search.unprovenSteps();
-  }
-
-  @Override
-  public double gap() {
-    return search.gap();
+    int set = chosen(camera);
+    return set == NONE ? Double.NaN : sets.panOf(set);
   }
 }

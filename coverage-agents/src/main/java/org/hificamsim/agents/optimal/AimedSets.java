@@ -42,8 +42,8 @@ final class AimedSets implements ConfigurationSets {
             .toArray();
   }
 
-  @Override
-  public CoverageProblem problem() {
+  /** The problem that {@link #fill} fills. */
+  CoverageProblem problem() {
     return problem;
   }
 
@@ -83,7 +83,7 @@ final class AimedSets implements ConfigurationSets {
       double opening = network.zoom(camera, zoom).viewingAngle();
       sweep.sweep(bearings, near, opening, from[camera], to[camera]);
       for (int i = 0; i < sweep.count(); i++) {
-        add(i, near, zoom, first);
+        add(i, near, zoom);
       }
     }
     if (problem.sets() == first) {
@@ -106,14 +106,14 @@ final class AimedSets implements ConfigurationSets {
     return near;
   }
 
-  private void add(int swept, int near, int zoom, int first) {
+  private void add(int swept, int near, int zoom) {
     Arrays.fill(mask, 0);
     for (int i = 0; i < near; i++) {
       if ((sweep.mask(swept, i >> 6) >>> i & 1) != 0) {
         mask[who[i] >> 6] |= 1L << who[i];
       }
     }
-    if (!isIncluded(first)) {
+    if (!problem.lastCameraHas(mask, 0)) {
       put(zoom, sweep.pan(swept));
     }
   }
@@ -122,18 +122,5 @@ final class AimedSets implements ConfigurationSets {
     viewOf[problem.sets()] = view;
     panOf[problem.sets()] = pan;
     problem.addSet(mask, 0);
-  }
-
-  private boolean isIncluded(int first) {
-    for (int set = first; set < problem.sets(); set++) {
-      boolean included = true;
-      for (int word = 0; word < problem.words(); word++) {
-        included &= (mask[word] & ~problem.mask(set, word)) == 0;
-      }
-      if (included) {
-        return true;
-      }
-    }
-    return false;
   }
 }

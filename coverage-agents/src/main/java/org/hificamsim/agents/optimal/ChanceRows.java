@@ -1,18 +1,18 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.OracleView;
 
 /**
  * What each online camera's views are worth in a step: rows of chances, by target. A view that is
  * nowhere better than another one of its camera is left out; of equal ones the narrowest stays.
  */
-final class ChanceRows {
+final class ChanceRows implements ConfigurationSets {
   private final int[] who;
   private final double[] chances;
   private final double[] dense;
   private final int[] present;
-  private final int[] cameraOf;
   private final int[] firstRow;
   private final int[] viewOf;
   private final int[] begin;
@@ -21,7 +21,7 @@ final class ChanceRows {
   private int targets;
   private int cameras;
 
-  ChanceRows(OracleView network) {
+  ChanceRows(NetworkView network) {
     int views = 0;
     for (int camera = 0; camera < network.cameras(); camera++) {
       views += network.views(camera);
@@ -30,19 +30,18 @@ final class ChanceRows {
     chances = new double[network.targets()];
     dense = new double[network.targets()];
     present = new int[network.targets()];
-    cameraOf = new int[network.cameras()];
     firstRow = new int[network.cameras() + 1];
     viewOf = new int[views];
     begin = new int[views + 1];
   }
 
-  /** Takes the network as it is now; returns whether any target is present. */
-  boolean fill(OracleView network) {
+  @Override
+  public boolean fill(NetworkView view) {
+    OracleView network = view.oracle();
     findPresent(network);
     cameras = 0;
     for (int camera = 0; camera < network.cameras() && targets > 0; camera++) {
       if (network.online(camera)) {
-        cameraOf[cameras] = camera;
         firstRow[cameras + 1] = addRows(network, camera, firstRow[cameras]);
         cameras++;
       }
@@ -127,6 +126,14 @@ final class ChanceRows {
     return dominates;
   }
 
+  int maxCameras() {
+    return firstRow.length - 1;
+  }
+
+  int maxTargets() {
+    return who.length;
+  }
+
   /** The number of online cameras. */
   int cameras() {
     return cameras;
@@ -142,18 +149,13 @@ final class ChanceRows {
     return present[i];
   }
 
-  /** The number in the network of an online camera. */
-  int camera(int of) {
-    return cameraOf[of];
-  }
-
   /** The first row of an online camera; those of the next follow its last. */
   int first(int camera) {
     return firstRow[camera];
   }
 
-  /** The view behind a row. */
-  int view(int row) {
+  @Override
+  public int viewOf(int row) {
     return viewOf[row];
   }
 

@@ -1,16 +1,9 @@
 package org.hificamsim.agents.optimal;
 
-import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.core.policy.NetworkView;
 
-/**
- * What each camera could detect, as a coverage problem of which {@link ConfigurationSearch} finds
- * the best.
- */
+/** What each camera could detect, as the problem of a {@link org.hificamsim.agents.search.Solver}. */
 interface ConfigurationSets {
-  /** The problem that {@link #fill} fills. */
-  CoverageProblem problem();
-
   /**
    * Fills the problem with the network as it is now; its cameras are the online ones.
    *

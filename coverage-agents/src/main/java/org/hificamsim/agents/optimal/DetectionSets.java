@@ -19,7 +19,6 @@ final class DetectionSets implements ConfigurationSets {
   private final int[] viewOf;
   private final int allWords;
   private final long[] seen;
-  private final long[] union;
   private final long[] masks;
   private final int[] order;
   private final int[] sizes;
@@ -42,15 +41,14 @@ final class DetectionSets implements ConfigurationSets {
     viewOf = new int[all];
     allWords = CoverageProblem.wordsFor(network.targets());
     seen = new long[most * allWords];
-    union = new long[allWords];
     masks = new long[most * allWords];
     order = new int[most];
     sizes = new int[most];
     viewOfRow = new int[most];
   }
 
-  @Override
-  public CoverageProblem problem() {
+  /** The problem that {@link #fill} fills. */
+  CoverageProblem problem() {
     return problem;
   }
 
@@ -88,47 +86,13 @@ final class DetectionSets implements ConfigurationSets {
 
   private void add(NetworkView network, int camera) {
     network.oracle().detections(camera, seen, allWords);
-    int whole = firstThatSeesAll(camera);
-    if (whole == 0 || (whole > 0 && preference.mostTargets())) {
-      look(camera, whole, 0);
-      addSet(0);
-    } else {
-      addInOrder(camera);
-    }
-  }
-
-  /** The first candidate that detects all that any of them does; -1 when there is none. */
-  private int firstThatSeesAll(int camera) {
-    int count = candidates.count(camera);
-    Arrays.fill(union, 0);
-    for (int i = 0; i < count; i++) {
-      int from = candidates.view(camera, i) * allWords;
-      for (int word = 0; word < allWords; word++) {
-        union[word] |= seen[from + word];
-      }
-    }
-    for (int i = 0; i < count; i++) {
-      int from = candidates.view(camera, i) * allWords;
-      long missing = 0;
-      for (int word = 0; word < allWords; word++) {
-        missing |= union[word] & ~seen[from + word];
-      }
-      if (missing == 0) {
-        return i;
-      }
-    }
-    return -1;
-  }
-
-  private void addInOrder(int camera) {
     int count = candidates.count(camera);
     for (int i = 0; i < count; i++) {
-      look(camera, i, i);
+      look(camera, i);
       place(i);
     }
-    int first = problem.sets();
     for (int i = 0; i < count; i++) {
-      if (!included(order[i], first)) {
+      if (!problem.lastCameraHas(masks, order[i] * words)) {
         addSet(order[i]);
       }
     }
@@ -139,9 +103,9 @@ final class DetectionSets implements ConfigurationSets {
     problem.addSet(masks, row * words);
   }
 
-  /** Copies what a camera sees as candidate i, by target, into a row, by target present. */
-  private void look(int camera, int i, int row) {
-    viewOfRow[row] = candidates.view(camera, i);
+  /** Copies what a camera sees as one of its candidates, by target, into a row, by target present. */
+  private void look(int camera, int row) {
+    viewOfRow[row] = candidates.view(camera, row);
     int from = viewOfRow[row] * allWords;
     int to = row * words;
     if (everyTarget) {
@@ -170,18 +134,5 @@ final class DetectionSets implements ConfigurationSets {
       at--;
     }
     order[at] = row;
-  }
-
-  private boolean included(int row, int firstSet) {
-    for (int set = firstSet; set < problem.sets(); set++) {
-      boolean included = true;
-      for (int word = 0; word < words; word++) {
-        included &= (masks[row * words + word] & ~problem.mask(set, word)) == 0;
-      }
-      if (included) {
-        return true;
-      }
-    }
-    return false;
   }
 }

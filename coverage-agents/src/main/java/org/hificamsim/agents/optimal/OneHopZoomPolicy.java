@@ -1,6 +1,7 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
+import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
@@ -12,22 +13,14 @@ import org.hificamsim.core.registry.Options;
  *
  * <p>Which of several best configurations is taken decides what can be reached next. It is the one
  * in which camera 0 is at the view that the option {@code ties} prefers, then camera 1, and so on;
- * the widest by default. With no target present the views stay.
+ * the widest by default.
  */
-public final class OneHopZoomPolicy implements ProvingZoomPolicy {
+public final class OneHopZoomPolicy extends AbstractExactZoomPolicy implements ProvingZoomPolicy {
   public static final String NAME = "one-hop";
 
   private final Preference preference;
   private final int nodes;
   private CandidateViews candidates;
-  private ConfigurationSearch search;
-
-  /**
-   * @param preference what decides between configurations with the same score
-   */
-  public OneHopZoomPolicy(Preference preference) {
-    this(preference, NodeLimit.DEFAULT);
-  }
 
   /**
    * @param preference what decides between configurations with the same score
@@ -46,7 +39,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
             Preference.WIDEST,
             "of equal score: widest, narrowest, most-targets-then-widest,"
                 + " most-targets-then-narrowest"),
-        NodeLimit.from(options));
+        nodes(options, DEFAULT_NODES));
   }
 
   @Override
@@ -57,8 +50,8 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     candidates = new CandidateViews(network);
-    search =
-        new ConfigurationSearch(network, new DetectionSets(network, candidates, preference), nodes);
+    DetectionSets sets = new DetectionSets(network, candidates, preference);
+    search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));
   }
 
   @Override
@@ -66,7 +59,7 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
     for (int camera = 0; camera < network.cameras(); camera++) {
       findCandidates(network, camera);
     }
-    search.decide(network, views);
+    super.decide(network, views);
   }
 
   /** A camera that reaches no view within the step goes on to the one it has chosen. */
@@ -82,15 +75,5 @@ public final class OneHopZoomPolicy implements ProvingZoomPolicy {
     if (candidates.count(camera) == 0) {
       candidates.add(camera, network.view(camera));
     }
-  }
-
-  @Override
-  public long unprovenSteps() {
-    return search.unprovenSteps();
-  }
-
-  @Override
-  public double gap() {
-    return search.gap();
   }
 }

@@ -10,19 +10,16 @@ import org.hificamsim.core.registry.Options;
 /**
  * The configuration with the best least expected coverage: where detections are by chance, the best
  * that can be done without knowing the luck that will be drawn ({@code docs/detection.md}). Found
- * exactly at each step by {@link ExpectedSearch}. By a threshold it looks for the best k_min, as
- * {@link OptimalZoomPolicy} does, but without telling what it could not prove. With no target
- * present the views stay.
+ * exactly at each step by {@link ExpectedSolver}. By a threshold it looks for the best k_min, as
+ * {@link OptimalZoomPolicy} does, but without reporting what it could not prove.
  */
-public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPolicy {
+public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy
+    implements ExpectationProvingZoomPolicy {
   public static final String NAME = "optimal-expected";
 
-  private static final int DEFAULT_NODES = 100_000;
+  private static final int EXPECTED_NODES = 100_000;
 
   private final int nodes;
-  private ExpectedSearch search;
-  private long unprovenSteps;
-  private double gap;
 
   /**
    * @param nodes search nodes after which a step's proof is given up, 0 or more
@@ -33,7 +30,7 @@ public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPo
 
   /** The policy with its option {@code nodes}. */
   public static OptimalExpectedZoomPolicy from(Options options) {
-    return new OptimalExpectedZoomPolicy(NodeLimit.from(options, DEFAULT_NODES));
+    return new OptimalExpectedZoomPolicy(nodes(options, EXPECTED_NODES));
   }
 
   @Override
@@ -50,11 +47,12 @@ public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPo
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     requireKMin(network.objective());
-    search = new ExpectedSearch(network.oracle(), nodes);
+    ChanceRows rows = new ChanceRows(network);
+    search(network, rows, new ExpectedSolver(rows, nodes));
   }
 
   private static void requireKMin(Objective objective) {
-    if (!objective.isKMin()) {
+    if (!objective.byLeast()) {
       throw new InputException(
           "objective is "
               + objective.text()
@@ -62,21 +60,5 @@ public final class OptimalExpectedZoomPolicy implements ExpectationProvingZoomPo
               + NAME
               + ", which looks for the best least expected coverage. Maybe use optimal");
     }
-  }
-
-  @Override
-  public void decide(NetworkView network, int[] views) {
-    unprovenSteps += search.decide(network.oracle(), views) ? 0 : 1;
-    gap += search.bound() - search.value();
-  }
-
-  @Override
-  public long unprovenSteps() {
-    return unprovenSteps;
-  }
-
-  @Override
-  public double gap() {
-    return gap;
   }
 }

@@ -1,6 +1,7 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
+import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
@@ -14,9 +15,9 @@ import org.hificamsim.core.registry.Options;
  * narrowest such; where all cameras have one, there is nothing to search. Otherwise views that
  * another one dominates are left out, and among configurations of the remaining views with the best
  * score it is the one in which camera 0 detects most targets, then at its narrowest view, then
- * camera 1, and so on. With no target present the views stay.
+ * camera 1, and so on.
  */
-public final class OptimalZoomPolicy implements ProvingZoomPolicy {
+public final class OptimalZoomPolicy extends AbstractExactZoomPolicy implements ProvingZoomPolicy {
   public static final String NAME = "optimal";
 
   /** The pan angles that cameras may turn to. */
@@ -27,12 +28,12 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
 
   private final int nodes;
   private CandidateViews candidates;
-  private ConfigurationSearch search;
   private int revision;
   private boolean settled;
+  private boolean prepared;
 
   public OptimalZoomPolicy() {
-    this(NodeLimit.DEFAULT);
+    this(DEFAULT_NODES);
   }
 
   /**
@@ -44,7 +45,7 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
 
   /** The policy with its options {@code nodes} and {@code pan}. */
   public static ProvingZoomPolicy from(Options options) {
-    int nodes = NodeLimit.from(options);
+    int nodes = nodes(options, DEFAULT_NODES);
     return options.choice("pan", Pan.LISTED, "angles to turn to: those listed, or any in between")
             == Pan.LISTED
         ? new OptimalZoomPolicy(nodes)
@@ -74,27 +75,20 @@ public final class OptimalZoomPolicy implements ProvingZoomPolicy {
       findCandidates(network);
     }
     if (!settled) {
-      search = search != null ? search : newSearch(network);
-      search.decide(network, views);
+      prepare(network);
+      super.decide(network, views);
     } else if (anyPresent(network)) {
       settle(network, views);
     }
   }
 
-  private ConfigurationSearch newSearch(NetworkView network) {
-    Preference preference = Preference.MOST_TARGETS_THEN_NARROWEST;
-    return new ConfigurationSearch(
-        network, new DetectionSets(network, candidates, preference), nodes);
-  }
-
-  @Override
-  public long unprovenSteps() {
-    return search == null ? 0 : search.unprovenSteps();
-  }
-
-  @Override
-  public double gap() {
-    return search == null ? 0 : search.gap();
+  private void prepare(NetworkView network) {
+    if (!prepared) {
+      prepared = true;
+      Preference preference = Preference.MOST_TARGETS_THEN_NARROWEST;
+      DetectionSets sets = new DetectionSets(network, candidates, preference);
+      search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));
+    }
   }
 
   private void findCandidates(NetworkView network) {

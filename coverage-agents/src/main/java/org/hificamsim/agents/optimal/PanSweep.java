@@ -23,7 +23,7 @@ public final class PanSweep {
   private final double[] pans;
   private int count;
 
-  /** With room for so many targets. */
+  /** With room for this number of targets. */
   public PanSweep(int maxTargets) {
     words = CoverageProblem.wordsFor(maxTargets);
     masks = new long[(maxTargets + 2) * words];

@@ -1,8 +1,8 @@
 package org.hificamsim.agents.search;
 
 /**
- * A max-min coverage problem: each camera chooses one of its detection sets, so that the least
- * covered target is covered by as many cameras as possible (k_min of Eq 7.1).
+ * A coverage problem: each camera chooses one of its detection sets. How good a choice is depends on
+ * how many cameras cover each target; an {@link org.hificamsim.core.metrics.Objective} says how.
  *
  * <p>Cameras, sets and targets are numbered from 0. A camera's sets are listed in its order of
  * preference, which decides between equally good choices; a set may equal, include or be included
@@ -20,7 +20,7 @@ public final class CoverageProblem {
   private int cameras;
   private int sets;
 
-  /** A problem without cameras, with room for so many cameras, sets of all cameras, and targets. */
+  /** A problem without cameras, with room for these numbers of cameras, their sets, and targets. */
   public CoverageProblem(int maxCameras, int maxSets, int maxTargets) {
     firstSet = new int[maxCameras + 1];
     cameraOf = new int[maxSets];
@@ -104,6 +104,15 @@ public final class CoverageProblem {
     return (masks[set * words + (target >> 6)] >>> target & 1) != 0;
   }
 
+  /** Whether any set of any camera has the target. */
+  boolean isCoverable(int target) {
+    boolean coverable = false;
+    for (int set = 0; set < sets; set++) {
+      coverable |= contains(set, target);
+    }
+    return coverable;
+  }
+
   /** Whether a set holds all that another one does. */
   boolean holds(int set, int other) {
     boolean holds = true;
@@ -111,6 +120,32 @@ public final class CoverageProblem {
       holds &= (mask(other, word) & ~mask(set, word)) == 0;
     }
     return holds;
+  }
+
+  /** Whether a set of the last camera holds all of a mask: {@code source} from {@code from} on. */
+  public boolean lastCameraHas(long[] source, int from) {
+    boolean has = false;
+    for (int set = firstSet[cameras - 1]; set < sets && !has; set++) {
+      has = true;
+      for (int word = 0; word < words; word++) {
+        has &= (source[from + word] & ~mask(set, word)) == 0;
+      }
+    }
+    return has;
+  }
+
+  /** A set of the camera that holds all its others; -1 when there is none. */
+  int wholeSet(int camera) {
+    int whole = firstSet(camera); // whichever set is whole holds the one before it
+    for (int set = whole + 1; set < endSet(camera); set++) {
+      whole = holds(set, whole) ? set : whole;
+    }
+    for (int set = firstSet(camera); set < endSet(camera); set++) {
+      if (!holds(whole, set)) {
+        return -1;
+      }
+    }
+    return whole;
   }
 
   /** Adds {@code change} to the count of each target in one word of a mask. */

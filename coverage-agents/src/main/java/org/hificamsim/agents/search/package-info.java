@@ -1,4 +1,2 @@
-/**
- * Exact max-min coverage: one detection set per camera so that the least covered target is best.
- */
+/** Exact search: one detection set for each camera so that an objective is best. */
 package org.hificamsim.agents.search;

@@ -94,7 +94,7 @@ public final class ActionValues {
    * The number of a camera's state, from 0.
    *
    * @param view view in [0, views of the camera)
-   * @param percept what it perceives, from 0: the number of targets detected, or {@link Picture}'s
+   * @param percept what it perceives, from 0: the number of targets detected, or {@link PicturePercept}'s
    */
   public int state(int camera, int view, int percept) {
     return reading.state(view, percept, views[camera]);
@@ -177,7 +177,7 @@ public final class ActionValues {
     }
   }
 
-  /** Whether there are so many tables that reading one means to wait for memory. */
+  /** Whether the tables exceed the cache, so that reading one means to wait for memory. */
   public boolean exceedsCache() {
     return views.length > MAX_CACHED;
   }

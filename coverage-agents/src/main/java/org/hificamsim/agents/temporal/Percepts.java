@@ -9,11 +9,11 @@ final class Percepts {
   private static final CameraTask<Percepts> LOOKING =
       (network, percepts, from, to) -> percepts.look(network, from, to);
 
-  private final Picture[] pictures;
+  private final PicturePercept[] pictures;
 
   Percepts(NetworkView network, StateReading reading) {
-    pictures = new Picture[reading.parts() == 0 ? 0 : network.cameras()];
-    Arrays.setAll(pictures, camera -> new Picture(reading.parts() > Picture.THIRDS));
+    pictures = new PicturePercept[reading.parts() == 0 ? 0 : network.cameras()];
+    Arrays.setAll(pictures, camera -> new PicturePercept(reading.parts() > PicturePercept.THIRDS));
   }
 
   /** Lets all cameras look; what they detected last needs no look. */

@@ -12,26 +12,26 @@ public enum StateReading {
   /** Always the same state: what is learned is one value for each view. */
   NONE(false, 0),
   /** Which thirds of the picture have a target: left, centre, right. */
-  PICTURE(false, Picture.THIRDS),
+  PICTURE(false, PicturePercept.THIRDS),
   /** The same, and the current view. */
-  VIEW_PICTURE(true, Picture.THIRDS),
+  VIEW_PICTURE(true, PicturePercept.THIRDS),
   /** Which thirds of the picture have a target that is near, and which have one that is far. */
-  PICTURE_DEPTH(false, 2 * Picture.THIRDS),
+  PICTURE_DEPTH(false, 2 * PicturePercept.THIRDS),
   /** The same, and the current view. */
-  VIEW_PICTURE_DEPTH(true, 2 * Picture.THIRDS);
+  VIEW_PICTURE_DEPTH(true, 2 * PicturePercept.THIRDS);
 
   private final boolean byView;
   private final int parts;
 
   /**
-   * @param parts of the picture that are told apart, 0 where targets are counted
+   * @param parts of the picture that are distinguished, 0 where targets are counted
    */
   StateReading(boolean byView, int parts) {
     this.byView = byView;
     this.parts = parts;
   }
 
-  /** Parts of the picture that are told apart; 0 where the percept is a number of targets. */
+  /** Parts of the picture that are distinguished; 0 where the percept is a number of targets. */
   int parts() {
     return parts;
   }
@@ -41,7 +41,7 @@ public enum StateReading {
     return byView;
   }
 
-  /** How many different percepts there are where so many targets can exist. */
+  /** How many different percepts there are with this number of targets. */
   int percepts(int targets) {
     if (parts > 0) {
       return 1 << parts;
@@ -49,7 +49,7 @@ public enum StateReading {
     return this == NONE ? 1 : targets + 1;
   }
 
-  /** The number of states of a camera with so many views that share a percept. */
+  /** The number of states that share a percept, of a camera with this number of views. */
   int statesPerPercept(int views) {
     return byView ? views : 1;
   }

@@ -31,7 +31,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private NearestCameras nearest;
   private ViewTranslation translation;
   private MajorityVote[] votes = {}; // of a thread: those of the first camera of its share
-  private long[] messages = {}; // likewise
+  private long[] messages = {}; // of a thread, as the votes
   private int[] elected = {};
 
   @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out

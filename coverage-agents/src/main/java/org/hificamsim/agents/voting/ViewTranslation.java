@@ -5,7 +5,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
-import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -30,8 +29,8 @@ final class ViewTranslation {
       int zooms = network.zooms(camera);
       boolean lens = IntStream.range(0, zooms).allMatch(i -> network.zoom(camera, i).hasLens());
       return new Kind(
-          IntStream.range(0, PanAngles.count(network, camera))
-              .mapToObj(pan -> network.pan(camera, pan * zooms))
+          IntStream.range(0, network.pans(camera))
+              .mapToObj(pan -> network.pan(camera, network.viewAt(camera, pan, 0)))
               .toList(),
           lens,
           IntStream.range(0, zooms)

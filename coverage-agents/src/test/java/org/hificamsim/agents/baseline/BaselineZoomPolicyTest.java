@@ -18,17 +18,17 @@ class BaselineZoomPolicyTest {
 
   @Test
   void zoomOutTakesEachCamerasWidestLevel() {
-    assertArrayEquals(new int[] {4, 2, 0}, levelsAfter(new ZoomOutPolicy()));
+    assertArrayEquals(new int[] {4, 2, 0}, levelsAfter(new AheadZoomPolicy("zoom-out", PatrolZoomPolicy.Zoom.WIDEST)));
   }
 
   @Test
   void zoomInTakesTheNarrowestLevel() {
-    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new ZoomInPolicy()));
+    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST)));
   }
 
   @Test
   void oneFixedLevelServesAllCameras() {
-    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new FixedZoomPolicy(List.of(0))));
+    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new FixedZoomPolicy(List.of(0), List.of())));
   }
 
   @Test
@@ -39,7 +39,7 @@ class BaselineZoomPolicyTest {
 
   @Test
   void aFixedLevelThatACameraLacksIsRefusedWithItsRange() {
-    ZoomPolicy policy = new FixedZoomPolicy(List.of(3));
+    ZoomPolicy policy = new FixedZoomPolicy(List.of(3), List.of());
     InputException refused = assertThrows(InputException.class, () -> network.begin(policy, 1));
     assertEquals(
         "policy fixed: level of camera 'c1' is 3, expected 0 (narrowest) to 2 (widest)",
@@ -48,7 +48,7 @@ class BaselineZoomPolicyTest {
 
   @Test
   void aWrongNumberOfFixedLevelsIsRefused() {
-    ZoomPolicy policy = new FixedZoomPolicy(List.of(0, 0));
+    ZoomPolicy policy = new FixedZoomPolicy(List.of(0, 0), List.of());
     InputException refused = assertThrows(InputException.class, () -> network.begin(policy, 1));
     assertTrue(refused.getMessage().contains("has 2 values, expected 1 for all cameras or 3"));
   }

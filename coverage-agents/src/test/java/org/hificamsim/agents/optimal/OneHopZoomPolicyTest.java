@@ -13,6 +13,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class OneHopZoomPolicyTest {
+  private static final int NODES = 1_000_000;
+
   @Test
   void reachesTheBestOfAllReachableConfigurations() {
     for (Preference preference : Preference.values()) {
@@ -29,7 +31,7 @@ class OneHopZoomPolicyTest {
   void staysWideOrGoesWiderWhereNothingIsGained() {
     ToyNetwork network = new ToyNetwork(1, 4, 4);
     network.setLevel(0, 1);
-    network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST), 1));
+    network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST, NODES), 1));
     assertArrayEquals(new int[] {2, 3}, network.currentLevels());
   }
 
@@ -48,7 +50,7 @@ class OneHopZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 1, 0).see(0, 0, 0);
     network.setLevel(0, 1);
     Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
-    network.decide(network.begin(new OneHopZoomPolicy(preference), 1));
+    network.decide(network.begin(new OneHopZoomPolicy(preference, NODES), 1));
     assertEquals(1, network.view(0));
   }
 
@@ -57,12 +59,12 @@ class OneHopZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(1, 4);
     network.setLevel(0, 1);
     network.showTarget(0, false);
-    network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST), 1));
+    network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST, NODES), 1));
     assertEquals(1, network.view(0));
   }
 
   private static void compare(GeometricNetwork network, Preference preference) {
-    OneHopZoomPolicy policy = network.begin(new OneHopZoomPolicy(preference), 1);
+    OneHopZoomPolicy policy = network.begin(new OneHopZoomPolicy(preference, NODES), 1);
     for (int step = 0; step < 4; step++) {
       int[] before = network.currentLevels();
       int[] lowest = new int[before.length];

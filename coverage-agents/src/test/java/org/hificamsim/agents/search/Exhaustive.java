@@ -1,73 +1,73 @@
 package org.hificamsim.agents.search;
 
 import java.util.Arrays;
-import java.util.stream.Collectors;
+import java.util.function.IntUnaryOperator;
+import java.util.stream.IntStream;
+import org.hificamsim.core.metrics.Objective;
 
-/** The reference that tries every configuration, in the order of preference. */
-record Exhaustive(int value, int[] choice) {
-  /** The first best choice for sets of up to 64 targets. */
-  static Exhaustive solve(int targets, long[][] sets) {
-    int[] choice = new int[sets.length];
-    int[] best = choice.clone();
-    int most = -1;
+/**
+ * The reference for any objective that tries every configuration, in the order of preference:
+ * {@code sets} by camera, set and target.
+ */
+record Exhaustive(double score, int[] configuration) {
+  static Exhaustive solve(Objective objective, int targets, boolean[][][] sets) {
+    int[] tried = new int[sets.length];
+    int[] best = tried.clone();
+    int[] most = k(objective, targets, sets, best);
     do {
-      int value = value(targets, sets, choice);
-      if (value > most) {
-        most = value;
-        best = choice.clone();
+      int[] k = k(objective, targets, sets, tried);
+      if (isBetter(objective, k, most)) {
+        best = tried.clone();
+        most = k;
       }
-    } while (next(choice, camera -> sets[camera].length));
-    return new Exhaustive(most, best);
-  }
-
-  /** The best value for any number of targets. */
-  static int value(int targets, boolean[][][] sets) {
-    int[] choice = new int[sets.length];
-    int most = 0;
-    do {
-      int least = sets.length;
-      for (int target = 0; target < targets; target++) {
-        int covered = 0;
-        for (int camera = 0; camera < sets.length; camera++) {
-          covered += sets[camera][choice[camera]][target] ? 1 : 0;
-        }
-        least = Math.min(least, covered);
-      }
-      most = Math.max(most, least);
-    } while (next(choice, camera -> sets[camera].length));
-    return most;
-  }
-
-  static String text(long[][] sets) {
-    return Arrays.stream(sets)
-        .map(
-            camera ->
-                Arrays.stream(camera).mapToObj(Long::toBinaryString).collect(Collectors.toList()))
-        .toList()
-        .toString();
+    } while (next(tried, camera -> sets[camera].length));
+    return new Exhaustive(objective.score(most, 0, most.length), best);
   }
 
   /** Counts up with the last camera fastest, so that the first best is the most preferred. */
-  static boolean next(int[] choice, java.util.function.IntUnaryOperator count) {
-    for (int camera = choice.length - 1; camera >= 0; camera--) {
-      if (++choice[camera] < count.applyAsInt(camera)) {
+  static boolean next(int[] configuration, IntUnaryOperator count) {
+    for (int camera = configuration.length - 1; camera >= 0; camera--) {
+      if (++configuration[camera] < count.applyAsInt(camera)) {
         return true;
       }
-      choice[camera] = 0;
+      configuration[camera] = 0;
     }
     return false;
   }
 
-  /** The value of one choice. */
-  static int value(int targets, long[][] sets, int[] choice) {
-    int least = sets.length;
-    for (int target = 0; target < targets; target++) {
-      int covered = 0;
-      for (int camera = 0; camera < sets.length; camera++) {
-        covered += (int) (sets[camera][choice[camera]] >>> target & 1);
-      }
-      least = Math.min(least, covered);
+  static double score(Objective objective, int targets, boolean[][][] sets, int[] configuration) {
+    int[] k = k(objective, targets, sets, configuration);
+    return objective.score(k, 0, k.length);
+  }
+
+  private static boolean isBetter(Objective objective, int[] k, int[] than) {
+    if (!(objective instanceof Objective.Lexicographic)) {
+      return objective.score(k, 0, k.length) > objective.score(than, 0, k.length);
     }
-    return least;
+    int[] sorted = k.clone();
+    int[] other = than.clone();
+    Arrays.sort(sorted);
+    Arrays.sort(other);
+    return Arrays.compare(sorted, other) > 0;
+  }
+
+  /** Of the targets that count, by target. */
+  private static int[] k(
+      Objective objective, int targets, boolean[][][] sets, int[] configuration) {
+    return IntStream.range(0, targets)
+        .filter(target -> !objective.ofCoverableAlone() || isCoverable(sets, target))
+        .map(target -> k(sets, configuration, target))
+        .toArray();
+  }
+
+  private static int k(boolean[][][] sets, int[] configuration, int target) {
+    return (int)
+        IntStream.range(0, sets.length)
+            .filter(camera -> sets[camera][configuration[camera]][target])
+            .count();
+  }
+
+  private static boolean isCoverable(boolean[][][] sets, int target) {
+    return Arrays.stream(sets).flatMap(Arrays::stream).anyMatch(set -> set[target]);
   }
 }

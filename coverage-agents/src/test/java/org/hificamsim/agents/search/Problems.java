@@ -2,82 +2,71 @@ package org.hificamsim.agents.search;
 
 import java.util.SplittableRandom;
 
-/** Random coverage problems for tests; as bit masks of up to 64 targets, but for {@link #wide}. */
+/** Random coverage problems for tests, by camera, set and target. */
 final class Problems {
   private Problems() {}
 
-  /** Sets by camera: up to {@code most} for each, every target in each with that probability. */
-  static long[][] random(
+  /** Up to {@code most} sets for each camera, every target in each with that probability. */
+  static boolean[][][] random(
       SplittableRandom random, int cameras, int most, int targets, double density) {
-    long[][] sets = new long[cameras][];
+    boolean[][][] sets = new boolean[cameras][][];
     for (int camera = 0; camera < cameras; camera++) {
-      sets[camera] = new long[1 + random.nextInt(most)];
-      for (int set = 0; set < sets[camera].length; set++) {
+      sets[camera] = new boolean[1 + random.nextInt(most)][targets];
+      for (boolean[] set : sets[camera]) {
         for (int target = 0; target < targets; target++) {
-          sets[camera][set] |= random.nextDouble() < density ? 1L << target : 0;
+          set[target] = random.nextDouble() < density;
         }
       }
     }
     return sets;
   }
 
-  static CoverageProblem problem(int targets, long[][] sets) {
-    CoverageProblem problem = new CoverageProblem(sets.length, 100, targets);
+  /** Sets by camera, as bit masks of up to 64 targets. */
+  static boolean[][][] of(int targets, long[][] masks) {
+    boolean[][][] sets = new boolean[masks.length][][];
+    for (int camera = 0; camera < masks.length; camera++) {
+      sets[camera] = new boolean[masks[camera].length][targets];
+      for (int set = 0; set < masks[camera].length; set++) {
+        for (int target = 0; target < targets; target++) {
+          sets[camera][set][target] = (masks[camera][set] >>> target & 1) != 0;
+        }
+      }
+    }
+    return sets;
+  }
+
+  static CoverageProblem problem(int targets, boolean[][][] sets) {
+    CoverageProblem problem = new CoverageProblem(sets.length, 1_000, targets);
     fill(problem, targets, sets);
     return problem;
   }
 
-  static void fill(CoverageProblem problem, int targets, long[][] sets) {
+  static void fill(CoverageProblem problem, int targets, boolean[][][] sets) {
     problem.clear(targets);
-    for (long[] camera : sets) {
+    for (boolean[][] camera : sets) {
       problem.addCamera();
-      for (int set = 0; set < camera.length; set++) {
-        problem.addSet(camera, set);
-      }
-    }
-  }
-
-  /** The same for any number of targets. */
-  static CoverageProblem wide(
-      SplittableRandom random, int cameras, int most, int targets, double density) {
-    CoverageProblem problem = new CoverageProblem(cameras, cameras * most, targets);
-    problem.clear(targets);
-    for (int camera = 0; camera < cameras; camera++) {
-      problem.addCamera();
-      int sets = 1 + random.nextInt(most);
-      for (int set = 0; set < sets; set++) {
-        long[] mask = new long[problem.words()];
+      for (boolean[] set : camera) {
+        long[] mask = new long[CoverageProblem.wordsFor(targets)];
         for (int target = 0; target < targets; target++) {
-          mask[target / 64] |= random.nextDouble() < density ? 1L << target : 0;
+          mask[target / 64] |= set[target] ? 1L << (target % 64) : 0;
         }
         problem.addSet(mask, 0);
       }
     }
-    return problem;
   }
 
   /** Two halves of so many cameras and targets each, without a target in common. */
   static CoverageProblem apart(SplittableRandom random, int cameras, int most, int targets) {
-    CoverageProblem half = wide(random, cameras, most, targets, 0.4);
-    CoverageProblem problem = new CoverageProblem(2 * cameras, 2 * half.sets(), 2 * targets);
-    problem.clear(2 * targets);
+    boolean[][][] half = random(random, cameras, most, targets, 0.4);
+    boolean[][][] sets = new boolean[2 * cameras][][];
     for (int camera = 0; camera < 2 * cameras; camera++) {
-      problem.addCamera();
-      int shift = camera < cameras ? 0 : targets;
-      int of = camera % cameras;
-      for (int set = half.firstSet(of); set < half.endSet(of); set++) {
-        problem.addSet(shifted(half, set, shift, problem.words()), 0);
+      boolean[][] of = half[camera % cameras];
+      sets[camera] = new boolean[of.length][2 * targets];
+      for (int set = 0; set < of.length; set++) {
+        int shift = camera < cameras ? 0 : targets;
+        System.arraycopy(of[set], 0, sets[camera][set], shift, targets);
       }
     }
-    return problem;
-  }
-
-  private static long[] shifted(CoverageProblem problem, int set, int by, int words) {
-    long[] mask = new long[words];
-    for (int target = 0; target < problem.targets(); target++) {
-      int to = target + by;
-      mask[to / 64] |= problem.contains(set, target) ? 1L << to : 0;
-    }
-    return mask;
+    return problem(2 * targets, sets);
   }
 }

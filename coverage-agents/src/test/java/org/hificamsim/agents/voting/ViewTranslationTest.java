@@ -5,7 +5,8 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.stream.IntStream;
-import org.hificamsim.agents.baseline.ZoomOutPolicy;
+import org.hificamsim.agents.baseline.AheadZoomPolicy;
+import org.hificamsim.agents.baseline.PatrolZoomPolicy;
 import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.agents.toy.RealWorld;
 import org.hificamsim.core.engine.Simulation;
@@ -72,7 +73,7 @@ class ViewTranslationTest {
   }
 
   private static NetworkView network(String optics, String one, String other) {
-    return RealWorld.run(world(optics, one, other), new ZoomOutPolicy(), 1).network();
+    return RealWorld.run(world(optics, one, other), new AheadZoomPolicy("zoom-out", PatrolZoomPolicy.Zoom.WIDEST), 1).network();
   }
 
   private static String world(String optics, String one, String other) {

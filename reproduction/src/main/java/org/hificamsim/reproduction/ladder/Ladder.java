@@ -73,7 +73,9 @@ public final class Ladder {
 
   /** What the rungs are judged by: k_min, or where a scenario has another objective the score. */
   String measure() {
-    return all().stream().allMatch(one -> one.changed().objective().isKMin()) ? "k_min" : "score";
+    return all().stream().anyMatch(one -> one.changed().objective().hasOwnFigure())
+        ? "score"
+        : "k_min";
   }
 
   /** Everything that has to be run. */

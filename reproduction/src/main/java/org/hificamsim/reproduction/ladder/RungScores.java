@@ -30,7 +30,9 @@ record RungScores(double[][] score, double[] optimum) {
   }
 
   private static double score(RunPlan plan, ScoredRun run) {
-    return plan.objective().isKMin() ? kMin(plan, run) : run.result().score() / plan.steps();
+    return plan.objective().hasOwnFigure()
+        ? run.result().score() / plan.steps()
+        : kMin(plan, run);
   }
 
   private static double kMin(RunPlan plan, ScoredRun run) {

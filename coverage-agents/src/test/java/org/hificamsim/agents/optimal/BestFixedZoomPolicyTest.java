@@ -1,4 +1,4 @@
-package org.hificamsim.agents.hindsight;
+package org.hificamsim.agents.optimal;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
@@ -8,6 +8,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.CoveragePolicies;
+import org.hificamsim.agents.search.CoverageProblem;
+import org.hificamsim.agents.search.RunSolver;
+import org.hificamsim.agents.search.Solver;
 import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -29,19 +32,20 @@ class BestFixedZoomPolicyTest {
     String[] texts = {"kmin", "covered:k=1", "covered:k=2", "sum:cap=2", "lexicographic"};
     objective = Objective.parse(texts[repetition.getCurrentRepetition() % texts.length]);
     RunDetections run = randomRun(random, cameras, targets, 12, 0.3);
-    ConstantSearch search = new ConstantSearch(run, Long.MAX_VALUE);
-    assertTrue(search.proven());
-    assertEquals(bestByTryingAll(run), search.score());
-    assertEquals(search.score(), performance(run, search.views()));
+    Found found = search(run, Solver.UNLIMITED);
+    assertTrue(found.proven());
+    assertEquals(0, found.gap());
+    assertEquals(bestByTryingAll(run), performance(run, found.views()));
   }
 
   @Test
   void withoutNodesTakesTheBestFoundAndDoesNotClaimAProof() {
     RunDetections run = randomRun(new SplittableRandom(1), 6, 4, 30, 0.5);
-    ConstantSearch search = new ConstantSearch(run, 0);
-    assertFalse(search.proven());
-    assertEquals(search.score(), performance(run, search.views()));
-    assertTrue(search.score() <= bestByTryingAll(run));
+    Found found = search(run, 0);
+    assertFalse(found.proven());
+    double reached = performance(run, found.views());
+    double best = bestByTryingAll(run);
+    assertTrue(reached <= best && best <= reached + found.gap());
   }
 
   /** By climbing alone, and with 200 nodes: where the limit ends the search decides its result. */
@@ -54,10 +58,10 @@ class BestFixedZoomPolicyTest {
     int proven = 0;
     for (int trial = 0; trial < 100; trial++) {
       RunDetections run = randomRun(random, 6, 4, 12, 0.3);
-      climbed += new ConstantSearch(run, 0).score();
-      ConstantSearch search = new ConstantSearch(run, 200);
-      searched += search.score();
-      proven += search.proven() ? 1 : 0;
+      climbed += performance(run, search(run, 0).views());
+      Found found = search(run, 200);
+      searched += performance(run, found.views());
+      proven += found.proven() ? 1 : 0;
     }
     assertEquals(
         "80350 80475 79",
@@ -93,7 +97,7 @@ class BestFixedZoomPolicyTest {
     network.see(1, 2, 4);
     RunDetections run = new RunDetections();
     run.add(network.scoredBy(Objective.parse("covered:k=2")));
-    assertArrayEquals(new int[] {0, 0}, new ConstantSearch(run, 0).views());
+    assertArrayEquals(new int[] {0, 0}, search(run, 0).views());
   }
 
   @Test
@@ -103,7 +107,7 @@ class BestFixedZoomPolicyTest {
     network.see(0, 2, 0);
     RunDetections run = new RunDetections();
     run.add(network);
-    assertArrayEquals(new int[] {1, 0}, new ConstantSearch(run, 10).views());
+    assertArrayEquals(new int[] {1, 0}, search(run, 10).views());
   }
 
   @Test
@@ -149,8 +153,19 @@ class BestFixedZoomPolicyTest {
     return run;
   }
 
+  private record Found(int[] views, boolean proven, double gap) {}
+
+  private static Found search(RunDetections run, long nodes) {
+    CoverageProblem problem = run.problem();
+    RunSolver solver = new RunSolver(run.objective(), problem, run.ends(), nodes);
+    solver.solve();
+    int[] views = new int[problem.cameras()];
+    Arrays.setAll(views, camera -> solver.chosen(camera) - problem.firstSet(camera));
+    return new Found(views, solver.proven(), solver.gap());
+  }
+
   private static double bestByTryingAll(RunDetections run) {
-    int[] views = new int[run.cameras()];
+    int[] views = new int[run.problem().cameras()];
     double best = 0;
     do {
       best = Math.max(best, performance(run, views));
@@ -169,10 +184,19 @@ class BestFixedZoomPolicyTest {
   }
 
   private static double performance(RunDetections run, int[] views) {
-    int[] k = new int[run.moments()];
+    CoverageProblem problem = run.problem();
+    int[] k = new int[problem.targets()];
     for (int camera = 0; camera < views.length; camera++) {
-      run.detected(camera, views[camera]).stream().forEach(moment -> k[moment]++);
+      for (int moment = 0; moment < k.length; moment++) {
+        k[moment] += problem.contains(problem.firstSet(camera) + views[camera], moment) ? 1 : 0;
+      }
     }
-    return run.score(Arrays.copyOf(k, k.length));
+    double sum = 0;
+    int from = 0;
+    for (int end : run.ends()) {
+      sum += run.objective().score(k, from, end);
+      from = end;
+    }
+    return sum;
   }
 }

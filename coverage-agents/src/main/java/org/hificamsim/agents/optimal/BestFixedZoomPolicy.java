@@ -1,5 +1,9 @@
-package org.hificamsim.agents.hindsight;
+package org.hificamsim.agents.optimal;
 
+import java.util.Arrays;
+import org.hificamsim.agents.search.CoverageProblem;
+import org.hificamsim.agents.search.RunSolver;
+import org.hificamsim.agents.search.Solver;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -56,15 +60,22 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
   @Override
   public void decide(NetworkView network, int[] views) {
     if (best == null) {
-      ConstantSearch search = new ConstantSearch(run, nodes);
-      best = search.views();
-      proven = search.proven();
+      search();
     }
     for (int camera = 0; camera < best.length; camera++) {
       if (network.online(camera)) {
         views[camera] = best[camera];
       }
     }
+  }
+
+  private void search() {
+    CoverageProblem problem = run.problem();
+    Solver solver = new RunSolver(run.objective(), problem, run.ends(), nodes);
+    solver.solve();
+    proven = solver.proven();
+    best = new int[problem.cameras()];
+    Arrays.setAll(best, camera -> solver.chosen(camera) - problem.firstSet(camera));
   }
 
   /** Whether the configuration is proven to be the best constant one; known from the first step. */

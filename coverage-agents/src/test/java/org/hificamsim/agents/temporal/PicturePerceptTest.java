@@ -13,7 +13,7 @@ import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
 /** What a camera at the origin that looks along +y makes of its picture, 60 degrees wide. */
-class PictureTest {
+class PicturePerceptTest {
   private static final String CAMERA =
       "<optics name='o' hfov='60' reach='10' pan='0 60' pan_speed='40'/>"
           + "<camera name='a' x='0' y='0' heading='0' viewing_angle='60' range='10' optics='o'/>";
@@ -46,10 +46,10 @@ class PictureTest {
   @Test
   void farIsWhatTheModelHardlyReaches() {
     DetectionModel weak = new OnlyNear(5);
-    ZoomPolicy still = new FixedZoomPolicy(List.of(0));
+    ZoomPolicy still = new FixedZoomPolicy(List.of(0), List.of());
     Simulation run = RealWorld.run(CAMERA + at(-20, 2.4) + at(20, 2.6), weak, still, 1);
     run.step();
-    assertEquals(0b100_001, new Picture(true).look(run.network(), 0));
+    assertEquals(0b100_001, new PicturePercept(true).look(run.network(), 0));
   }
 
   private record OnlyNear(double metres) implements DetectionModel {
@@ -75,13 +75,13 @@ class PictureTest {
   void isEmptyWhileTheCameraMovesBlindly() {
     Simulation run = run("fixed:0,pans=1", at(20, 3) + at(60, 3));
     assertEquals(-1, run.network().seeing(0));
-    assertEquals(0, new Picture(false).look(run.network(), 0));
+    assertEquals(0, new PicturePercept(false).look(run.network(), 0));
     run.step();
-    assertEquals(0b010, new Picture(false).look(run.network(), 0), "there now");
+    assertEquals(0b010, new PicturePercept(false).look(run.network(), 0), "there now");
   }
 
   private static void assertPicture(int parts, boolean depth, String targets) {
-    Picture picture = new Picture(depth);
+    PicturePercept picture = new PicturePercept(depth);
     picture.look(run("fixed", at(0, -5)).network(), 0);
     assertEquals(parts, picture.look(run("fixed", targets).network(), 0));
     assertEquals(parts, picture.parts());

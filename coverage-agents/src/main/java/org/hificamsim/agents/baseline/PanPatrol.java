@@ -1,10 +1,9 @@
 package org.hificamsim.agents.baseline;
 
-import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.policy.NetworkView;
 
-/** A camera's way over its pan angles, to and fro. */
-final class Sweep {
+/** A camera's way over its pan angles, back and forth. */
+final class PanPatrol {
   private final int dwell;
   private int left;
   private int direction = 1;
@@ -12,7 +11,7 @@ final class Sweep {
   /**
    * @param dwell steps that the camera stays in each view, 1 or more
    */
-  Sweep(int dwell) {
+  PanPatrol(int dwell) {
     this.dwell = dwell;
     left = dwell;
   }
@@ -20,15 +19,15 @@ final class Sweep {
   /** The camera's next view; first of all one with the zoom level that was asked for. */
   int next(NetworkView network, int camera, int zoom) {
     int view = network.view(camera);
-    int pan = PanAngles.of(network, camera, view);
-    boolean zoomed = view != PanAngles.view(network, camera, pan, zoom);
+    int pan = network.panOf(camera, view);
+    boolean zoomed = view != network.viewAt(camera, pan, zoom);
     if (!zoomed && left > 0) {
       left--;
       return view;
     }
     left = dwell - 1;
-    int next = zoomed ? pan : turn(pan, PanAngles.count(network, camera));
-    return PanAngles.view(network, camera, next, zoom);
+    int next = zoomed ? pan : turn(pan, network.pans(camera));
+    return network.viewAt(camera, next, zoom);
   }
 
   private int turn(int pan, int pans) {

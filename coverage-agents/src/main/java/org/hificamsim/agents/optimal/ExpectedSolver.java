@@ -1,20 +1,20 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
-import org.hificamsim.core.policy.OracleView;
+import org.hificamsim.agents.search.BranchAndBound;
+import org.hificamsim.agents.search.Solver;
 
 /**
- * Finds the configuration with the best least expected coverage: of one view for each camera, the
+ * Finds the configuration with the best least expected coverage: of one row for each camera, the
  * greatest minimum over the targets of the sum of their chances.
  *
  * <p>For any weights of the targets that add up to 1, the sum over the cameras of their best
  * weighed row bounds every configuration's minimum from above (Lagrangian relaxation).
  * Multiplicative weights (Arora, Hazan and Kale, Theory of Computing 8, 2012) make the bound tight,
- * and local search makes a good configuration; depth-first search with that bound then proves the
- * best one, to {@value #TOLERANCE}. It ends after a number of nodes, unproven, with the bound that
- * it began with.
+ * and local search makes a good configuration; {@link BranchAndBound} with that bound, camera by
+ * camera, then proves the best one, to {@value #TOLERANCE}.
  */
-final class ExpectedSearch {
+final class ExpectedSolver implements Solver, BranchAndBound.Tree {
   static final double TOLERANCE = 1e-9;
 
   private static final int ROUNDS = 60;
@@ -28,45 +28,53 @@ final class ExpectedSearch {
   private final double[] bestWeights;
   private final int[] chosen;
   private final int[] best;
-  private final int[] next;
-  private final double[] rest;
+  private final int[] next; // row to try, by camera
+  private final double[] rest; // what this camera and those after it weigh at most
+  private final BranchAndBound search = new BranchAndBound();
+  private int depth;
+  private double weight;
+  private boolean proven;
   private double value;
   private double bound;
 
   /**
-   * @param maxNodes search nodes after which a step's proof is given up
+   * @param rows what each call of {@link #solve} reads
+   * @param maxNodes search nodes after which a call gives up the proof
    */
-  ExpectedSearch(OracleView network, long maxNodes) {
+  ExpectedSolver(ChanceRows rows, long maxNodes) {
+    this.rows = rows;
     this.maxNodes = maxNodes;
-    rows = new ChanceRows(network);
-    coverage = new double[network.targets()];
-    weights = new double[network.targets()];
-    bestWeights = new double[network.targets()];
-    chosen = new int[network.cameras()];
-    best = new int[network.cameras()];
-    next = new int[network.cameras()];
-    rest = new double[network.cameras() + 1];
+    coverage = new double[rows.maxTargets()];
+    weights = new double[rows.maxTargets()];
+    bestWeights = new double[rows.maxTargets()];
+    chosen = new int[rows.maxCameras()];
+    best = new int[rows.maxCameras()];
+    next = new int[rows.maxCameras()];
+    rest = new double[rows.maxCameras() + 1];
   }
 
-  /**
-   * Writes the best configuration into {@code views}; leaves them when no target is present.
-   *
-   * @return whether it is proven to be the best
-   */
-  boolean decide(OracleView network, int[] views) {
+  @Override
+  public void solve() {
     value = -1;
-    bound = 0;
-    if (!rows.fill(network)) {
-      return true;
-    }
     tuneWeights();
-    boolean proven = bound <= value + TOLERANCE || search();
+    proven = bound <= value + TOLERANCE || search();
     measure();
     bound = proven ? value : bound;
-    for (int camera = 0; camera < rows.cameras(); camera++) {
-      views[rows.camera(camera)] = rows.view(best[camera]);
-    }
+  }
+
+  @Override
+  public int chosen(int camera) {
+    return best[camera];
+  }
+
+  @Override
+  public boolean proven() {
     return proven;
+  }
+
+  @Override
+  public double gap() {
+    return Math.max(bound, 0) - Math.max(value, 0);
   }
 
   /** What was added and taken away again leaves its rounding: all is added once more. */
@@ -76,16 +84,6 @@ final class ExpectedSearch {
       rows.add(best[camera], 1, coverage);
     }
     value = least();
-  }
-
-  /** The least expected coverage of the last configuration. */
-  double value() {
-    return Math.max(value, 0);
-  }
-
-  /** What no configuration exceeds. */
-  double bound() {
-    return Math.max(bound, 0);
   }
 
   private void tuneWeights() {
@@ -185,43 +183,49 @@ final class ExpectedSearch {
     return least;
   }
 
-  /** Depth first over the cameras; returns whether all was searched. */
   private boolean search() {
-    int all = rows.cameras();
-    if (all == 0) {
-      return true;
-    }
-    rest[all] = 0;
-    for (int camera = all - 1; camera >= 0; camera--) {
+    rest[rows.cameras()] = 0;
+    for (int camera = rows.cameras() - 1; camera >= 0; camera--) {
       rest[camera] = rest[camera + 1] + rows.weigh(heaviest(camera, bestWeights), bestWeights);
     }
     Arrays.fill(coverage, 0);
-    double weight = 0;
-    int camera = 0;
-    next[0] = rows.first(0);
-    for (long nodes = 0; camera >= 0; nodes++) {
-      if (nodes > maxNodes) {
-        return false;
-      }
-      if (next[camera] > rows.first(camera)) { // one was tried here before
-        rows.add(next[camera] - 1, -1, coverage);
-        weight -= rows.weigh(next[camera] - 1, bestWeights);
-      }
-      if (next[camera] == rows.first(camera + 1)) {
-        camera--;
-        continue;
-      }
-      int row = next[camera]++;
-      chosen[camera] = row;
-      rows.add(row, 1, coverage);
-      weight += rows.weigh(row, bestWeights);
-      if (camera + 1 == all) {
-        keep(least());
-      } else if (weight + rest[camera + 1] > value + TOLERANCE) {
-        camera++;
-        next[camera] = rows.first(camera);
-      }
+    weight = 0;
+    begin(0);
+    search.reset();
+    return search.search(this, maxNodes);
+  }
+
+  private void begin(int camera) {
+    depth = camera;
+    if (depth < rows.cameras()) {
+      next[depth] = rows.first(depth);
     }
-    return true;
+  }
+
+  @Override
+  public int branch() {
+    if (depth == rows.cameras()) {
+      keep(least());
+      return NONE;
+    }
+    boolean arrives = depth > 0 && next[depth] == rows.first(depth);
+    boolean cut = arrives && weight + rest[depth] <= value + TOLERANCE;
+    return cut || next[depth] == rows.first(depth + 1) ? NONE : next[depth];
+  }
+
+  @Override
+  public void take(int row) {
+    chosen[depth] = row;
+    rows.add(row, 1, coverage);
+    weight += rows.weigh(row, bestWeights);
+    begin(depth + 1);
+  }
+
+  @Override
+  public void refuse(int row) {
+    depth--;
+    rows.add(row, -1, coverage);
+    weight -= rows.weigh(row, bestWeights);
+    next[depth]++;
   }
 }

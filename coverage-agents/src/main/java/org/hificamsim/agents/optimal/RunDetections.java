@@ -1,9 +1,10 @@
-package org.hificamsim.agents.hindsight;
+package org.hificamsim.agents.optimal;
 
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -16,7 +17,7 @@ import org.hificamsim.core.policy.NetworkView;
 final class RunDetections {
   private final List<BitSet[]> seen = new ArrayList<>();
   private int[] momentOf = {}; // by target, of the step that is added
-  private boolean[] coverable = {}; // likewise
+  private boolean[] coverable = {}; // by target
   private long[] masks = {};
   private int[] ends = new int[16];
   private int steps;
@@ -71,36 +72,27 @@ final class RunDetections {
     }
   }
 
-  int cameras() {
-    return seen.size();
-  }
-
-  int moments() {
-    return moments;
-  }
-
-  int views(int camera) {
-    return seen.get(camera).length;
-  }
-
-  /** The moments that a camera detects at a view. */
-  BitSet detected(int camera, int view) {
-    return seen.get(camera)[view];
-  }
-
-  /**
-   * The sum over the steps of their scores, the performance (Eq 7.2) by default; a step without
-   * targets adds 0. It falls with no k that rises.
-   *
-   * @param k by moment
-   */
-  double score(int[] k) {
-    double sum = 0;
-    int moment = 0;
-    for (int step = 0; step < steps; step++) {
-      sum += objective.score(k, moment, ends[step]);
-      moment = ends[step];
+  /** The moments that each camera has at each of its views, as a set for each view. */
+  CoverageProblem problem() {
+    int sets = seen.stream().mapToInt(views -> views.length).sum();
+    CoverageProblem problem = new CoverageProblem(seen.size(), sets, moments);
+    problem.clear(moments);
+    for (BitSet[] views : seen) {
+      problem.addCamera();
+      for (BitSet view : views) {
+        problem.addSet(Arrays.copyOf(view.toLongArray(), problem.words()), 0);
+      }
     }
-    return sum;
+    return problem;
+  }
+
+  /** For each step one more than the last of its moments. */
+  int[] ends() {
+    return Arrays.copyOf(ends, steps);
+  }
+
+  /** What the steps are scored by. */
+  Objective objective() {
+    return objective;
   }
 }

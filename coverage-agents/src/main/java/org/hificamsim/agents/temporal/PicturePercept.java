@@ -8,10 +8,10 @@ import org.hificamsim.core.policy.SeenTask;
  * angle, and, where depth counts, near or far: up to half the {@linkplain NetworkView#reach reach}
  * of its view, or farther.
  */
-final class Picture {
+final class PicturePercept {
   static final int THIRDS = 3;
 
-  private static final SeenTask<Picture> ADDING =
+  private static final SeenTask<PicturePercept> ADDING =
       (picture, target, distance, bearing) -> picture.add(distance, bearing);
 
   private final boolean depth;
@@ -19,7 +19,7 @@ final class Picture {
   private double third;
   private double near;
 
-  Picture(boolean depth) {
+  PicturePercept(boolean depth) {
     this.depth = depth;
   }
 

@@ -1,0 +1,79 @@
+package org.hificamsim.agents.optimal;
+
+import java.util.Arrays;
+import org.hificamsim.agents.search.Solver;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * A policy that finds the best configuration of each step where targets are, exactly, and counts
+ * where it gave up the proof. With no target present the views stay.
+ */
+abstract class AbstractExactZoomPolicy implements ZoomPolicy {
+  /** By default; more than steps of some hundred cameras need, and seconds of search. */
+  static final int DEFAULT_NODES = 1_000_000;
+
+  /** No set has been chosen. */
+  static final int NONE = -1;
+
+  private ConfigurationSets sets;
+  private Solver solver;
+  private int[] chosen = {};
+  private long unprovenSteps;
+  private double gap;
+
+  /** The option {@code nodes}: how long the proof of a step may take. */
+  static int nodes(Options options, int byDefault) {
+    return options.integer(
+        "nodes",
+        byDefault,
+        0,
+        Integer.MAX_VALUE,
+        "search nodes of a step before the best configuration found is taken, unproven");
+  }
+
+  /**
+   * Says what is searched; to be called before the first decision.
+   *
+   * @param newSets what the network makes of the solver's problem
+   */
+  final void search(NetworkView network, ConfigurationSets newSets, Solver newSolver) {
+    sets = newSets;
+    solver = newSolver;
+    chosen = new int[network.cameras()];
+    Arrays.fill(chosen, NONE);
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] views) {
+    if (!sets.fill(network)) {
+      return;
+    }
+    solver.solve();
+    unprovenSteps += solver.proven() ? 0 : 1;
+    gap += solver.gap();
+    int online = 0;
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      if (network.online(camera)) {
+        chosen[camera] = solver.chosen(online++);
+        views[camera] = sets.viewOf(chosen[camera]);
+      }
+    }
+  }
+
+  /** The set that a camera was given last; {@link #NONE} before the first. */
+  final int chosen(int camera) {
+    return chosen[camera];
+  }
+
+  /** The number of steps so far whose configuration is not proven to be the best. */
+  public final long unprovenSteps() {
+    return unprovenSteps;
+  }
+
+  /** What those steps' scores might gain at most, all steps together. */
+  public final double gap() {
+    return gap;
+  }
+}
