@@ -75,7 +75,7 @@ final class SummaryTable {
       if (metric.isPrinted()) {
         figure(metric.title(), metric, metric.format(), metric.note());
       }
-      if (metric == Metric.PERFORMANCE && !plan.objective().isKMin()) {
+      if (metric == Metric.PERFORMANCE && plan.objective().hasOwnFigure()) {
         figure("score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
       }
     }

@@ -77,11 +77,11 @@ public enum Metric {
   PERFORMANCE_BOUND(
       "cameras x steps",
       "of the same: what the performance could have been at most",
-      measured(run -> run.objective().isKMin() ? run.bound() : Double.NaN)),
+      measured(run -> run.objective().hasOwnFigure() ? Double.NaN : run.bound())),
   SCORE_BOUND(
       "that of `score`",
       "the same of the score, under another objective than `kmin`",
-      measured(run -> run.objective().isKMin() ? Double.NaN : run.bound())),
+      measured(run -> run.objective().hasOwnFigure() ? run.bound() : Double.NaN)),
   EXPECTED_PERFORMANCE(
       "cameras x steps",
       "[by chance](detection.md) alone, as all that are expected: before luck was drawn",

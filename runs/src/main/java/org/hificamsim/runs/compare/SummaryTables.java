@@ -89,7 +89,7 @@ public final class SummaryTables {
   /** The figures that say something of these cases. */
   private static List<Figure> shown(List<CaseResult> cases, Figure... figures) {
     List<Figure> shown = new ArrayList<>(Arrays.asList(figures));
-    if (cases.stream().allMatch(one -> one.plan().objective().isKMin())) {
+    if (cases.stream().noneMatch(one -> one.plan().objective().hasOwnFigure())) {
       shown.remove(SCORE);
     }
     if (cases.stream().allMatch(one -> Double.isNaN(one.runs().get(0).bestFixed()))) {
