@@ -93,7 +93,8 @@ final class TargetReader {
     if (!attributes.has(TargetSpec.WIDTH) && !attributes.has(TargetSpec.HEIGHT)) {
       return target;
     }
-    attributes.refuse(TargetSpec.SIZE, "none together with width and height, from which it follows");
+    attributes.refuse(
+        TargetSpec.SIZE, "none together with width and height, from which it follows");
     return target.withExtent(
         new Extent(attributes.require(TargetSpec.WIDTH), attributes.require(TargetSpec.HEIGHT)));
   }

@@ -25,8 +25,7 @@ record AttributeDoc(List<Property<?, ?>> attributes, String meaning, String othe
     List<AttributeDoc> all = new ArrayList<>();
     for (String line : element.doc().lines().skip(1).toList()) {
       List<String> names = List.of(line.substring(0, line.indexOf(':')).split(", "));
-      List<Property<?, ?>> its =
-          left.stream().filter(one -> names.contains(one.name())).toList();
+      List<Property<?, ?>> its = left.stream().filter(one -> names.contains(one.name())).toList();
       left.removeAll(its);
       String[] said = line.substring(line.indexOf(':') + 1).strip().split(" \\| ");
       if (!its.isEmpty()) {
@@ -34,7 +33,8 @@ record AttributeDoc(List<Property<?, ?>> attributes, String meaning, String othe
       }
     }
     if (!left.isEmpty()) {
-      throw new IllegalStateException("<" + element.name() + "> does not say what these are: " + left);
+      throw new IllegalStateException(
+          "<" + element.name() + "> does not say what these are: " + left);
     }
     return all;
   }

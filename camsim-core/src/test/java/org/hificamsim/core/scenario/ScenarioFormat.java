@@ -92,7 +92,9 @@ public final class ScenarioFormat {
             required ->
                 effective.stream()
                     .filter(row -> row.isRequired() == required)
-                    .map(row -> row.named() + (body.type() == null ? " (" + row.meaning() + ")" : ""))
+                    .map(
+                        row ->
+                            row.named() + (body.type() == null ? " (" + row.meaning() + ")" : ""))
                     .collect(Collectors.joining(", ")))
         .filter(names -> !names.isEmpty())
         .collect(Collectors.joining("; optional "));

@@ -13,32 +13,32 @@ import java.util.stream.Stream;
 final class ScenarioSchema {
   private static final String HEAD =
       """
-      <?xml version="1.0" encoding="UTF-8"?>
-      <!-- Written by 'gradle scenarioFormat' from what the reader declares. -->
-      <xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
-        <xs:annotation>
-          <xs:documentation>
-            Scenario files: CamSim's format, with the zoom list of the k-coverage study and HiFi-CamSim's optional attributes.
-            Lengths are in metres, time in steps. x grows to the east, y to the north; headings count clockwise from north.
-            What a schema of this kind cannot say, the program checks: min below max, cameras inside the field, rising zoom radii,
-            and which attributes go with which event. docs/scenario-format.md says it in full.
-          </xs:documentation>
-        </xs:annotation>
-        <xs:element name="root" type="root">
-          <xs:unique name="cameraNames">
-            <xs:selector xpath="simulation/cameras/camera"/>
-            <xs:field xpath="@name"/>
-          </xs:unique>
-          <xs:unique name="opticsNames">
-            <xs:selector xpath="simulation/cameras/optics"/>
-            <xs:field xpath="@name"/>
-          </xs:unique>
-          <xs:unique name="objectFeatures">
-            <xs:selector xpath="simulation/objects/object | simulation/objects/object_with_waypoints"/>
-            <xs:field xpath="@features"/>
-          </xs:unique>
-        </xs:element>
-      """;
+<?xml version="1.0" encoding="UTF-8"?>
+<!-- Written by 'gradle scenarioFormat' from what the reader declares. -->
+<xs:schema xmlns:xs="http://www.w3.org/2001/XMLSchema">
+  <xs:annotation>
+    <xs:documentation>
+      Scenario files: CamSim's format, with the zoom list of the k-coverage study and HiFi-CamSim's optional attributes.
+      Lengths are in metres, time in steps. x grows to the east, y to the north; headings count clockwise from north.
+      What a schema of this kind cannot say, the program checks: min below max, cameras inside the field, rising zoom radii,
+      and which attributes go with which event. docs/scenario-format.md says it in full.
+    </xs:documentation>
+  </xs:annotation>
+  <xs:element name="root" type="root">
+    <xs:unique name="cameraNames">
+      <xs:selector xpath="simulation/cameras/camera"/>
+      <xs:field xpath="@name"/>
+    </xs:unique>
+    <xs:unique name="opticsNames">
+      <xs:selector xpath="simulation/cameras/optics"/>
+      <xs:field xpath="@name"/>
+    </xs:unique>
+    <xs:unique name="objectFeatures">
+      <xs:selector xpath="simulation/objects/object | simulation/objects/object_with_waypoints"/>
+      <xs:field xpath="@features"/>
+    </xs:unique>
+  </xs:element>
+""";
 
   private static final Pattern GROUP = Pattern.compile("\\((.*)\\)([?*+]?)");
   private static final Pattern LIST = Pattern.compile("\\[(.*)](.*)");
@@ -118,7 +118,10 @@ final class ScenarioSchema {
       for (AttributeDoc row : AttributeDoc.all(kind.body())) {
         for (Property<?, ?> attribute : row.attributes()) {
           byName.computeIfAbsent(attribute.name(), any -> new ArrayList<>()).add(attribute);
-          meanings.merge(attribute.name(), kind.participant() + " " + kind.happening() + ": " + row.meaning(), (one, other) -> one + ". " + other);
+          meanings.merge(
+              attribute.name(),
+              kind.participant() + " " + kind.happening() + ": " + row.meaning(),
+              (one, other) -> one + ". " + other);
         }
       }
     }
@@ -128,7 +131,10 @@ final class ScenarioSchema {
                 name,
                 false,
                 meanings.get(name),
-                all.stream().map(one -> one.type().schema()).distinct().collect(Collectors.joining(" | "))));
+                all.stream()
+                    .map(one -> one.type().schema())
+                    .distinct()
+                    .collect(Collectors.joining(" | "))));
   }
 
   private void attributes(AttributeDoc row, boolean required) {
@@ -181,7 +187,11 @@ final class ScenarioSchema {
     String text = markdown.replaceAll("\\[(.*?)]\\(.*?\\)", "$1").replaceAll("[`*]", "");
     in(
         "annotation",
-        () -> line("<xs:documentation>" + escaped(text.replace("(ours)", "(HiFi-CamSim only)")) + "</xs:documentation>"));
+        () ->
+            line(
+                "<xs:documentation>"
+                    + escaped(text.replace("(ours)", "(HiFi-CamSim only)"))
+                    + "</xs:documentation>"));
   }
 
   private static String escaped(String text) {

@@ -63,7 +63,9 @@ class ScenarioWriterTest {
     String both = file.replace("order=", "detect=\"chance\" threshold=\"0.4\" order=");
     fault = assertThrows(InputException.class, () -> read(both));
     assertTrue(
-        fault.getMessage().endsWith("threshold is '0.4', expected none together with detect=\"chance\""),
+        fault
+            .getMessage()
+            .endsWith("threshold is '0.4', expected none together with detect=\"chance\""),
         fault.getMessage());
   }
 

@@ -68,8 +68,7 @@ public record Frame(
   /** The same without what the agents know. */
   public Frame withoutEstimates() {
     double[][] none = {};
-    return new Frame(
-        step, online, level, detected, present, x, y, coverage, none, none, seeing);
+    return new Frame(step, online, level, detected, present, x, y, coverage, none, none, seeing);
   }
 
   /** The view through which a camera sees; -1 while it moves blindly. */

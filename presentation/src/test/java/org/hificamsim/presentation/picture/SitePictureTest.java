@@ -152,9 +152,7 @@ class SitePictureTest {
             visible);
     return Hall.setup(
         List.of(new CameraSetup("cam", pose)),
-        List.of(
-            new TargetSetup("a", 0.5),
-            new TargetSetup("b", 0.5)),
+        List.of(new TargetSetup("a", 0.5), new TargetSetup("b", 0.5)),
         List.of(0.5, 2.0),
         List.of(0),
         obstacles,
@@ -167,8 +165,7 @@ class SitePictureTest {
 
   private static RunFrames frames(Setup setup, int seeing, Look look, boolean present) {
     Frame frame =
-        Hall.frame(
-            0, new int[] {seeing}, present, new double[] {13, 20}, new double[] {2, 2});
+        Hall.frame(0, new int[] {seeing}, present, new double[] {13, 20}, new double[] {2, 2});
     return new RunFrames(setup, new RecordedRun(0, 0, 1, 1, "", List.of(), List.of(frame)), look);
   }
 

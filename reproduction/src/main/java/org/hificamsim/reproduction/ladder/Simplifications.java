@@ -35,7 +35,7 @@ final class Simplifications {
   /** Moves are done at once. */
   static Scenario time(Scenario scenario) {
     return named("pan", scenario, walls(scenario))
-        .withCameras(camera -> through(camera, Taken::atOnce));
+        .withCameras(camera -> through(camera, Simplifications::atOnce));
   }
 
   /** Cameras look where they are mounted to. */
