@@ -100,7 +100,7 @@ public final class LevelSight {
   /** Whether a point is within the opening angle; CamSim compares angles, not their cosines. */
   public boolean isInAngle(Pose camera, double x, double y) {
     if (allRound || !asInCamSim) {
-      return allRound || camera.isInCone(cosine, x, y);
+      return allRound || camera.isInSector(cosine, x, y);
     }
     double its = camera.cosine(x, y);
     return Math.abs(its - cosine) < MARGIN
