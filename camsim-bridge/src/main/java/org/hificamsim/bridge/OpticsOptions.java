@@ -4,7 +4,10 @@ import static org.hificamsim.bridge.NumberOption.requireFor;
 
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
@@ -12,8 +15,6 @@ import org.hificamsim.core.scenario.OpticsSpec;
 /** The options that give every camera a lens, and let it turn. */
 final class OpticsOptions {
   private static final String NAME = "bridge";
-  private static final double WIDEST_PINHOLE = 179; // at 180 a picture has no end
-  private static final double HALF_TURN = 180;
   private static final double FULL_TURN = 360;
   private static final int MAX_PIXELS = 100_000;
   private static final int MAX_VIEWS = 10_000;
@@ -29,12 +30,6 @@ final class OpticsOptions {
     law = Optional.ofNullable(given.text("law", null, "what ties angle and reach"));
     pan = Optional.ofNullable(given.text("pan", null, "pan angles, degrees"));
     pixels = Optional.ofNullable(given.text("pixels", null, "width of the picture"));
-  }
-
-  /** The words of {@code law}. */
-  private enum Lens {
-    PINHOLE,
-    CONSTANT_AREA
   }
 
   /**
@@ -57,8 +52,7 @@ final class OpticsOptions {
   }
 
   private OpticsSpec optics(String angles) {
-    OpticsLaw used = OpticsLaw.valueOf(law.map(OpticsOptions::lens).orElse(Lens.PINHOLE).name());
-    double widest = used == OpticsLaw.PINHOLE ? WIDEST_PINHOLE : HALF_TURN;
+    OpticsLaw used = law.map(OpticsOptions::lens).orElse(OpticsLaw.PINHOLE);
     return new OpticsSpec(NAME)
         .with(OpticsSpec.LAW, used)
         .with(
@@ -67,12 +61,29 @@ final class OpticsOptions {
         .with(
             OpticsSpec.ANGLES_OF_VIEW,
             NumberOption.rising(
-                "hfov", angles, Double.MIN_VALUE, widest, "angles", "8;15;25;40;58"))
+                "hfov",
+                angles,
+                Double.MIN_VALUE,
+                Math.floor(used.widest()),
+                "angles",
+                "8;15;25;40;58"))
         .with(OpticsSpec.PANS, pan.map(OpticsOptions::pans).orElse(List.of(0.0)));
   }
 
-  private static Lens lens(String law) {
-    return Options.parse("options", "law=" + law).choice("law", Lens.PINHOLE, "law");
+  private static OpticsLaw lens(String law) {
+    return Spelling.find(OpticsLaw.class, law)
+        .filter(OpticsLaw::hasAngles)
+        .orElseThrow(
+            () ->
+                new InputException(
+                    "options: law is '%s', expected one of %s".formatted(law, lenses())));
+  }
+
+  private static String lenses() {
+    return Stream.of(OpticsLaw.values())
+        .filter(OpticsLaw::hasAngles)
+        .map(Spelling::of)
+        .collect(Collectors.joining(", "));
   }
 
   private static List<Double> pans(String text) {

@@ -154,7 +154,7 @@ class BridgeOptionsTest {
             "options: hfov is '400', expected a number above 0 and at most 180"),
         arguments(
             "policy=random,hfov=25,law=round",
-            "options: law is 'round', expected one of pinhole, constant-area"),
+            "options: law is 'round', expected one of constant-area, pinhole"),
         arguments(
             "policy=random,hfov=25,pan=0;-60",
             "pan has '-60' after 0.0, expected rising angles, each once, such as -60;0;60"),

@@ -3,7 +3,6 @@ package org.hificamsim.network;
 import java.util.Optional;
 import org.hificamsim.core.scenario.AgentCheck.Fault;
 import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.Named;
@@ -56,7 +55,7 @@ final class RoleReader {
       throw fault.in(
           "zoom", "none, or no --policy, where the schedule is BanditZoom, which sets ranges");
     }
-    if (optics.filter(used -> used.law() != OpticsLaw.ROUND).isPresent()) {
+    if (optics.filter(used -> used.law().hasAngles()).isPresent()) {
       throw fault.in(
           "optics", "none, or law=\"round\", where the schedule is BanditZoom, which sets ranges");
     }

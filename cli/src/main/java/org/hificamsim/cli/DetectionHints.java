@@ -6,7 +6,6 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.ModelLens;
@@ -53,7 +52,7 @@ final class DetectionHints {
 
   private static boolean hasNoReach(CameraSpec camera) {
     return camera.optics().stream()
-        .anyMatch(optics -> optics.law() == OpticsLaw.PINHOLE && optics.reach().isEmpty());
+        .anyMatch(optics -> optics.law().hasAngles() && optics.reach().isEmpty());
   }
 
   private static boolean isLarge(Reach one) {

@@ -43,18 +43,17 @@ public final class ChanceTable {
    *
    * @param distance to it, metres; within the radius
    * @param luck in [0, 1)
+   * @param transmittance the part of the chance that what is in between lets through, in [0, 1]
    */
-  public boolean detects(double distance, double luck) {
+  public boolean detects(double distance, double luck, double transmittance) {
+    if (transmittance < 1) {
+      return luck < transmittance * inFull(distance);
+    }
     int bin = chances.bin(distance);
     if (luck < least[bin]) {
       return true;
     }
     return luck < greatest[bin] && luck < inFull(distance);
-  }
-
-  /** The same where something in between lets only a part of the chance through. */
-  public boolean detects(double distance, double luck, double transmittance) {
-    return transmittance == 1 ? detects(distance, luck) : luck < transmittance * inFull(distance);
   }
 
   /**

@@ -114,18 +114,11 @@ public final class Detection {
   }
 
   /**
-   * Whether a target with this value is detected; one whose value is NaN never is.
+   * Whether a target with this value is detected; one whose value is NaN never is. Where something
+   * is in between, a threshold takes as much of the value as gets through, chance as much of the
+   * chance.
    *
    * @param luck in [0, 1), drawn for the pair of camera and target; without effect by a threshold
-   */
-  public boolean detects(double value, double luck) {
-    return certain ? value >= threshold : luck < chance(value);
-  }
-
-  /**
-   * The same where something is in between: a threshold takes as much of the value as gets through,
-   * chance as much of the chance.
-   *
    * @param transmittance how much gets through, in [0, 1]
    */
   public boolean detects(double value, double luck, double transmittance) {

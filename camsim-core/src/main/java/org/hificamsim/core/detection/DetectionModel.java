@@ -33,9 +33,8 @@ public interface DetectionModel {
   }
 
   /**
-   * Whether {@link #confidence} depends on {@code offAxis}; such a model is called in full. It may
-   * be asked at the two ends of a bracket of 6e-8 radians around the angle, and is taken to decide
-   * the same in between where it decides alike at both.
+   * Whether {@link #confidence} depends on {@code offAxis}; such a model is asked for each target
+   * in view.
    */
   default boolean dependsOnBearing() {
     return false;

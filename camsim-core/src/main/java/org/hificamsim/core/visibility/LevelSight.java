@@ -21,6 +21,9 @@ public final class LevelSight {
   /** A cosine nearer to 0 is one of an angle between 0 and pi: rounding takes less than 1e-14. */
   private static final double BETWEEN = 1 - 1e-9;
 
+  /** Far more than what rounding does to a cosine. */
+  private static final double MARGIN = 1e-9;
+
   private final Detection detection;
   private final DetectionModel model;
   private final ZoomLevel zoom;
@@ -94,14 +97,20 @@ public final class LevelSight {
     return single ? squared <= farthest : distances.contains(squared);
   }
 
-  /** Whether a point is within the opening angle. */
+  /** Whether a point is within the opening angle; CamSim compares angles, not their cosines. */
   public boolean isInAngle(Pose camera, double x, double y) {
-    if (allRound) {
-      return true;
+    if (allRound || !asInCamSim) {
+      return allRound || camera.isInSector(cosine, x, y);
     }
-    return asInCamSim
+    double its = camera.cosine(x, y);
+    return Math.abs(its - cosine) < MARGIN
         ? camera.offAxis(x, y) < zoom.viewingAngle() / 2
-        : camera.isInCone(cosine, x, y);
+        : its > cosine && its <= 1;
+  }
+
+  /** Whether a target is in reach and angle, where it may be detected. */
+  public boolean isInView(Pose camera, double x, double y) {
+    return isInReach(camera.squaredDistance(x, y)) && isInAngle(camera, x, y);
   }
 
   /**
@@ -121,14 +130,6 @@ public final class LevelSight {
         : chances.detects(Math.sqrt(squared), luck, transmittance);
   }
 
-  /** Whether a camera detects a target; see {@link #detectsInView}. */
-  public boolean detects(Pose camera, double x, double y, double luck, double transmittance) {
-    double squared = camera.squaredDistance(x, y);
-    return isInReach(squared)
-        && isInAngle(camera, x, y)
-        && detectsInView(camera, x, y, squared, luck, transmittance);
-  }
-
   /**
    * How sure a camera is of a target: what the model reports for its value; 0 where it does not
    * detect it.
@@ -137,10 +138,16 @@ public final class LevelSight {
    * @param transmittance how much of the target gets through what is in between, in [0, 1]
    */
   public double confidence(Pose camera, double x, double y, double luck, double transmittance) {
-    if (!detects(camera, x, y, luck, transmittance)) {
+    return isInView(camera, x, y) ? confidenceInView(camera, x, y, luck, transmittance) : 0;
+  }
+
+  /** The same for a target that is in view, which is not tested. */
+  public double confidenceInView(
+      Pose camera, double x, double y, double luck, double transmittance) {
+    double value = valueInView(camera, x, y);
+    if (!detection.detects(value, luck, transmittance)) {
       return 0;
     }
-    double value = valueInView(camera, x, y);
     return certain
         ? model.reported(value * transmittance)
         : Math.max(model.reported(value), Double.MIN_VALUE);
@@ -148,12 +155,12 @@ public final class LevelSight {
 
   /** The chance that a camera detects a target, in [0, 1]; 1 or 0 by a threshold. */
   public double chance(Pose camera, double x, double y, double transmittance) {
-    if (certain) {
-      return detects(camera, x, y, 0, transmittance) ? 1 : 0;
+    if (!isInView(camera, x, y)) {
+      return 0;
     }
     double squared = camera.squaredDistance(x, y);
-    if (!isInReach(squared) || !isInAngle(camera, x, y)) {
-      return 0;
+    if (certain) {
+      return detectsInView(camera, x, y, squared, 0, transmittance) ? 1 : 0;
     }
     if (chances != null) {
       return transmittance * chances.chance(Math.sqrt(squared));

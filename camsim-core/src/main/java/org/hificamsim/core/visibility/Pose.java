@@ -32,13 +32,12 @@ public record Pose(double x, double y, double heading, double headingX, double h
     return Math.sqrt(squaredDistance(atX, atY));
   }
 
-  /** Whether a point is in the sector of this opening angle, radians, or on its border. */
-  public boolean isInSector(double angle, double atX, double atY) {
-    return isInCone(Math.cos(angle / 2), atX, atY);
-  }
-
-  /** The same, from the cosine of half the angle. */
-  public boolean isInCone(double cosine, double atX, double atY) {
+  /**
+   * Whether a point is in a sector around the heading, or on its border.
+   *
+   * @param cosine of half the sector's angle
+   */
+  boolean isInSector(double cosine, double atX, double atY) {
     return along(atX, atY) >= cosine * distance(atX, atY);
   }
 
@@ -62,6 +61,6 @@ public record Pose(double x, double y, double heading, double headingX, double h
    * own position, or where rounding takes the cosine past 1.
    */
   public double offAxis(double atX, double atY) {
-    return ArcCosine.of(cosine(atX, atY));
+    return StrictMath.acos(cosine(atX, atY));
   }
 }

@@ -5,7 +5,6 @@ import java.util.Collections;
 import java.util.List;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.Moving;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 
 /**
@@ -39,17 +38,14 @@ public record ViewSet(
   /**
    * The views of a camera with a lens, which has a zoom level for each of its angles of view.
    *
-   * @param optics of any law but {@link OpticsLaw#ROUND}
+   * @param optics of a law that has angles of view
    * @param ownReach the camera's reach where its optics say none, metres
    * @param mountHeight metres; NaN where it is not known
    */
   public static ViewSet ofLens(OpticsSpec optics, double ownReach, double mountHeight) {
     double reach = optics.reach().orElse(ownReach);
     List<Double> angles = optics.anglesOfView();
-    List<Double> radii =
-        optics.law() == OpticsLaw.CONSTANT_AREA
-            ? angles.stream().map(angle -> reach * Math.sqrt(angles.get(0) / angle)).toList()
-            : Collections.nCopies(angles.size(), reach);
+    List<Double> radii = optics.law().radii(angles, reach);
     double least = Collections.min(radii);
     double most = Collections.max(radii);
     int pixels = optics.pixels().orElse(0);

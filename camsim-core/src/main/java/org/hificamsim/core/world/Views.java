@@ -7,7 +7,6 @@ import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
-import org.hificamsim.core.scenario.OpticsLaw;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.visibility.Pose;
@@ -73,12 +72,12 @@ final class Views {
 
   /** A lens without a reach of its own has the whole field in reach. */
   private ViewSet make(Kind kind, OpticsSpec optics) {
-    return optics.law() == OpticsLaw.ROUND
-        ? ViewSet.of(optics, round(kind, optics.pixels().orElse(0)))
-        : ViewSet.ofLens(
+    return optics.law().hasAngles()
+        ? ViewSet.ofLens(
             optics,
             Math.hypot(scenario.field().width(), scenario.field().height()),
-            scenario.mountHeight().orElse(Double.NaN));
+            scenario.mountHeight().orElse(Double.NaN))
+        : ViewSet.of(optics, round(kind, optics.pixels().orElse(0)));
   }
 
   private List<ZoomLevel> round(Kind kind, int pixels) {

@@ -87,7 +87,7 @@ class DetectionRuleTest {
     assertEquals(0.01, detection.chance(0.2), 1e-12);
     assertEquals(0.5, detection.chance(detection.threshold()), 1e-15);
     assertEquals(0.8413447460685429, detection.chance(detection.threshold() + 0.1), 1e-12);
-    assertFalse(detection.detects(Double.NaN, 0));
+    assertFalse(detection.detects(Double.NaN, 0, 1));
   }
 
   @Test
@@ -97,8 +97,8 @@ class DetectionRuleTest {
     assertEquals(0.3, detection.chance(0.3));
     assertEquals(1, detection.chance(1.2));
     assertEquals(0, detection.chance(-0.2));
-    assertTrue(detection.detects(0.3, 0.2999));
-    assertFalse(detection.detects(0.3, 0.3));
+    assertTrue(detection.detects(0.3, 0.2999, 1));
+    assertFalse(detection.detects(0.3, 0.3, 1));
   }
 
   /** A jump at 3 m, where no cubic is close. */
@@ -140,8 +140,8 @@ class DetectionRuleTest {
     for (int i = 0; i < 200_000; i++) {
       double distance = 8.0 * (i % 997) / 996;
       double luck = (i * 0.6180339887498949) % 1;
-      boolean expected = detection.detects(1 - distance / 10, luck);
-      assertEquals(expected, table.detects(distance, luck), distance + " " + luck);
+      boolean expected = detection.detects(1 - distance / 10, luck, 1);
+      assertEquals(expected, table.detects(distance, luck, 1), distance + " " + luck);
       detected += expected ? 1 : 0;
     }
     assertTrue(detected > 50_000 && detected < 150_000, detected + " detected");

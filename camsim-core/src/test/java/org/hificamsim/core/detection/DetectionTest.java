@@ -38,8 +38,8 @@ class DetectionTest {
     assertEquals(0, detection.rule().phantoms());
     assertEquals(1, detection.chance(0.5));
     assertEquals(0, detection.chance(0.4999));
-    assertTrue(detection.detects(0.5, 0.99));
-    assertFalse(detection.detects(0.4999, 0));
+    assertTrue(detection.detects(0.5, 0.99, 1));
+    assertFalse(detection.detects(0.4999, 0, 1));
   }
 
   @Test

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
+import java.util.Random;
 import net.jqwik.api.Assume;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
@@ -270,6 +271,24 @@ class VisibilityTest {
     assertEquals(5, byBearing.at(zoom(360, 5), 1).reach(), 1e-6);
     assertTrue(Visibility.roundedUp(0) > 0);
     assertTrue(Visibility.roundedUp(1e-100) > 1e-100);
+  }
+
+  /** Points on a lattice are often on a border. */
+  @Test
+  void camSimsAngleIsDecidedAsByItsArcCosine() {
+    Random random = new Random(5);
+    int inside = 0;
+    for (int i = 0; i < 100_000; i++) {
+      Pose camera = Pose.of(random.nextInt(5), random.nextInt(5), random.nextInt(8) * Math.PI / 4);
+      ZoomLevel zoom = zoom(random.nextInt(1, 8) * 45, 20);
+      boolean lattice = random.nextBoolean();
+      double x = lattice ? random.nextInt(-4, 9) : random.nextDouble() * 13 - 4;
+      double y = lattice ? random.nextInt(-4, 9) : random.nextDouble() * 13 - 4;
+      boolean isInside = camera.offAxis(x, y) < zoom.viewingAngle() / 2;
+      assertEquals(isInside, isInAngle(CAMSIMS, camera, zoom, x, y));
+      inside += isInside ? 1 : 0;
+    }
+    assertTrue(inside > 30_000 && inside < 70_000, inside + " inside");
   }
 
   @Test

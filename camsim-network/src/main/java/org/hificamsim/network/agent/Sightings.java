@@ -3,6 +3,7 @@ package org.hificamsim.network.agent;
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.space.PointGrid;
+import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
@@ -23,8 +24,6 @@ public final class Sightings {
   private final double[][] confidence; // by camera and target
   private final int[][] visible; // by camera, in order
   private final int[] visibleCount;
-  private final Outside[] outsides;
-  private final int[] near;
   private final int[] seen;
   private final boolean[] kept;
 
@@ -39,9 +38,6 @@ public final class Sightings {
     visible = new int[cameras.count()][targets.count()];
     visibleCount = new int[cameras.count()];
     kept = new boolean[targets.count()];
-    outsides = new Outside[cameras.count()];
-    Arrays.setAll(outsides, camera -> new Outside());
-    near = new int[targets.count()];
     seen = new int[targets.count()];
   }
 
@@ -97,7 +93,6 @@ public final class Sightings {
 
   /** Finds the targets that a camera sees; returns how many. */
   private int find(long step, int camera, Pose pose, ZoomLevel zoom) {
-    outsides[camera].of(pose, zoom);
     if (places.cells() == 1) {
       return find(step, camera, pose, zoom, 0, places.count(), 0);
     }
@@ -116,27 +111,25 @@ public final class Sightings {
 
   private int find(
       long step, int camera, Pose pose, ZoomLevel zoom, int start, int end, int before) {
-    int others = outsides[camera].findOthers(places, start, end, near);
+    LevelSight sight = null;
+    double size = Double.NaN;
     int count = before;
-    for (int i = 0; i < others; i++) {
-      int target = places.point(near[i]);
-      double sure = confidence(step, camera, pose, zoom, target);
-      confidence[camera][target] = sure;
-      seen[count] = target;
-      count += sure > 0 ? 1 : 0;
+    for (int i = start; i < end; i++) {
+      int target = places.point(i);
+      if (targets.size(target) != size) {
+        size = targets.size(target);
+        sight = visibility.at(zoom, size);
+      }
+      if (sight.isInView(pose, places.x(i), places.y(i))) {
+        double luck = visibility.luck(step, camera, target);
+        double transmittance = lines.transmittance(camera, target);
+        double sure = sight.confidenceInView(pose, places.x(i), places.y(i), luck, transmittance);
+        confidence[camera][target] = sure;
+        seen[count] = target;
+        count += sure > 0 ? 1 : 0;
+      }
     }
     return count;
-  }
-
-  private double confidence(long step, int camera, Pose pose, ZoomLevel zoom, int target) {
-    return visibility
-        .at(zoom, targets.size(target))
-        .confidence(
-            pose,
-            targets.x(target),
-            targets.y(target),
-            visibility.luck(step, camera, target),
-            lines.transmittance(camera, target));
   }
 
   /** What a camera saw counts no longer; what is not there stays as it was. */

@@ -26,7 +26,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Chances from a table, asked in full, by a grid or by threads: the same detections. */
-class ChanceSightTest {
+class SightByChanceTest {
   /** Falls with distance, in waves where there are any. */
   private record Waves(double waves, boolean dependsOnBearing) implements DetectionModel {
     @Override
