@@ -22,9 +22,7 @@ final class DetectionSets implements ConfigurationSets {
   private final long[] masks;
   private final int[] order;
   private final int[] sizes;
-  private final int[] viewOfRow;
   private int targets;
-  private boolean everyTarget;
   private int words;
 
   DetectionSets(NetworkView network, CandidateViews candidates, Preference preference) {
@@ -44,7 +42,6 @@ final class DetectionSets implements ConfigurationSets {
     masks = new long[most * allWords];
     order = new int[most];
     sizes = new int[most];
-    viewOfRow = new int[most];
   }
 
   /** The problem that {@link #fill} fills. */
@@ -81,7 +78,6 @@ final class DetectionSets implements ConfigurationSets {
         placeOf[target] = targets++;
       }
     }
-    everyTarget = targets == network.targets();
   }
 
   private void add(NetworkView network, int camera) {
@@ -93,37 +89,25 @@ final class DetectionSets implements ConfigurationSets {
     }
     for (int i = 0; i < count; i++) {
       if (!problem.lastCameraHas(masks, order[i] * words)) {
-        addSet(order[i]);
+        viewOf[problem.sets()] = candidates.view(camera, order[i]);
+        problem.addSet(masks, order[i] * words);
       }
     }
   }
 
-  private void addSet(int row) {
-    viewOf[problem.sets()] = viewOfRow[row];
-    problem.addSet(masks, row * words);
-  }
-
-  /** Copies what a camera sees as one of its candidates, by target, into a row, by target present. */
+  /** Copies what a camera sees as a candidate, by target, into its row, by target present. */
   private void look(int camera, int row) {
-    viewOfRow[row] = candidates.view(camera, row);
-    int from = viewOfRow[row] * allWords;
+    int from = candidates.view(camera, row) * allWords;
     int to = row * words;
-    if (everyTarget) {
-      System.arraycopy(seen, from, masks, to, words);
-    } else {
-      Arrays.fill(masks, to, to + words, 0);
-      for (int word = 0; word < allWords; word++) {
-        for (long bits = seen[from + word]; bits != 0; bits &= bits - 1) {
-          int at = placeOf[(word << 6) + Long.numberOfTrailingZeros(bits)];
-          masks[to + (at >> 6)] |= 1L << at;
-        }
+    Arrays.fill(masks, to, to + words, 0);
+    sizes[row] = 0;
+    for (int word = 0; word < allWords; word++) {
+      sizes[row] += Long.bitCount(seen[from + word]);
+      for (long bits = seen[from + word]; bits != 0; bits &= bits - 1) {
+        int at = placeOf[(word << 6) + Long.numberOfTrailingZeros(bits)];
+        masks[to + (at >> 6)] |= 1L << at;
       }
     }
-    int size = 0;
-    for (int word = to; word < to + words; word++) {
-      size += Long.bitCount(masks[word]);
-    }
-    sizes[row] = size;
   }
 
   /** Inserts a row into the order of preference; the candidates come in order of width. */
