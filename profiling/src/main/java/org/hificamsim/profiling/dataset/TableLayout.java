@@ -22,6 +22,11 @@ public final class TableLayout<R> {
     return this;
   }
 
+  /** A text as a cell that reads back from a table between commas or semicolons. */
+  public static String quoted(String text) {
+    return text.matches("[^,;\"\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
+  }
+
   /** The names of the columns. */
   public List<String> names() {
     return names;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.hificamsim.profiling.dataset.CsvRows;
+import org.hificamsim.profiling.dataset.TableLayout;
 
 /**
  * The columns of a table of measurements.
@@ -37,8 +37,8 @@ record Columns(PipReading pip, List<String> detectors) {
     List<String> cells =
         new ArrayList<>(
             List.of(
-                CsvRows.quoted(row.image()),
-                CsvRows.quoted(row.object()),
+                TableLayout.quoted(row.image()),
+                TableLayout.quoted(row.object()),
                 String.valueOf(row.size()),
                 String.valueOf(row.distance()),
                 String.valueOf(row.focalLength()),

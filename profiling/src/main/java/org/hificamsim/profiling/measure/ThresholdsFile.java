@@ -7,7 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.profiling.dataset.CsvRows;
+import org.hificamsim.data.CsvReader;
 
 /** The table {@code thresholds.csv}: from which confidence on each detector detects. */
 public final class ThresholdsFile {
@@ -33,13 +33,13 @@ public final class ThresholdsFile {
     Path file = folder.resolve(NAME);
     Map<String, Double> thresholds = new LinkedHashMap<>();
     if (Files.exists(file)) {
-      CsvRows.read(file, COLUMNS)
+      CsvReader.open(file, "a table of thresholds").all(COLUMNS)
           .rows()
           .forEach(
               row ->
                   thresholds.put(
-                      row.get("detector").text(),
-                      row.get("threshold").number("threshold", 0, 1, "a confidence from 0 to 1")));
+                      row.text("detector"),
+                      row.number("threshold", 0, 1, "a confidence from 0 to 1")));
     }
     return thresholds;
   }

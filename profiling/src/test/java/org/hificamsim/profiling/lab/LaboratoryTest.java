@@ -16,7 +16,7 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
-import org.hificamsim.profiling.dataset.CsvRows;
+import org.hificamsim.data.CsvReader;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
@@ -136,8 +136,8 @@ class LaboratoryTest {
   }
 
   private static List<Double> column(Dataset photos, String name) {
-    return CsvRows.read(photos.folder().resolve(Dataset.TABLE), List.of(name)).rows().stream()
-        .map(row -> Double.valueOf(row.get(name).text()))
+    return CsvReader.open(photos.folder().resolve(Dataset.TABLE), "photos").all(List.of(name)).rows().stream()
+        .map(row -> Double.valueOf(row.text(name)))
         .toList();
   }
 
