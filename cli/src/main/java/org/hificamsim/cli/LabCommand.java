@@ -122,7 +122,7 @@ final class LabCommand implements Callable<Integer> {
       throw new InputException("--out '" + out + "' is a file, expected a folder");
     }
     Laboratory laboratory = new Laboratory(settings);
-    Laboratory.Outcome outcome;
+    Laboratory.PhotoCount outcome;
     try (Progress progress = screen.progress("", " photos", laboratory.shots())) {
       outcome = laboratory.render(out, count, progress::advance);
     }

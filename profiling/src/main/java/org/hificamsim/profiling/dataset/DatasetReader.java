@@ -19,7 +19,7 @@ public final class DatasetReader {
   private static final List<String> COLUMNS =
       Stream.concat(
               Stream.of("image", "object", "size_m", "distance_m", "focal_length_m"),
-              SampleReader.PATCH.stream())
+              LabelledPhotoReader.PATCH.stream())
           .toList();
   private static final List<String> ENDINGS = List.of(".png", ".jpg", ".jpeg");
 
@@ -60,12 +60,12 @@ public final class DatasetReader {
     if (table.rows().isEmpty()) {
       throw new InputException(table.file() + ":2:1: no rows, expected one for each picture");
     }
-    List<Sample> samples = new ArrayList<>();
+    List<LabelledPhoto> samples = new ArrayList<>();
     Map<String, Path> templates = new LinkedHashMap<>();
     Map<String, Integer> lines = new LinkedHashMap<>();
     for (CsvRow row : table.rows()) {
       checkOnce(row, lines);
-      new SampleReader(folder, camera, coco, row, problems).read().ifPresent(samples::add);
+      new LabelledPhotoReader(folder, camera, coco, row, problems).read().ifPresent(samples::add);
       addTemplate(row, templates);
     }
     List<Path> negatives = new Negatives(folder.resolve(Dataset.NEGATIVES), camera).read(problems);

@@ -21,7 +21,7 @@ import org.opencv.imgproc.Imgproc;
  * {@link OnnxBoxes}.
  */
 final class OnnxDetector implements BoxDetector {
-  private static final Appetite NEEDS = new Appetite(10, 0);
+  private static final MemoryNeed NEEDS = new MemoryNeed(10, 0);
   private static final double GREY = 114;
 
   private final OnnxOptions options;
@@ -37,7 +37,7 @@ final class OnnxDetector implements BoxDetector {
   }
 
   @Override
-  public Appetite appetite() {
+  public MemoryNeed memoryNeed() {
     return NEEDS;
   }
 

@@ -37,7 +37,7 @@ final class LabFolder {
 
   /** What {@code lab.json} holds: all settings and what became of them, side by side. */
   private record Rendered(
-      @JsonUnwrapped LabSettings settings, @JsonUnwrapped Laboratory.Outcome outcome) {}
+      @JsonUnwrapped LabSettings settings, @JsonUnwrapped Laboratory.PhotoCount outcome) {}
 
   LabFolder(Path folder) {
     this.folder = folder;
@@ -56,7 +56,7 @@ final class LabFolder {
   }
 
   /** Writes the tables last: a folder with a {@code dataset.csv} is complete. */
-  void finish(LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.Outcome outcome) {
+  void finish(LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.PhotoCount outcome) {
     json(
         "camera.json",
         new PhotoCamera(Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height()));

@@ -37,7 +37,7 @@ final class Photographer {
     Pinhole camera = camera(shot.focalLength(), bend);
     RadialDistortion distortion = RadialDistortion.at(shot.focalLength(), bend);
     double aperture = chosen(settings.optics().aperture(), shot, 2);
-    Lens lens = focused(shot, aperture, random);
+    FocusedLens lens = focused(shot, aperture, random);
     Board board = placed(shot, camera, random);
     double gain = 1 + settings.scene().lighting() * clamped(random.nextGaussian());
     try (Mats mats = new Mats()) {
@@ -72,7 +72,7 @@ final class Photographer {
             0,
             CLOSE_UP,
             Board.Pose.FRONTAL);
-    Lens lens = new Lens(MAX, settings.optics().aperture().get(0), CLOSE_UP);
+    FocusedLens lens = new FocusedLens(MAX, settings.optics().aperture().get(0), CLOSE_UP);
     RandomGenerator random = new SplittableRandom(settings.seed() - object.name().hashCode());
     try (Mats mats = new Mats()) {
       Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3, Scalar.all(0.4)));
@@ -98,12 +98,12 @@ final class Photographer {
         focalLength, Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height(), margin);
   }
 
-  private Lens focused(Shot shot, double aperture, RandomGenerator random) {
+  private FocusedLens focused(Shot shot, double aperture, RandomGenerator random) {
     double error = settings.optics().focusError() * clamped(random.nextGaussian());
-    return new Lens(shot.focalLength(), aperture, shot.distance() * (1 + error));
+    return new FocusedLens(shot.focalLength(), aperture, shot.distance() * (1 + error));
   }
 
-  private static double blur(Lens lens, Pinhole camera, double distance) {
+  private static double blur(FocusedLens lens, Pinhole camera, double distance) {
     return lens.circleOfConfusion(distance) * camera.pitch();
   }
 
@@ -152,7 +152,7 @@ final class Photographer {
       Mat canvas,
       Pinhole camera,
       RadialDistortion distortion,
-      Lens lens,
+      FocusedLens lens,
       double gain,
       RandomGenerator random) {
     try (Mats mats = new Mats()) {

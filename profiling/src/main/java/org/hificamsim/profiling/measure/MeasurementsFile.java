@@ -24,7 +24,7 @@ public final class MeasurementsFile {
   private static final Set<String> PIP =
       Arrays.stream(PipReading.values()).map(PipReading::column).collect(Collectors.toSet());
 
-  /** Columns of older tables that are no detector's, and are ignored. */
+  /** MeasurementColumns of older tables that are no detector's, and are ignored. */
   private static final Set<String> CONDITIONS =
       Set.of("distinctiveness", "aperture", "distortion", "light");
 
@@ -33,7 +33,7 @@ public final class MeasurementsFile {
   private MeasurementsFile() {}
 
   /** Writes the table whole or not at all. */
-  static void write(Path file, Columns columns, List<Measurement> rows) throws IOException {
+  static void write(Path file, MeasurementColumns columns, List<Measurement> rows) throws IOException {
     StringBuilder table = new StringBuilder(columns.header());
     rows.forEach(row -> table.append(columns.line(row)));
     new OutputFile(file).write(table.toString());
@@ -46,7 +46,7 @@ public final class MeasurementsFile {
    */
   public static List<Measurement> read(Path file) {
     PipReading pip = PipReading.of(file);
-    CsvRows table = CsvReader.open(file, "a table of measurements").all(Columns.required(pip));
+    CsvRows table = CsvReader.open(file, "a table of measurements").all(MeasurementColumns.required(pip));
     List<String> detectors = table.columns().stream().filter(MeasurementsFile::isDetector).toList();
     if (detectors.isEmpty()) {
       throw new InputException(file + ":1:1: no detector's column, expected one such as orb");
@@ -58,7 +58,7 @@ public final class MeasurementsFile {
   }
 
   private static boolean isDetector(String column) {
-    return !Columns.PHYSICAL.contains(column)
+    return !MeasurementColumns.PHYSICAL.contains(column)
         && !PIP.contains(column)
         && !CONDITIONS.contains(column);
   }

@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Dataset;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.ConfidenceSource.Look;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.Subject;
@@ -38,7 +38,7 @@ public final class Measurer {
    * @param wanted how many threads at most
    * @throws InputException when a photo turns out unreadable, or larger than the memory
    */
-  public Outcome measure(int wanted, Watcher watcher) {
+  public MeasureResult measure(int wanted, MeasureProgress watcher) {
     OpenCv.load();
     int threads = threads(wanted);
     List<String> extractors = Detectors.extractors(settings.detectors());
@@ -65,7 +65,7 @@ public final class Measurer {
       }
       write(rows);
       done.finish();
-      return new Outcome(resumed, threads, warnings);
+      return new MeasureResult(resumed, threads, warnings);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -73,11 +73,11 @@ public final class Measurer {
 
   private int threads(int wanted) {
     return MemoryBudget.now()
-        .threads(wanted, dataset.largestPicture(), Toolboxes.appetite(settings));
+        .threads(wanted, dataset.largestPicture(), Toolboxes.memoryNeed(settings));
   }
 
   private Measurement measured(int index, Gaze gaze) {
-    Sample sample = dataset.samples().get(index);
+    LabelledPhoto sample = dataset.samples().get(index);
     List<Subject> subject = List.of(new Subject(sample.object(), sample.patch()));
     Map<String, Double> confidences = gaze.at(sample.file(), subject, Look::confidences).get(0);
     return new Measurement(
@@ -97,11 +97,11 @@ public final class Measurer {
       all = Recall.with(all, heights, detector);
     }
     MeasurementsFile.write(
-        dataset.folder().resolve(MeasurementsFile.NAME), Columns.of(settings.pip(), all), all);
+        dataset.folder().resolve(MeasurementsFile.NAME), MeasurementColumns.of(settings.pip(), all), all);
   }
 
   private List<String> writeThresholds(
-      List<Measurement> rows, Gaze gaze, int threads, Watcher watcher) throws IOException {
+      List<Measurement> rows, Gaze gaze, int threads, MeasureProgress watcher) throws IOException {
     FalseAlarms alarms = new FalseAlarms(dataset, gaze);
     Map<String, AlarmThreshold> thresholds = new LinkedHashMap<>();
     Map<String, List<Double>> without = alarms.confidences(threads, watcher);

@@ -3,7 +3,7 @@ package org.hificamsim.profiling.measure;
 import java.util.List;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Function;
-import org.hificamsim.profiling.detector.Appetite;
+import org.hificamsim.profiling.detector.MemoryNeed;
 import org.hificamsim.profiling.detector.ConfidenceSource;
 import org.hificamsim.profiling.detector.Detectors;
 
@@ -19,13 +19,13 @@ final class Toolboxes implements AutoCloseable {
   }
 
   /** What the hungriest detector needs. */
-  static Appetite appetite(MeasureSettings settings) {
+  static MemoryNeed memoryNeed(MeasureSettings settings) {
     List<ConfidenceSource> sources =
         Detectors.sources(settings.detectors(), settings.test(), (object, detector) -> null);
     try {
       return sources.stream()
-          .map(ConfidenceSource::appetite)
-          .reduce(new Appetite(0, 0), Appetite::max);
+          .map(ConfidenceSource::memoryNeed)
+          .reduce(new MemoryNeed(0, 0), MemoryNeed::max);
     } finally {
       sources.forEach(ConfidenceSource::close);
     }

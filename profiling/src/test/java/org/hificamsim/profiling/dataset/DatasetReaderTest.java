@@ -39,7 +39,7 @@ class DatasetReaderTest {
 
   @Test
   void readsWhatTheTableSays() throws IOException {
-    Sample sample = sample(ROW + "masks/a.png");
+    LabelledPhoto sample = sample(ROW + "masks/a.png");
     assertEquals("ball", sample.object());
     assertEquals(0.22, sample.size());
     assertEquals(1, sample.distance());
@@ -212,7 +212,7 @@ class DatasetReaderTest {
     assertTrue(problem.contains("no rows"), problem);
   }
 
-  private Sample sample(String row) throws IOException {
+  private LabelledPhoto sample(String row) throws IOException {
     table(HEADER, row);
     DatasetReading reading = DatasetReader.read(folder);
     assertEquals(List.of(), reading.problems());

@@ -20,7 +20,7 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.opencv.Mats;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -63,7 +63,7 @@ class LaboratoryTest {
 
   @Test
   void sizeIsTheRootOfWidthTimesHeight() {
-    Sample matchbox = rendered(SMALL).samples().get(0);
+    LabelledPhoto matchbox = rendered(SMALL).samples().get(0);
     assertEquals("matchbox", matchbox.object());
     assertEquals(Math.sqrt(0.10 * 0.09), matchbox.size(), 1e-12);
   }
@@ -95,8 +95,8 @@ class LaboratoryTest {
     List<Double> light = column(photos, "light");
     double least = Collections.min(light);
     double most = Collections.max(light);
-    Sample darkest = photos.samples().get(light.indexOf(least));
-    Sample brightest = photos.samples().get(light.indexOf(most));
+    LabelledPhoto darkest = photos.samples().get(light.indexOf(least));
+    LabelledPhoto brightest = photos.samples().get(light.indexOf(most));
     // The corner shows the bare wall; display gamma is 2.2.
     double ratio = corner(brightest) / corner(darkest);
     assertEquals(Math.pow(most / least, 1 / 2.2), ratio, 0.08);
@@ -141,7 +141,7 @@ class LaboratoryTest {
         .toList();
   }
 
-  private static double corner(Sample sample) {
+  private static double corner(LabelledPhoto sample) {
     try (Mats mats = new Mats()) {
       String file = sample.file().toString();
       Mat picture = mats.own(Imgcodecs.imread(file, Imgcodecs.IMREAD_GRAYSCALE));
@@ -168,7 +168,7 @@ class LaboratoryTest {
   void idealCamerasMaskIsThePinholesArea() {
     Dataset dataset = rendered(IDEAL);
     int compared = 0;
-    for (Sample sample : dataset.samples()) {
+    for (LabelledPhoto sample : dataset.samples()) {
       LabObject object =
           LabObject.ALL.stream().filter(o -> o.name().equals(sample.object())).findFirst().get();
       double scale = sample.focalLength() / sample.distance();
@@ -190,9 +190,9 @@ class LaboratoryTest {
   void objectsLargerThanTheFrameAreDroppedAndCounted() throws IOException {
     LabSettings close =
         LabSettings.thesis(0).withScale(0.05).withGrid(List.of(0.085), List.of(1.0), 8);
-    Laboratory.Outcome outcome = new Laboratory(close).render(folder, 1, () -> {});
+    Laboratory.PhotoCount outcome = new Laboratory(close).render(folder, 1, () -> {});
     // 85 mm at 1 m shows 0.176 m of height: three of the eight objects fit.
-    assertEquals(new Laboratory.Outcome(3, 5), outcome);
+    assertEquals(new Laboratory.PhotoCount(3, 5), outcome);
     assertTrue(Files.readString(folder.resolve("lab.json")).contains("\"dropped\": 5"));
     assertEquals(4, Files.readAllLines(folder.resolve(Dataset.TABLE)).size());
   }

@@ -21,7 +21,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.SmallLab;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.Photos;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -48,7 +48,7 @@ class MeasurerTest {
   @BeforeAll
   static void measureSome() throws IOException {
     dataset = SmallLab.render(folder);
-    List<Sample> every = dataset.samples();
+    List<LabelledPhoto> every = dataset.samples();
     some =
         with(
             IntStream.range(0, every.size())
@@ -59,7 +59,7 @@ class MeasurerTest {
     measured = table();
   }
 
-  private static Dataset with(List<Sample> samples) {
+  private static Dataset with(List<LabelledPhoto> samples) {
     return new Dataset(folder, dataset.camera(), samples, dataset.templates(), List.of());
   }
 
@@ -114,7 +114,7 @@ class MeasurerTest {
   void pipIsTheMasksShareAndElseThePatchs() {
     new Measurer(dataset, ORB).measure(2, () -> {});
     List<Measurement> masked = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
-    List<Sample> bare = dataset.samples().stream().map(Sample::unmasked).toList();
+    List<LabelledPhoto> bare = dataset.samples().stream().map(LabelledPhoto::unmasked).toList();
     new Measurer(with(bare), ORB).measure(2, () -> {});
     List<Measurement> patched = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
@@ -166,8 +166,8 @@ class MeasurerTest {
   @Test
   void countsWhatAnEarlierCallHasMeasuredOnceAndBefore() {
     List<String> told = new ArrayList<>();
-    Watcher watcher =
-        new Watcher() {
+    MeasureProgress watcher =
+        new MeasureProgress() {
           @Override
           public void measured() {
             told.add("one");
@@ -207,7 +207,7 @@ class MeasurerTest {
   @ParameterizedTest
   @CsvSource({"100, 100 times smaller", "0.01, 100 times larger"})
   void aWrongUnitOfAllPhotosIsWarnedOfInOneLine(double factor, String words) {
-    List<Sample> wrong = dataset.samples().stream().map(s -> scaled(s, factor)).toList();
+    List<LabelledPhoto> wrong = dataset.samples().stream().map(s -> scaled(s, factor)).toList();
     List<String> warnings = measured(wrong).warnings();
     assertEquals(1, warnings.size(), warnings.toString());
     assertTrue(warnings.get(0).contains("photos show their object"), warnings.get(0));
@@ -218,7 +218,7 @@ class MeasurerTest {
 
   @Test
   void aWrongUnitOfOnePhotoIsWarnedOfByItsName() {
-    List<Sample> wrong = new ArrayList<>(dataset.samples());
+    List<LabelledPhoto> wrong = new ArrayList<>(dataset.samples());
     wrong.set(3, scaled(wrong.get(3), 100));
     List<String> warnings = measured(wrong).warnings();
     assertEquals(1, warnings.size(), warnings.toString());
@@ -234,9 +234,9 @@ class MeasurerTest {
     half[half.length - 2] = (byte) 0xFF;
     half[half.length - 1] = (byte) 0xD9;
     Files.write(cut, half);
-    Sample first = dataset.samples().get(0);
-    Sample sample =
-        new Sample(
+    LabelledPhoto first = dataset.samples().get(0);
+    LabelledPhoto sample =
+        new LabelledPhoto(
             "images/cut.jpg",
             cut,
             first.object(),
@@ -250,8 +250,8 @@ class MeasurerTest {
     assertTrue(message.startsWith(cut + ": the picture is cut short"), message);
   }
 
-  private static Sample scaled(Sample sample, double factor) {
-    return new Sample(
+  private static LabelledPhoto scaled(LabelledPhoto sample, double factor) {
+    return new LabelledPhoto(
         sample.image(),
         sample.file(),
         sample.object(),
@@ -262,7 +262,7 @@ class MeasurerTest {
         sample.mask());
   }
 
-  private static Outcome measured(List<Sample> samples) {
+  private static MeasureResult measured(List<LabelledPhoto> samples) {
     return new Measurer(with(samples), ORB).measure(2, () -> {});
   }
 

@@ -8,8 +8,8 @@ import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
 import org.hificamsim.data.CsvRow;
 
-/** Checks the cells of one row and turns them into a {@link Sample}. */
-final class SampleReader {
+/** Checks the cells of one row and turns them into a {@link LabelledPhoto}. */
+final class LabelledPhotoReader {
   static final List<String> PATCH = List.of("patch_x", "patch_y", "patch_width", "patch_height");
 
   /** A picture's file and what it says of itself. */
@@ -26,7 +26,7 @@ final class SampleReader {
   private final CsvRow row;
   private final List<String> problems;
 
-  SampleReader(
+  LabelledPhotoReader(
       Path folder,
       PhotoCamera camera,
       CocoPatches coco,
@@ -40,7 +40,7 @@ final class SampleReader {
   }
 
   /** The row's sample, or empty after telling every problem it has. */
-  Optional<Sample> read() {
+  Optional<LabelledPhoto> read() {
     int before = problems.size();
     Picture image = check(this::image);
     String object = check(this::object);
@@ -53,7 +53,7 @@ final class SampleReader {
     return problems.size() > before
         ? Optional.empty()
         : Optional.of(
-            new Sample(
+            new LabelledPhoto(
                 row.text("image"),
                 image.file(),
                 object,

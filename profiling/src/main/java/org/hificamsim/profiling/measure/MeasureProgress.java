@@ -2,7 +2,7 @@ package org.hificamsim.profiling.measure;
 
 /** Hears how far a measurement is, by any thread. */
 @FunctionalInterface
-public interface Watcher {
+public interface MeasureProgress {
   /** One photo more has been measured. */
   void measured();
 

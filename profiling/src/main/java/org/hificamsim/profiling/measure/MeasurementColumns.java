@@ -13,13 +13,13 @@ import org.hificamsim.profiling.dataset.TableLayout;
  *
  * @param detectors a column of confidences each
  */
-record Columns(PipReading pip, List<String> detectors) {
+record MeasurementColumns(PipReading pip, List<String> detectors) {
   static final List<String> PHYSICAL =
       List.of("image", "object", "size_m", "distance_m", "focal_length_m");
 
   /** The columns that these rows fill. */
-  static Columns of(PipReading pip, List<Measurement> rows) {
-    return new Columns(pip, List.copyOf(rows.get(0).confidences().keySet()));
+  static MeasurementColumns of(PipReading pip, List<Measurement> rows) {
+    return new MeasurementColumns(pip, List.copyOf(rows.get(0).confidences().keySet()));
   }
 
   /** What every table of measurements has. */
