@@ -140,7 +140,7 @@ column, Double.MIN_NORMAL, most, "metres above 0, at most " + (long) most);
   private double focalLength(Path image) {
     if (row.text("focal_length_m").isEmpty()) {
       return exifFocalLength(
-          ExifFocalLength.of(image)
+          Exif.focalLength(image)
               .orElseThrow(
                   () -> row.invalid("focal_length_m", "metres, or a photo whose EXIF has it")));
     }

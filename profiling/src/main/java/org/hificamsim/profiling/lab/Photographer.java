@@ -46,9 +46,9 @@ final class Photographer {
       LensBlur.apply(canvas, blur(lens, camera, room.wallDistance()));
       Layer layer = new Layer(canvas, camera);
       for (Board thing : room.behind(shot.distance())) {
-        layer.put(thing, blur(lens, camera, thing.distance()), 1);
+        layer.put(thing, blur(lens, camera, thing.distance()));
       }
-      layer.put(board, blur(lens, camera, shot.distance()), 1);
+      layer.put(board, blur(lens, camera, shot.distance()));
       Mat mask = mask(mats.own(layer.silhouette(board)), camera, distortion);
       Mat image = exposed(canvas, camera, distortion, lens, gain, random);
       return new Photo(image, mask, new Conditions(aperture, distortion.k(), gain));
@@ -77,7 +77,7 @@ final class Photographer {
     try (Mats mats = new Mats()) {
       Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3, Scalar.all(0.4)));
       Layer layer = new Layer(canvas, camera);
-      layer.put(board, 0, 1);
+      layer.put(board, 0);
       Mat mask = mats.own(mask(mats.own(layer.silhouette(board)), camera, distortion));
       Mat picture = mats.own(exposed(canvas, camera, distortion, lens, 1, random));
       return picture.submat(Imgproc.boundingRect(mask)).clone();

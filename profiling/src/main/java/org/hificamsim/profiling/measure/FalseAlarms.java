@@ -14,7 +14,7 @@ import org.hificamsim.profiling.detector.Subject;
  * What the detectors make of photos without any of the objects. Each photo is asked for each
  * object, at places and in sizes that the object has in the other photos.
  */
-record FalseAlarms(Dataset dataset, Gaze gaze) {
+record FalseAlarms(Dataset dataset, DetectorPool detectors) {
   private static final int PLACES = 8;
 
   /** Every confidence of every photo, object and place, by detector. */
@@ -25,7 +25,7 @@ record FalseAlarms(Dataset dataset, Gaze gaze) {
             dataset.negatives(),
             threads,
             photo -> {
-              List<Map<String, Double>> seen = gaze.at(photo, subjects, Look::falseConfidences);
+              List<Map<String, Double>> seen = detectors.confidences(photo, subjects, Look::falseConfidences);
               watcher.measured();
               return seen;
             })

@@ -1,11 +1,11 @@
 package org.hificamsim.profiling.measure;
 
-/** Hears how far a measurement is, by any thread. */
+/** Receives the progress of a measurement; may be called from any thread. */
 @FunctionalInterface
 public interface MeasureProgress {
-  /** One photo more has been measured. */
+  /** Called after each photo. */
   void measured();
 
-  /** So many photos had been measured before, by an earlier call. */
+  /** Called first, with the number of photos that an earlier call has measured. */
   default void resumed(int photos) {}
 }

@@ -43,7 +43,7 @@ public final class Measurer {
     int threads = threads(wanted);
     List<String> extractors = Detectors.extractors(settings.detectors());
     try (Templates templates = Templates.of(dataset, extractors, threads);
-        Toolboxes toolboxes = new Toolboxes(settings, templates);
+        DetectorPool detectors = new DetectorPool(settings, templates);
         MeasurementJournal done = MeasurementJournal.open(dataset, settings)) {
       int resumed = done.count();
       watcher.resumed(resumed);
@@ -55,13 +55,13 @@ public final class Measurer {
                   done.get(i)
                       .orElseGet(
                           () -> {
-                            Measurement row = done.add(i, measured(i, new Gaze(toolboxes)));
+                            Measurement row = done.add(i, measured(i, detectors));
                             watcher.measured();
                             return row;
                           }));
       List<String> warnings = warnings(templates, rows);
       if (!dataset.negatives().isEmpty()) {
-        warnings.addAll(writeThresholds(rows, new Gaze(toolboxes), threads, watcher));
+        warnings.addAll(writeThresholds(rows, detectors, threads, watcher));
       }
       write(rows);
       done.finish();
@@ -73,13 +73,13 @@ public final class Measurer {
 
   private int threads(int wanted) {
     return MemoryBudget.now()
-        .threads(wanted, dataset.largestPicture(), Toolboxes.memoryNeed(settings));
+        .threads(wanted, dataset.largestPicture(), DetectorPool.memoryNeed(settings));
   }
 
-  private Measurement measured(int index, Gaze gaze) {
+  private Measurement measured(int index, DetectorPool detectors) {
     LabelledPhoto sample = dataset.samples().get(index);
     List<Subject> subject = List.of(new Subject(sample.object(), sample.patch()));
-    Map<String, Double> confidences = gaze.at(sample.file(), subject, Look::confidences).get(0);
+    Map<String, Double> confidences = detectors.confidences(sample.file(), subject, Look::confidences).get(0);
     return new Measurement(
         sample.image(),
         sample.object(),
@@ -101,8 +101,8 @@ public final class Measurer {
   }
 
   private List<String> writeThresholds(
-      List<Measurement> rows, Gaze gaze, int threads, MeasureProgress watcher) throws IOException {
-    FalseAlarms alarms = new FalseAlarms(dataset, gaze);
+      List<Measurement> rows, DetectorPool detectors, int threads, MeasureProgress watcher) throws IOException {
+    FalseAlarms alarms = new FalseAlarms(dataset, detectors);
     Map<String, AlarmThreshold> thresholds = new LinkedHashMap<>();
     Map<String, List<Double>> without = alarms.confidences(threads, watcher);
     for (String detector : rows.get(0).confidences().keySet()) {

@@ -22,6 +22,7 @@ import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.opencv.Mats;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.opencv.core.Core;
@@ -42,20 +43,26 @@ class LaboratoryTest {
 
   @TempDir Path folder;
 
+  /** The small laboratory, rendered by one thread. */
+  @TempDir static Path small;
+
+  private static final AtomicInteger PHOTOS = new AtomicInteger();
+
+  @BeforeAll
+  static void renderTheSmallOne() {
+    new Laboratory(SMALL).render(small, 1, PHOTOS::incrementAndGet);
+  }
+
   @Test
   void isTheSameOnAnyNumberOfThreads() throws IOException {
-    Path one = folder.resolve("one");
-    Path three = folder.resolve("three");
-    AtomicInteger photos = new AtomicInteger();
-    new Laboratory(SMALL).render(one, 1, photos::incrementAndGet);
-    new Laboratory(SMALL).render(three, 3, () -> {});
-    assertEquals(16, photos.get());
-    List<Path> files = files(one);
-    assertEquals(files.size(), files(three).size());
+    new Laboratory(SMALL).render(folder, 3, () -> {});
+    assertEquals(16, PHOTOS.get());
+    List<Path> files = files(small);
+    assertEquals(files.size(), files(folder).size());
     for (Path file : files) {
       assertArrayEquals(
-          Files.readAllBytes(one.resolve(file)),
-          Files.readAllBytes(three.resolve(file)),
+          Files.readAllBytes(small.resolve(file)),
+          Files.readAllBytes(folder.resolve(file)),
           file::toString);
     }
     assertTrue(files.size() >= 3 + 4 + 2 * 16 - 2, files.toString());
@@ -63,7 +70,7 @@ class LaboratoryTest {
 
   @Test
   void sizeIsTheRootOfWidthTimesHeight() {
-    LabelledPhoto matchbox = rendered(SMALL).samples().get(0);
+    LabelledPhoto matchbox = read(small).samples().get(0);
     assertEquals("matchbox", matchbox.object());
     assertEquals(Math.sqrt(0.10 * 0.09), matchbox.size(), 1e-12);
   }
@@ -199,14 +206,18 @@ class LaboratoryTest {
 
   @Test
   void writesADataSetWithoutProblems() {
-    Dataset dataset = rendered(SMALL);
+    Dataset dataset = read(small);
     assertEquals(4, dataset.templates().size());
     dataset.samples().forEach(sample -> assertTrue(sample.patch().area() > 0));
   }
 
   private Dataset rendered(LabSettings settings) {
     new Laboratory(settings).render(folder, 2, () -> {});
-    DatasetReading reading = DatasetReader.read(folder);
+    return read(folder);
+  }
+
+  private static Dataset read(Path lab) {
+    DatasetReading reading = DatasetReader.read(lab);
     assertEquals(List.of(), reading.problems());
     return reading.dataset().orElseThrow();
   }
