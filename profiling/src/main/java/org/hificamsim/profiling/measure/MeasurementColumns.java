@@ -1,6 +1,5 @@
 package org.hificamsim.profiling.measure;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -27,24 +26,18 @@ record MeasurementColumns(PipReading pip, List<String> detectors) {
     return Stream.concat(PHYSICAL.stream(), Stream.of(pip.column())).toList();
   }
 
-  String header() {
-    List<String> names = new ArrayList<>(required(pip));
-    names.addAll(detectors);
-    return String.join(",", names) + "\n";
-  }
-
-  String line(Measurement row) {
-    List<String> cells =
-        new ArrayList<>(
-            List.of(
-                TableLayout.quoted(row.image()),
-                TableLayout.quoted(row.object()),
-                String.valueOf(row.size()),
-                String.valueOf(row.distance()),
-                String.valueOf(row.focalLength()),
-                String.valueOf(row.pip())));
-    row.confidences().values().forEach(confidence -> cells.add(String.valueOf(confidence)));
-    return String.join(",", cells) + "\n";
+  /** The table. */
+  TableLayout<Measurement> layout() {
+    TableLayout<Measurement> layout =
+        new TableLayout<Measurement>()
+            .with("image", row -> TableLayout.quoted(row.image()))
+            .with("object", row -> TableLayout.quoted(row.object()))
+            .with("size_m", Measurement::size)
+            .with("distance_m", Measurement::distance)
+            .with("focal_length_m", Measurement::focalLength)
+            .with(pip.column(), Measurement::pip);
+    detectors.forEach(detector -> layout.with(detector, row -> row.confidence(detector)));
+    return layout;
   }
 
   /** A row's confidences in the order of the columns. */

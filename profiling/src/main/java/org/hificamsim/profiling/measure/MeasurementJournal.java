@@ -18,6 +18,7 @@ import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
+import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.detector.Detectors;
 
 /**
@@ -28,12 +29,12 @@ final class MeasurementJournal implements Closeable {
   private static final int KEY_LENGTH = 16;
 
   private final Path file;
-  private final MeasurementColumns columns;
+  private final TableLayout<Measurement> columns;
   private final Writer out;
   private final Map<Integer, Measurement> done;
 
   private MeasurementJournal(
-      Path file, MeasurementColumns columns, Map<Integer, Measurement> done, Writer out) {
+      Path file, TableLayout<Measurement> columns, Map<Integer, Measurement> done, Writer out) {
     this.file = file;
     this.columns = columns;
     this.done = done;
@@ -42,11 +43,9 @@ final class MeasurementJournal implements Closeable {
 
   static MeasurementJournal open(Dataset dataset, MeasureSettings settings) throws IOException {
     Path file = dataset.folder().resolve(".measurements-" + key(dataset, settings) + ".part");
-    MeasurementColumns columns = columns(settings);
+    TableLayout<Measurement> columns = columns(settings).layout();
     Map<Integer, Measurement> done = read(file, dataset);
-    StringBuilder kept = new StringBuilder(columns.header());
-    done.values().forEach(row -> kept.append(columns.line(row)));
-    new OutputFile(file).write(kept.toString());
+    new OutputFile(file).write(columns.csv(List.copyOf(done.values())));
     Writer out =
         Files.newBufferedWriter(
             file, StandardCharsets.UTF_8, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);

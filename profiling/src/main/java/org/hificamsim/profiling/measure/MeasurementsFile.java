@@ -34,9 +34,7 @@ public final class MeasurementsFile {
 
   /** Writes the table whole or not at all. */
   static void write(Path file, MeasurementColumns columns, List<Measurement> rows) throws IOException {
-    StringBuilder table = new StringBuilder(columns.header());
-    rows.forEach(row -> table.append(columns.line(row)));
-    new OutputFile(file).write(table.toString());
+    new OutputFile(file).write(columns.layout().csv(rows));
   }
 
   /**
