@@ -48,7 +48,7 @@ public final class ModelFiles {
     }
   }
 
-  /** The model in a resource beside this class. */
+  /** The model in a resource of this class's package. */
   static HiFiDetection resource(String name) {
     try (InputStream in = ModelFiles.class.getResourceAsStream(name)) {
       if (in == null) {

@@ -4,7 +4,7 @@ import java.util.EnumMap;
 import java.util.Map;
 
 /**
- * A sighting beside what was predicted of it.
+ * A sighting and what was predicted of it.
  *
  * @param distance from camera to target over the ground, metres
  * @param footError from where the calibration has the target's foot to where the box stands, pixels

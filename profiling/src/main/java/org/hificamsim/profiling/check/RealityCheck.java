@@ -5,7 +5,7 @@ import java.util.List;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.InputException;
 
-/** Sightings beside predictions, and what the errors come to: over all, and by distance. */
+/** Sightings compared with predictions, and a summary of the errors: over all, and by distance. */
 public final class RealityCheck {
   private static final double MAX_BANDS = 8;
 

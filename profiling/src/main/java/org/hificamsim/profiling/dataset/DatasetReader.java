@@ -14,7 +14,7 @@ import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 
-/** Reads a data set's folder and tells everything that is wrong with it. */
+/** Reads a data set's folder and reports everything that is wrong with it. */
 public final class DatasetReader {
   private static final List<String> COLUMNS =
       Stream.concat(

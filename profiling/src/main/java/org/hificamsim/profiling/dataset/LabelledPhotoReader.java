@@ -39,7 +39,7 @@ final class LabelledPhotoReader {
     this.problems = problems;
   }
 
-  /** The row's sample, or empty after telling every problem it has. */
+  /** The row's photo; empty where something is wrong with it, which is reported then. */
   Optional<LabelledPhoto> read() {
     int before = problems.size();
     Picture image = check(this::image);

@@ -24,7 +24,7 @@ public final class MeasurementsFile {
   private static final Set<String> PIP =
       Arrays.stream(PipReading.values()).map(PipReading::column).collect(Collectors.toSet());
 
-  /** MeasurementColumns of older tables that are no detector's, and are ignored. */
+  /** Columns of older tables that are no detector's, and are ignored. */
   private static final Set<String> CONDITIONS =
       Set.of("distinctiveness", "aperture", "distortion", "light");
 

@@ -14,7 +14,7 @@ import org.hificamsim.profiling.fit.FitScores;
 import org.hificamsim.profiling.fit.ShapeFit;
 
 /**
- * The fidelity ladder: from "certain in view" to support vectors, how well each model tells the
+ * The fidelity ladder: from "certain in view" to support vectors, how well each model predicts the
  * confidence of objects that it has not seen and how long one evaluation takes.
  */
 public final class FidelityLadder {
@@ -31,8 +31,8 @@ public final class FidelityLadder {
   /**
    * One step.
    *
-   * @param unseen how well it tells the confidence of what it has not seen; {@code geometric}'s
-   *     value never varies, so that it tells the mean of what it has
+   * @param unseen how well it predicts the confidence of what it has not seen; {@code geometric}'s
+   *     value never varies, so that it predicts the mean of what it has
    * @param accuracy how often it puts that on the right side of the threshold (balanced)
    * @param nanoseconds per evaluation of the shipped model of this kind; NaN where nobody measured
    */
