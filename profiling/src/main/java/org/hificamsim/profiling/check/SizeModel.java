@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+
 /** How a size in the picture is predicted. */
 enum SizeModel {
   /**
@@ -8,7 +10,7 @@ enum SizeModel {
    */
   FLAT {
     @Override
-    Size size(Calibration camera, Vector foot, Body body) {
+    Size size(Calibration camera, Vector3D foot, Body body) {
       double perMetre = camera.focalLength() / distance(camera, foot);
       return new Size(perMetre * body.width(), perMetre * body.height());
     }
@@ -17,31 +19,31 @@ enum SizeModel {
   /** The full calibration: height of the camera, tilt, distortion. */
   CALIBRATION {
     @Override
-    Size size(Calibration camera, Vector foot, Body body) {
-      Vector up = new Vector(0, 0, body.height());
-      Vector aside = aside(camera, foot).times(body.width() / 2);
-      Vector middle = foot.plus(up.times(0.5));
-      double left = camera.project(middle.plus(aside)).u();
-      double right = camera.project(middle.plus(aside.times(-1))).u();
-      double top = camera.project(foot.plus(up)).v();
+    Size size(Calibration camera, Vector3D foot, Body body) {
+      Vector3D up = new Vector3D(0, 0, body.height());
+      Vector3D aside = aside(camera, foot).scalarMultiply(body.width() / 2);
+      Vector3D middle = foot.add(up.scalarMultiply(0.5));
+      double left = camera.project(middle.add(aside)).u();
+      double right = camera.project(middle.add(aside.negate())).u();
+      double top = camera.project(foot.add(up)).v();
       return new Size(Math.abs(right - left), Math.abs(camera.project(foot).v() - top));
     }
   };
 
   /** The predicted box of a target that stands somewhere, in pixels. */
-  abstract Size size(Calibration camera, Vector foot, Body body);
+  abstract Size size(Calibration camera, Vector3D foot, Body body);
 
   /** Over the ground, metres. */
-  static double distance(Calibration camera, Vector foot) {
-    return Math.hypot(foot.x() - camera.position().x(), foot.y() - camera.position().y());
+  static double distance(Calibration camera, Vector3D foot) {
+    return Math.hypot(foot.getX() - camera.position().getX(), foot.getY() - camera.position().getY());
   }
 
   /** A metre on the ground, across the line from the camera. */
-  private static Vector aside(Calibration camera, Vector foot) {
+  private static Vector3D aside(Calibration camera, Vector3D foot) {
     double distance = distance(camera, foot);
-    return new Vector(
-        (camera.position().y() - foot.y()) / distance,
-        (foot.x() - camera.position().x()) / distance,
+    return new Vector3D(
+        (camera.position().getY() - foot.getY()) / distance,
+        (foot.getX() - camera.position().getX()) / distance,
         0);
   }
 }
