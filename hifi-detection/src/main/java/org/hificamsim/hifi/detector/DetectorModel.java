@@ -15,4 +15,7 @@ public interface DetectorModel {
    * finite where no PIP is enough.
    */
   double pip(double confidence);
+
+  /** The equation as people read it, with PIP as p. */
+  String equation();
 }

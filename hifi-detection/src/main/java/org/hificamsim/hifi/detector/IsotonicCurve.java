@@ -48,9 +48,9 @@ public final class IsotonicCurve implements DetectorModel {
         : segment(confidences, pips, after, confidence);
   }
 
-  /** How many knots there are. */
-  public int size() {
-    return pips.length;
+  @Override
+  public String equation() {
+    return pips.length + " knots";
   }
 
   private static double between(double[] x, double[] y, double at) {

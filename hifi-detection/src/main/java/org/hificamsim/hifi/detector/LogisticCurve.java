@@ -1,5 +1,7 @@
 package org.hificamsim.hifi.detector;
 
+import java.util.Locale;
+
 /**
  * The logistic curve in log PIP, {@code 1 / (1 + (half / PIP)^n)}: from 0 to 1, whatever was
  * measured.
@@ -16,6 +18,11 @@ public record LogisticCurve(double half, double exponent) implements DetectorMod
   @Override
   public double pip(double confidence) {
     return curve().pip(confidence);
+  }
+
+  @Override
+  public String equation() {
+    return String.format(Locale.ROOT, "1 / (1 + (%.3g / p)^%.3g)", half, exponent);
   }
 
   private HillCurve curve() {

@@ -8,7 +8,7 @@ import java.util.List;
  */
 interface BoxDetector extends AutoCloseable {
   /** What a photo needs while it is looked at. */
-  Appetite appetite();
+  MemoryNeed memoryNeed();
 
   /** Every rectangle that it takes for what it looks for. */
   List<Box> detect(Photograph photo);

@@ -24,8 +24,8 @@ final class BoxSource implements ConfidenceSource {
   }
 
   @Override
-  public Appetite appetite() {
-    return detector.appetite();
+  public MemoryNeed memoryNeed() {
+    return detector.memoryNeed();
   }
 
   @Override

@@ -11,7 +11,7 @@ public interface ConfidenceSource extends AutoCloseable {
   List<String> columns();
 
   /** What a photo needs while it is looked at. */
-  Appetite appetite();
+  MemoryNeed memoryNeed();
 
   /** Looks at a photo once; the caller closes the look. */
   Look look(Photograph photo);

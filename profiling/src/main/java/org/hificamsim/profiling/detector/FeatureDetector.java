@@ -12,7 +12,7 @@ public interface FeatureDetector extends AutoCloseable {
   String name();
 
   /** What a photo needs while its features are found. */
-  Appetite appetite();
+  MemoryNeed memoryNeed();
 
   /** The features of a picture of 8-bit grey; the caller closes them. */
   Features detect(Mat grey);

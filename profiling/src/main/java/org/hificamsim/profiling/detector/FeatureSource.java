@@ -31,8 +31,8 @@ final class FeatureSource implements ConfidenceSource {
   }
 
   @Override
-  public Appetite appetite() {
-    return detector.appetite();
+  public MemoryNeed memoryNeed() {
+    return detector.memoryNeed();
   }
 
   @Override

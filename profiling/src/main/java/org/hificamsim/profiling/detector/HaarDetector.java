@@ -18,7 +18,7 @@ import org.opencv.objdetect.CascadeClassifier;
  * neighbouring windows agree on scores n / (n + 3).
  */
 final class HaarDetector implements BoxDetector {
-  private static final Appetite NEEDS = new Appetite(40, 0);
+  private static final MemoryNeed NEEDS = new MemoryNeed(40, 0);
   private static final int MIN_NEIGHBOURS = 3;
 
   /** Where Debian's opencv-data puts cascades. */
@@ -58,7 +58,7 @@ final class HaarDetector implements BoxDetector {
   }
 
   @Override
-  public Appetite appetite() {
+  public MemoryNeed memoryNeed() {
     return NEEDS;
   }
 

@@ -14,7 +14,7 @@ import org.opencv.objdetect.HOGDescriptor;
  * has built in. A box scores the logistic function of its distance from the separating plane.
  */
 final class HogDetector implements BoxDetector {
-  private static final Appetite NEEDS = new Appetite(60, 0);
+  private static final MemoryNeed NEEDS = new MemoryNeed(60, 0);
 
   private final HOGDescriptor people = new HOGDescriptor();
 
@@ -25,7 +25,7 @@ final class HogDetector implements BoxDetector {
   }
 
   @Override
-  public Appetite appetite() {
+  public MemoryNeed memoryNeed() {
     return NEEDS;
   }
 

@@ -13,18 +13,18 @@ import org.opencv.features2d.SIFT;
  */
 public final class OpenCvDetector implements FeatureDetector {
   /** Both pyramids of a picture that is enlarged twice, in 32 bits. */
-  private static final Appetite SIFT_NEEDS = new Appetite(250, 0);
+  private static final MemoryNeed SIFT_NEEDS = new MemoryNeed(250, 0);
 
-  private static final Appetite ORB_NEEDS = new Appetite(20, 0);
+  private static final MemoryNeed ORB_NEEDS = new MemoryNeed(20, 0);
 
   private final String name;
   private final Feature2D detector;
-  private final Appetite appetite;
+  private final MemoryNeed memoryNeed;
 
-  private OpenCvDetector(String name, Feature2D detector, Appetite appetite) {
+  private OpenCvDetector(String name, Feature2D detector, MemoryNeed memoryNeed) {
     this.name = name;
     this.detector = detector;
-    this.appetite = appetite;
+    this.memoryNeed = memoryNeed;
   }
 
   /** Oriented FAST and rotated BRIEF. */
@@ -43,8 +43,8 @@ public final class OpenCvDetector implements FeatureDetector {
   }
 
   @Override
-  public Appetite appetite() {
-    return appetite;
+  public MemoryNeed memoryNeed() {
+    return memoryNeed;
   }
 
   @Override

@@ -15,7 +15,7 @@ public final class SurfDetector implements FeatureDetector {
   /** The blob response below which nothing counts as a feature; BoofCV's scale, for 8-bit grey. */
   private static final float MIN_RESPONSE = 12;
 
-  private static final Appetite NEEDS = new Appetite(2, 50);
+  private static final MemoryNeed NEEDS = new MemoryNeed(2, 50);
 
   private final DetectDescribePoint<GrayU8, TupleDesc_F64> detector;
 
@@ -31,7 +31,7 @@ public final class SurfDetector implements FeatureDetector {
   }
 
   @Override
-  public Appetite appetite() {
+  public MemoryNeed memoryNeed() {
     return NEEDS;
   }
 

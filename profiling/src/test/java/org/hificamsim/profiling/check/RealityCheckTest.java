@@ -54,11 +54,11 @@ class RealityCheckTest {
     List<Sighting> sightings =
         List.of(sighting(level, 0, 20, 0), sighting(level, 15, 20, 0), sighting(level, 0, 10, 0));
     RealityCheck check = RealityCheck.of(sightings, level, BODY);
-    assertEquals(0, check.comparisons().get(0).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(0).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
     assertEquals(
-        20 / 25.0 - 1, check.comparisons().get(1).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
-    assertEquals(0, check.comparisons().get(2).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
-    assertEquals(0, check.comparisons().get(1).error(Rung.CALIBRATION, Quantity.HEIGHT), 1e-12);
+        20 / 25.0 - 1, check.comparisons().get(1).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(2).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(1).error(SizeModel.CALIBRATION, Quantity.HEIGHT), 1e-12);
   }
 
   @Test
@@ -116,7 +116,7 @@ class RealityCheckTest {
   /** A box that is by so much smaller than predicted that the prediction has this error. */
   private static Sighting sighting(Calibration camera, double x, double y, double error) {
     Vector foot = new Vector(x, y, 0);
-    Size predicted = Rung.CALIBRATION.size(camera, foot, BODY);
+    Size predicted = SizeModel.CALIBRATION.size(camera, foot, BODY);
     Pixel stand = camera.project(foot);
     double width = predicted.width() / (1 + error);
     double height = predicted.height() / (1 + error);

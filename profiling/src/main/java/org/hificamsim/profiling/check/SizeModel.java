@@ -1,7 +1,7 @@
 package org.hificamsim.profiling.check;
 
 /** How a size in the picture is predicted. */
-enum Rung {
+enum SizeModel {
   /**
    * As the simulator has it: a flat world, in which a metre at a distance d has focal length / d
    * pixels.
