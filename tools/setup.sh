@@ -1,5 +1,5 @@
 # Sourced by ./hificamsim and ./test with `root` set: finds or installs what the project needs, and builds.
-# Everything said here goes to standard error. Why it is so: docs/adr/0003-launcher.md.
+# Everything said here goes to standard error. Why it is so: docs/adr/0002-build.md.
 # shellcheck shell=sh
 : "${root:?}"
 
@@ -128,7 +128,7 @@ stale() {
         -path './*/src/test' -prune -o -newer "$2" -print -quit)" ]
 }
 
-# Dumps the classes of a short run, for the JVM to map them at the next start (docs/adr/0003-launcher.md).
+# Dumps the classes of a short run, for the JVM to map them at the next start (docs/adr/0002-build.md).
 # Whatever goes wrong here, the command line starts without them.
 archive_classes() {
     scratch=$(mktemp -d) || return 0

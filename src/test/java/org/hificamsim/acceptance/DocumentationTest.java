@@ -1,5 +1,7 @@
 package org.hificamsim.acceptance;
 
+import static java.util.stream.Collectors.counting;
+import static java.util.stream.Collectors.groupingBy;
 import static java.util.stream.Collectors.toSet;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -8,7 +10,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -46,6 +50,18 @@ class DocumentationTest {
   }
 
   @Test
+  void everyClassNameHasOneMeaning() throws IOException {
+    Map<String, Long> places =
+        sources()
+            .filter(file -> file.toString().replace('\\', '/').contains("/src/main/"))
+            .map(DocumentationTest::className)
+            .filter(name -> !name.equals("package-info"))
+            .collect(groupingBy(name -> name, TreeMap::new, counting()));
+    assertTrue(places.size() > 500, "found " + places.size());
+    assertEquals(List.of(), places.keySet().stream().filter(name -> places.get(name) > 1).toList());
+  }
+
+  @Test
   void everyModuleIsOnTheMapAndInItsPicture() throws IOException {
     String map = Files.readString(Cli.ROOT.resolve("CONTRIBUTING.md"));
     String picture = Files.readString(Cli.ROOT.resolve("docs/img/modules.svg"));
@@ -71,12 +87,16 @@ class DocumentationTest {
 
   /** Every class with a file of its own, tests too. */
   private static Set<String> classes() throws IOException {
+    return sources().map(DocumentationTest::className).collect(toSet());
+  }
+
+  private static Stream<Path> sources() throws IOException {
     try (Stream<Path> files = Files.walk(Cli.ROOT, 12)) {
-      return files
-          .map(file -> file.getFileName().toString())
-          .filter(name -> name.endsWith(".java"))
-          .map(name -> name.substring(0, name.length() - ".java".length()))
-          .collect(toSet());
+      return files.filter(file -> file.toString().endsWith(".java")).toList().stream();
     }
+  }
+
+  private static String className(Path file) {
+    return file.getFileName().toString().replaceFirst("\\.java$", "");
   }
 }

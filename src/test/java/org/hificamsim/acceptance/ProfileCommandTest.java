@@ -24,8 +24,7 @@ class ProfileCommandTest {
   void aSmallLabBecomesModelsThatRun() throws IOException {
     Path lab =
         Cli.lab(
-            folder,
-            "--scale 0.08 --objects 3 --focal-lengths 0.010,0.035,0.085 --distances 1,2,5");
+            folder, "--scale 0.08 --objects 3 --focal-lengths 0.010,0.035,0.085 --distances 1,2,5");
     Cli measured = assertDone(Cli.run("profile", "measure", lab));
     assertTrue(measured.out().contains("photos measured"), measured.out());
     Cli fitted =

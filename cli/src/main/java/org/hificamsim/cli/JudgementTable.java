@@ -3,8 +3,8 @@ package org.hificamsim.cli;
 import java.io.PrintWriter;
 import java.util.Locale;
 import org.hificamsim.reproduction.Adapting;
+import org.hificamsim.reproduction.FitRole;
 import org.hificamsim.reproduction.Judgement;
-import org.hificamsim.reproduction.Role;
 import org.hificamsim.reproduction.Statement;
 import org.hificamsim.reproduction.Table81;
 import org.hificamsim.reproduction.Verdict;
@@ -29,17 +29,17 @@ final class JudgementTable {
           cell.published().proportion(),
           cell.ours().text("%.3f"),
           Double.isNaN(cell.standard()) ? "" : String.format(Locale.ROOT, "%.2f", cell.standard()),
-          Role.of(cell).label(),
+          FitRole.of(cell).label(),
           cell.verdict().label());
     }
     out.println();
     for (Statement statement : judgement.statements()) {
       out.printf(
           "%-15s %-8s %s%n",
-          statement.verdict().label(), Role.of(statement).label(), statement.text());
+          statement.verdict().label(), FitRole.of(statement).label(), statement.text());
     }
     out.println();
-    for (Role role : Role.values()) {
+    for (FitRole role : FitRole.values()) {
       out.printf("%-15s %s%n", role.label(), judgement.score(role));
     }
     for (Verdict verdict : Verdict.values()) {

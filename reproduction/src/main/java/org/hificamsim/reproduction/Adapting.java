@@ -9,7 +9,7 @@ import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.ScoredRun;
 
 /**
- * What it is worth to change the zoom in a scenario at all: the exact optimum of every step beside
+ * What it is worth to change the zoom in a scenario at all: the exact optimum of every step against
  * one level that all cameras keep.
  *
  * @param optimum performance of the optimum, summed over the seeds

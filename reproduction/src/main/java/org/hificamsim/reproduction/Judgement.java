@@ -22,7 +22,7 @@ public record Judgement(
   }
 
   /** How many cells and statements of a role there are, and how many of them are reproduced. */
-  public String score(Role role) {
+  public String score(FitRole role) {
     List<Verdict> ofCells = verdictsOfCells(role);
     List<Verdict> ofStatements = verdictsOfStatements(role);
     return String.format(
@@ -34,13 +34,16 @@ public record Judgement(
         ofStatements.size());
   }
 
-  private List<Verdict> verdictsOfCells(Role role) {
-    return cells.stream().filter(cell -> Role.of(cell) == role).map(Table81.Cell::verdict).toList();
+  private List<Verdict> verdictsOfCells(FitRole role) {
+    return cells.stream()
+        .filter(cell -> FitRole.of(cell) == role)
+        .map(Table81.Cell::verdict)
+        .toList();
   }
 
-  private List<Verdict> verdictsOfStatements(Role role) {
+  private List<Verdict> verdictsOfStatements(FitRole role) {
     return statements.stream()
-        .filter(statement -> Role.of(statement) == role)
+        .filter(statement -> FitRole.of(statement) == role)
         .map(Statement::verdict)
         .toList();
   }

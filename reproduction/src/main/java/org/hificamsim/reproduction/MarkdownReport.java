@@ -49,7 +49,7 @@ final class MarkdownReport {
           number(cell.exploreAny()),
           number(cell.origin()),
           number(cell.standard()),
-          Role.of(cell).label());
+          FitRole.of(cell).label());
     }
     line("");
     line("%s", PROOF);
@@ -62,7 +62,7 @@ final class MarkdownReport {
   private void verdicts(Judgement judgement) {
     line("%s", Adapting.finding(judgement.adapting()));
     line("");
-    for (Role role : Role.values()) {
+    for (FitRole role : FitRole.values()) {
       line("- %s: %s", role.label(), judgement.score(role));
     }
     line("");
@@ -72,7 +72,7 @@ final class MarkdownReport {
       line(
           "| %s | %s | %.2f | %.2f | %s | %s |",
           Reason.id(cell),
-          Role.of(cell).label(),
+          FitRole.of(cell).label(),
           cell.published().proportion(),
           cell.ours().mean(),
           cell.verdict().label(),
@@ -86,7 +86,7 @@ final class MarkdownReport {
           "| %s | %s | %s | %s | %s |",
           statement.text(),
           statement.source(),
-          Role.of(statement).label(),
+          FitRole.of(statement).label(),
           statement.verdict().label(),
           Reason.of(statement));
     }

@@ -68,7 +68,7 @@ public final class ReproductionFiles {
             cell.exploreAny(),
             cell.origin(),
             cell.standard(),
-            Role.of(cell).label());
+            FitRole.of(cell).label());
       }
     }
   }
@@ -89,7 +89,7 @@ public final class ReproductionFiles {
             cell.verdict() == Verdict.REPRODUCED ? 1 : 0,
             cell.verdict().label(),
             Reason.of(cell),
-            Role.of(cell).label());
+            FitRole.of(cell).label());
       }
       for (Statement statement : judgement.statements()) {
         Statement.Margin weakest = statement.weakest();
@@ -106,7 +106,7 @@ public final class ReproductionFiles {
             statement.held(),
             statement.verdict().label(),
             Reason.of(statement),
-            Role.of(statement).label());
+            FitRole.of(statement).label());
       }
     }
   }

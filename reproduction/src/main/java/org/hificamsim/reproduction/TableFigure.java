@@ -9,7 +9,7 @@ import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.knowm.xchart.XYChart;
 
-/** Table 8.1 as a picture: our proportions as dots beside the published ones as diamonds. */
+/** Table 8.1 as a picture: our proportions as dots, the published ones as diamonds. */
 final class TableFigure {
   private static final List<Layout> LAYOUTS = List.of(Layout.values());
   private static final int WIDTH = 400;

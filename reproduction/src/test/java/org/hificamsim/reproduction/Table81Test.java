@@ -70,7 +70,7 @@ class Table81Test {
   @Test
   void theHiFiColumnIsFittedAndCamSimsHeldOut() {
     for (Table81.Cell cell : cells()) {
-      assertEquals(cell.published().hifi() ? Role.FITTED : Role.HELD_OUT, Role.of(cell));
+      assertEquals(cell.published().hifi() ? FitRole.FITTED : FitRole.HELD_OUT, FitRole.of(cell));
     }
   }
 

@@ -45,8 +45,8 @@ final class Advertised {
     return open.isEmpty();
   }
 
-  /** The first name from {@code from} on that was asked about an advertised target, or -1. */
-  int nextAsked(int target, int from) {
-    return asked[target].nextSetBit(from);
+  /** The names that were asked about an advertised target. */
+  BitSet asked(int target) {
+    return asked[target];
   }
 }

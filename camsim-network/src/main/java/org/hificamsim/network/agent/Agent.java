@@ -94,7 +94,7 @@ public final class Agent {
 
   /** Gets to know another camera, the last in its list. */
   public void meet(int other) {
-    contacts.neighbours.add(other);
+    contacts.neighbours.set(other);
   }
 
   /** Permanently forgets all other cameras (behaviour 7, step 4). */
@@ -104,7 +104,7 @@ public final class Agent {
 
   /** The number of cameras that it knows. */
   int neighbours() {
-    return contacts.neighbours.size();
+    return contacts.neighbours.cardinality();
   }
 
   /** Whether a message to this camera arrives. */
@@ -160,7 +160,7 @@ public final class Agent {
   public void receive(MessageKind kind, int from, int target, double value) {
     switch (kind) {
       case START_SEARCH -> {
-        if (contacts.neighbours.contains(from)) {
+        if (contacts.neighbours.get(from)) {
           searches.begin(camera, target, from);
         }
       }
@@ -171,7 +171,7 @@ public final class Agent {
         }
       }
       case FOUND -> {
-        if (contacts.neighbours.contains(from) && contacts.advertised.contains(target)) {
+        if (contacts.neighbours.get(from) && contacts.advertised.contains(target)) {
           bids.add(target, from, value, shared.bidderHash().applyAsInt(from));
         }
       }
@@ -209,11 +209,10 @@ public final class Agent {
 
   /** Bids for targets in view that others sell, and claims those nobody owns (behaviour 8.4). */
   public void bid() {
-    InsertionOrder visible = shared.sightings().visible(camera);
+    Sightings sightings = shared.sightings();
     int claimed = 0;
-    for (int target = visible.first();
-        target != InsertionOrder.END;
-        target = visible.next(target)) {
+    for (int i = 0; i < sightings.visible(camera); i++) {
+      int target = sightings.visible(camera, i);
       int searcher = searches.searcher(camera, target);
       if (searcher == Searches.NONE || owned.contains(target)) {
         continue;

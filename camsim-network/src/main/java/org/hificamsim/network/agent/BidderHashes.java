@@ -39,7 +39,7 @@ public final class BidderHashes {
 
   /** The hash code of the camera's text as it is now. */
   public int of(int camera) {
-    int hash = appendNumber(constantPart(camera), sightings.visible(camera).size());
+    int hash = appendNumber(constantPart(camera), sightings.visible(camera));
     return appendNumber(append(hash, " neighbours="), agents[camera].neighbours());
   }
 

@@ -1,5 +1,6 @@
 package org.hificamsim.network.agent;
 
+import java.util.BitSet;
 import java.util.List;
 import java.util.Locale;
 
@@ -50,7 +51,7 @@ public enum CommunicationPolicy implements Named {
         if (contacts.advertised.isEmpty()) {
           contacts.sendToNeighbours(MessageKind.STOP_SEARCH, target);
         } else if (contacts.advertised.contains(target)) {
-          tellAsked(contacts, target);
+          tell(contacts, contacts.advertised.asked(target), target);
         }
       }
     }
@@ -61,8 +62,8 @@ public enum CommunicationPolicy implements Named {
   private void askSome(Contacts contacts, int target, double strongest) {
     double draw = contacts.draw();
     boolean any = false;
-    InsertionOrder all = contacts.neighbours;
-    for (int camera = all.first(); camera != InsertionOrder.END; camera = all.next(camera)) {
+    BitSet all = contacts.neighbours;
+    for (int camera = all.nextSetBit(0); camera >= 0; camera = all.nextSetBit(camera + 1)) {
       if (chance(contacts.linkTo(camera, target), strongest) > draw) {
         contacts.ask(camera, target);
         any = true;
@@ -83,25 +84,16 @@ public enum CommunicationPolicy implements Named {
   private static void askLinked(Contacts contacts, int target) {
     contacts.advertised.close(target);
     contacts.advertised.open(target);
-    InsertionOrder linked = contacts.links.linked();
-    for (int name = linked.first(); name != InsertionOrder.END; name = linked.next(name)) {
+    BitSet linked = contacts.links.linked();
+    for (int name = linked.nextSetBit(0); name >= 0; name = linked.nextSetBit(name + 1)) {
       contacts.advertised.add(target, name);
       contacts.send(MessageKind.START_SEARCH, name, target, 0);
     }
   }
 
-  private static void tell(Contacts contacts, InsertionOrder names, int target) {
-    for (int name = names.first(); name != InsertionOrder.END; name = names.next(name)) {
+  private static void tell(Contacts contacts, BitSet names, int target) {
+    for (int name = names.nextSetBit(0); name >= 0; name = names.nextSetBit(name + 1)) {
       contacts.send(MessageKind.STOP_SEARCH, name, target, 0);
-    }
-  }
-
-  private static void tellAsked(Contacts contacts, int target) {
-    Advertised advertised = contacts.advertised;
-    int camera = advertised.nextAsked(target, 0);
-    while (camera >= 0) {
-      contacts.send(MessageKind.STOP_SEARCH, camera, target, 0);
-      camera = advertised.nextAsked(target, camera + 1);
     }
   }
 }

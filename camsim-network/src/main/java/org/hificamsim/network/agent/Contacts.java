@@ -1,5 +1,6 @@
 package org.hificamsim.network.agent;
 
+import java.util.BitSet;
 import org.hificamsim.core.world.Cameras;
 
 /**
@@ -7,7 +8,7 @@ import org.hificamsim.core.world.Cameras;
  * of its targets; and its way to reach them (behaviour 8.1, 8.2).
  */
 final class Contacts {
-  final InsertionOrder neighbours;
+  final BitSet neighbours = new BitSet();
   final Links links;
   final Advertised advertised;
   private final int camera;
@@ -19,14 +20,13 @@ final class Contacts {
     this.camera = camera;
     this.links = links;
     this.shared = shared;
-    neighbours = new InsertionOrder(shared.cameras().count());
     advertised = new Advertised(shared.features().length);
   }
 
   /** Whether a message to this name arrives; not all names are cameras. */
   boolean reaches(int name) {
     Cameras cameras = shared.cameras();
-    return name < cameras.count() && neighbours.contains(name) && cameras.online(name);
+    return name < cameras.count() && neighbours.get(name) && cameras.online(name);
   }
 
   /** Strength of the link to a camera under its current name: one that is offline has none. */
@@ -60,10 +60,10 @@ final class Contacts {
 
   /** Asks all neighbours to bid for a target. */
   void askNeighbours(int target) {
-    sent += neighbours.size();
+    sent += neighbours.cardinality();
     advertised.open(target);
     if (links != Links.UNREAD) { // else it always asks all of them
-      noteAllAsked(target);
+      neighbours.stream().forEach(name -> noteAsked(name, target));
     }
     sendToNeighbours(MessageKind.START_SEARCH, target);
   }
@@ -73,12 +73,6 @@ final class Contacts {
     int before = sent;
     askNeighbours(target);
     sent = countsFallback ? sent : before;
-  }
-
-  private void noteAllAsked(int target) {
-    for (int name = neighbours.first(); name != InsertionOrder.END; name = neighbours.next(name)) {
-      noteAsked(name, target);
-    }
   }
 
   private void noteAsked(int neighbour, int target) {

@@ -1,6 +1,7 @@
 package org.hificamsim.network.agent;
 
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.List;
 import java.util.function.IntUnaryOperator;
 
@@ -24,7 +25,7 @@ public final class Links {
   private final int categories;
   private final IntUnaryOperator categoryOf;
   private final double[] strengths;
-  private final InsertionOrder linked;
+  private final BitSet linked = new BitSet();
   private boolean frozen;
 
   private Links(int names, int categories, IntUnaryOperator categoryOf) {
@@ -32,7 +33,6 @@ public final class Links {
     this.categoryOf = categoryOf;
     strengths = new double[names * (categories + 1)];
     Arrays.fill(strengths, NONE);
-    linked = new InsertionOrder(names);
   }
 
   /**
@@ -44,7 +44,7 @@ public final class Links {
   public static Links plain(int names, List<Integer> initial, boolean frozen) {
     Links links = new Links(names, 1, target -> 1);
     for (int name : initial) {
-      links.linked.add(name);
+      links.linked.set(name);
       links.strengths[links.at(name, 1)] = 1.0;
     }
     links.frozen = frozen;
@@ -69,7 +69,7 @@ public final class Links {
   double strongest(int target) {
     int category = categoryOf.applyAsInt(target);
     double strongest = 0;
-    for (int name = linked.first(); name != InsertionOrder.END; name = linked.next(name)) {
+    for (int name = linked.nextSetBit(0); name >= 0; name = linked.nextSetBit(name + 1)) {
       strongest = Math.max(strongest, strengths[at(name, category)]);
     }
     return strongest;
@@ -83,7 +83,7 @@ public final class Links {
     }
     int place = at(camera, category);
     strengths[place] = strengths[place] == NONE ? 1.0 : strengths[place] + 1.0;
-    linked.add(camera);
+    linked.set(camera);
   }
 
   /** Lets every link fade, once per step. */
@@ -91,7 +91,7 @@ public final class Links {
     if (frozen) {
       return;
     }
-    for (int name = linked.first(); name != InsertionOrder.END; name = linked.next(name)) {
+    for (int name = linked.nextSetBit(0); name >= 0; name = linked.nextSetBit(name + 1)) {
       for (int place = at(name, 1); place <= at(name, categories); place++) {
         if (strengths[place] != NONE) {
           strengths[place] *= FADING;
@@ -106,7 +106,7 @@ public final class Links {
   }
 
   /** The names linked to. */
-  InsertionOrder linked() {
+  BitSet linked() {
     return linked;
   }
 

@@ -21,10 +21,12 @@ public final class Sightings {
   private final Visibility visibility;
   private final PointGrid places;
   private final double[][] confidence; // by camera and target
-  private final InsertionOrder[] visible;
+  private final int[][] visible; // by camera, in order
+  private final int[] visibleCount;
   private final Outside[] outsides;
   private final int[] near;
   private final int[] seen;
+  private final boolean[] kept;
 
   /** What cameras will see, nothing so far. */
   public Sightings(World world, Visibility visibility) {
@@ -34,8 +36,9 @@ public final class Sightings {
     places = TargetPlaces.of(world);
     this.visibility = visibility;
     confidence = new double[cameras.count()][targets.count()];
-    visible = new InsertionOrder[cameras.count()];
-    Arrays.setAll(visible, camera -> new InsertionOrder(targets.count()));
+    visible = new int[cameras.count()][targets.count()];
+    visibleCount = new int[cameras.count()];
+    kept = new boolean[targets.count()];
     outsides = new Outside[cameras.count()];
     Arrays.setAll(outsides, camera -> new Outside());
     near = new int[targets.count()];
@@ -60,7 +63,6 @@ public final class Sightings {
     }
   }
 
-  /** Who became visible comes last, in the order of the targets. */
   private int look(long step, int camera) {
     doubt(camera);
     int view = cameras.seeing(camera);
@@ -68,11 +70,29 @@ public final class Sightings {
         view == Cameras.NO_VIEW
             ? 0
             : find(step, camera, cameras.pose(camera, view), cameras.zoom(camera, view));
-    for (int i = 0; i < count; i++) {
-      visible[camera].add(seen[i]);
-    }
-    forgetUnseen(camera);
+    list(camera, count);
     return count;
+  }
+
+  /** Who is still visible keeps its place, who became visible comes last, in the targets' order. */
+  private void list(int camera, int found) {
+    int[] list = visible[camera];
+    int count = 0;
+    for (int i = 0; i < visibleCount[camera]; i++) {
+      if (sees(camera, list[i])) {
+        kept[list[i]] = true;
+        list[count++] = list[i];
+      }
+    }
+    for (int i = 0; i < found; i++) {
+      if (!kept[seen[i]]) {
+        list[count++] = seen[i];
+      }
+    }
+    for (int i = 0; i < count; i++) {
+      kept[list[i]] = false;
+    }
+    visibleCount[camera] = count;
   }
 
   /** Finds the targets that a camera sees; returns how many. */
@@ -121,30 +141,18 @@ public final class Sightings {
 
   /** What a camera saw counts no longer; what is not there stays as it was. */
   private void doubt(int camera) {
-    InsertionOrder all = visible[camera];
-    for (int target = all.first(); target != InsertionOrder.END; target = all.next(target)) {
+    for (int i = 0; i < visibleCount[camera]; i++) {
+      int target = visible[camera][i];
       if (targets.present(target)) {
         confidence[camera][target] = 0;
       }
     }
   }
 
-  private void forgetUnseen(int camera) {
-    InsertionOrder all = visible[camera];
-    int target = all.first();
-    while (target != InsertionOrder.END) {
-      int next = all.next(target);
-      if (!(confidence[camera][target] > 0)) {
-        all.remove(target);
-      }
-      target = next;
-    }
-  }
-
   /** A camera loses sight of a target, whatever its next look brings. */
   public void forget(int camera, int target) {
     confidence[camera][target] = 0;
-    visible[camera].remove(target);
+    list(camera, 0);
   }
 
   /** How sure the camera is of the target; 0 where it does not see it. */
@@ -154,11 +162,16 @@ public final class Sightings {
 
   /** Whether the camera sees the target. */
   public boolean sees(int camera, int target) {
-    return visible[camera].contains(target);
+    return confidence[camera][target] > 0;
   }
 
-  /** The targets that the camera sees. */
-  public InsertionOrder visible(int camera) {
-    return visible[camera];
+  /** How many targets the camera sees. */
+  public int visible(int camera) {
+    return visibleCount[camera];
+  }
+
+  /** One of these targets, by its place in their order. */
+  int visible(int camera, int place) {
+    return visible[camera][place];
   }
 }

@@ -62,7 +62,7 @@ public final class StepTally {
     overlap = overlaps.addPairs(agent.camera(), overlap);
     confidence += figures.relativeConfidence();
     tracked += figures.tracked();
-    if (sightings.visible(agent.camera()).size() > 0) {
+    if (sightings.visible(agent.camera()) > 0) {
       seeing++;
     }
   }

@@ -18,7 +18,7 @@ class LinksTest {
     assertEquals(1.0, links.strength(2, 0));
     assertEquals(Links.NONE, links.strength(0, 0));
     assertEquals(1.995, links.strongest(0));
-    assertEquals(2, links.linked().size());
+    assertEquals(2, links.linked().cardinality());
   }
 
   @Test
@@ -27,7 +27,7 @@ class LinksTest {
     links.decay();
     links.strengthen(2, 0);
     assertEquals(1.0, links.strength(1, 0));
-    assertEquals(1, links.linked().size());
+    assertEquals(1, links.linked().cardinality());
     links.thaw();
     links.decay();
     assertEquals(0.995, links.strength(1, 0));

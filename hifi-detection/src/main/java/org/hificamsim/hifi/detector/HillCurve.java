@@ -26,6 +26,7 @@ public record HillCurve(double floor, double rise, double half, double exponent)
 
   @Override
   public String equation() {
-    return String.format(Locale.ROOT, "%.3g + %.3g / (1 + (%.3g / p)^%.3g)", floor, rise, half, exponent);
+    return String.format(
+        Locale.ROOT, "%.3g + %.3g / (1 + (%.3g / p)^%.3g)", floor, rise, half, exponent);
   }
 }

@@ -10,7 +10,8 @@ import java.util.Map;
  * @param footError from where the calibration has the target's foot to where the box stands, pixels
  * @param predicted by each rung
  */
-record BoxComparison(Sighting sighting, double distance, double footError, Map<SizeModel, Size> predicted) {
+record BoxComparison(
+    Sighting sighting, double distance, double footError, Map<SizeModel, Size> predicted) {
   static BoxComparison of(Sighting sighting, Calibration camera, Body body) {
     Map<SizeModel, Size> predicted = new EnumMap<>(SizeModel.class);
     for (SizeModel rung : SizeModel.values()) {

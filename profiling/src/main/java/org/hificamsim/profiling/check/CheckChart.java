@@ -35,7 +35,12 @@ final class CheckChart {
   }
 
   private static void points(
-      XYChart chart, RealityCheck check, Quantity quantity, SizeModel rung, Color color, Marker marker) {
+      XYChart chart,
+      RealityCheck check,
+      Quantity quantity,
+      SizeModel rung,
+      Color color,
+      Marker marker) {
     int every = 1 + check.boxes() / MAX_POINTS;
     List<BoxComparison> shown =
         IntStream.range(0, check.boxes())

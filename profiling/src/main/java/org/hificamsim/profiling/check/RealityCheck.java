@@ -54,7 +54,8 @@ public final class RealityCheck {
   }
 
   private static double bandWidth(List<BoxComparison> all) {
-    double least = all.stream().mapToDouble(BoxComparison::distance).max().orElseThrow() / MAX_BANDS;
+    double least =
+        all.stream().mapToDouble(BoxComparison::distance).max().orElseThrow() / MAX_BANDS;
     double power = Math.pow(10, Math.floor(Math.log10(least)));
     for (int factor : new int[] {1, 2, 5}) {
       if (factor * power >= least) {

@@ -56,7 +56,8 @@ public final class DatasetReader {
     PhotoCamera camera = CameraFile.read(folder.resolve(Dataset.CAMERA));
     Path cocoFile = folder.resolve(Dataset.COCO);
     CocoPatches coco = Files.exists(cocoFile) ? CocoPatches.read(cocoFile) : CocoPatches.none();
-    CsvRows table = CsvReader.open(folder.resolve(Dataset.TABLE), "a data set's table").all(COLUMNS);
+    CsvRows table =
+        CsvReader.open(folder.resolve(Dataset.TABLE), "a data set's table").all(COLUMNS);
     if (table.rows().isEmpty()) {
       throw new InputException(table.file() + ":2:1: no rows, expected one for each picture");
     }
@@ -73,8 +74,7 @@ public final class DatasetReader {
   }
 
   private void checkOnce(CsvRow row, Map<String, Integer> lines) {
-    Integer earlier =
-        lines.putIfAbsent(row.text("image") + '\n' + row.text("object"), row.line());
+    Integer earlier = lines.putIfAbsent(row.text("image") + '\n' + row.text("object"), row.line());
     if (earlier != null) {
       problems.add(
           row.invalid("image", "each image and object once, and line " + earlier + " has it")

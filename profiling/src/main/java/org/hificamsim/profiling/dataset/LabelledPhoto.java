@@ -26,6 +26,7 @@ public record LabelledPhoto(
     Optional<Path> mask) {
   /** The same without a mask. */
   public LabelledPhoto unmasked() {
-    return new LabelledPhoto(image, file, object, size, distance, focalLength, patch, Optional.empty());
+    return new LabelledPhoto(
+        image, file, object, size, distance, focalLength, patch, Optional.empty());
   }
 }

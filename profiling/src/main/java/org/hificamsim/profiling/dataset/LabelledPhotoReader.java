@@ -27,11 +27,7 @@ final class LabelledPhotoReader {
   private final List<String> problems;
 
   LabelledPhotoReader(
-      Path folder,
-      PhotoCamera camera,
-      CocoPatches coco,
-      CsvRow row,
-      List<String> problems) {
+      Path folder, PhotoCamera camera, CocoPatches coco, CsvRow row, List<String> problems) {
     this.folder = folder;
     this.camera = camera;
     this.coco = coco;
@@ -54,14 +50,7 @@ final class LabelledPhotoReader {
         ? Optional.empty()
         : Optional.of(
             new LabelledPhoto(
-                row.text("image"),
-                image.file(),
-                object,
-                size,
-                distance,
-                focalLength,
-                patch,
-                mask));
+                row.text("image"), image.file(), object, size, distance, focalLength, patch, mask));
   }
 
   /** What is supposed of a photo that cannot be read. */
@@ -133,8 +122,7 @@ final class LabelledPhotoReader {
   }
 
   private double length(String column, double most) {
-    return row.number(
-column, Double.MIN_NORMAL, most, "metres above 0, at most " + (long) most);
+    return row.number(column, Double.MIN_NORMAL, most, "metres above 0, at most " + (long) most);
   }
 
   private double focalLength(Path image) {

@@ -68,7 +68,8 @@ final class LabFolder {
   }
 
   /** Writes the tables last: a folder with a {@code dataset.csv} is complete. */
-  void finish(LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.PhotoCount photos) {
+  void finish(
+      LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.PhotoCount photos) {
     json(
         "camera.json",
         new PhotoCamera(Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height()));

@@ -6,11 +6,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.BiFunction;
-import org.hificamsim.profiling.detector.MemoryNeed;
 import org.hificamsim.profiling.detector.ConfidenceSource;
 import org.hificamsim.profiling.detector.ConfidenceSource.Look;
-import org.hificamsim.profiling.detector.Photograph;
 import org.hificamsim.profiling.detector.Detectors;
+import org.hificamsim.profiling.detector.MemoryNeed;
+import org.hificamsim.profiling.detector.Photograph;
 
 /** Looks at photos with all detectors; each set of them is used by one thread at a time. */
 final class DetectorPool implements AutoCloseable {

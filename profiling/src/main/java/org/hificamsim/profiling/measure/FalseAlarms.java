@@ -25,7 +25,8 @@ record FalseAlarms(Dataset dataset, DetectorPool detectors) {
             dataset.negatives(),
             threads,
             photo -> {
-              List<Map<String, Double>> seen = detectors.confidences(photo, subjects, Look::falseConfidences);
+              List<Map<String, Double>> seen =
+                  detectors.confidences(photo, subjects, Look::falseConfidences);
               watcher.measured();
               return seen;
             })
@@ -41,7 +42,8 @@ record FalseAlarms(Dataset dataset, DetectorPool detectors) {
   private List<Subject> subjects() {
     List<Subject> subjects = new ArrayList<>();
     for (String object : dataset.templates().keySet()) {
-      List<LabelledPhoto> of = dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
+      List<LabelledPhoto> of =
+          dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
       int places = Math.min(PLACES, of.size());
       for (int i = 0; i < places; i++) {
         subjects.add(new Subject(object, of.get(i * of.size() / places).patch()));

@@ -33,7 +33,8 @@ public final class MeasurementsFile {
   private MeasurementsFile() {}
 
   /** Writes the table whole or not at all. */
-  static void write(Path file, MeasurementColumns columns, List<Measurement> rows) throws IOException {
+  static void write(Path file, MeasurementColumns columns, List<Measurement> rows)
+      throws IOException {
     new OutputFile(file).write(columns.layout().csv(rows));
   }
 
@@ -44,7 +45,8 @@ public final class MeasurementsFile {
    */
   public static List<Measurement> read(Path file) {
     PipReading pip = PipReading.of(file);
-    CsvRows table = CsvReader.open(file, "a table of measurements").all(MeasurementColumns.required(pip));
+    CsvRows table =
+        CsvReader.open(file, "a table of measurements").all(MeasurementColumns.required(pip));
     List<String> detectors = table.columns().stream().filter(MeasurementsFile::isDetector).toList();
     if (detectors.isEmpty()) {
       throw new InputException(file + ":1:1: no detector's column, expected one such as orb");
@@ -61,12 +63,10 @@ public final class MeasurementsFile {
         && !CONDITIONS.contains(column);
   }
 
-  private static Measurement measurement(
-      CsvRow row, String pip, List<String> detectors) {
+  private static Measurement measurement(CsvRow row, String pip, List<String> detectors) {
     Map<String, Double> confidences = new LinkedHashMap<>();
     for (String detector : detectors) {
-      confidences.put(
-          detector, row.number(detector, 0, 1, "a confidence from 0 to 1"));
+      confidences.put(detector, row.number(detector, 0, 1, "a confidence from 0 to 1"));
     }
     return new Measurement(
         row.text("image"),

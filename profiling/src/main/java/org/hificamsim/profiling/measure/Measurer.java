@@ -79,7 +79,8 @@ public final class Measurer {
   private Measurement measured(int index, DetectorPool detectors) {
     LabelledPhoto sample = dataset.samples().get(index);
     List<Subject> subject = List.of(new Subject(sample.object(), sample.patch()));
-    Map<String, Double> confidences = detectors.confidences(sample.file(), subject, Look::confidences).get(0);
+    Map<String, Double> confidences =
+        detectors.confidences(sample.file(), subject, Look::confidences).get(0);
     return new Measurement(
         sample.image(),
         sample.object(),
@@ -97,11 +98,14 @@ public final class Measurer {
       all = Recall.with(all, heights, detector);
     }
     MeasurementsFile.write(
-        dataset.folder().resolve(MeasurementsFile.NAME), MeasurementColumns.of(settings.pip(), all), all);
+        dataset.folder().resolve(MeasurementsFile.NAME),
+        MeasurementColumns.of(settings.pip(), all),
+        all);
   }
 
   private List<String> writeThresholds(
-      List<Measurement> rows, DetectorPool detectors, int threads, MeasureProgress watcher) throws IOException {
+      List<Measurement> rows, DetectorPool detectors, int threads, MeasureProgress watcher)
+      throws IOException {
     FalseAlarms alarms = new FalseAlarms(dataset, detectors);
     Map<String, AlarmThreshold> thresholds = new LinkedHashMap<>();
     Map<String, List<Double>> without = alarms.confidences(threads, watcher);

@@ -40,8 +40,7 @@ public final class OwnConfidences {
     return stem.replaceAll("[^A-Za-z0-9_]+", "-");
   }
 
-  private static Measurement measurement(
-      CsvRow row, String detector, PhotoCamera camera) {
+  private static Measurement measurement(CsvRow row, String detector, PhotoCamera camera) {
     double size = metres(row, "q");
     double distance = metres(row, "d");
     double focalLength = metres(row, "z");
@@ -55,9 +54,7 @@ public final class OwnConfidences {
         row.has("pip")
             ? row.number("pip", Double.MIN_NORMAL, 1, "a share above 0, at most 1")
             : Math.max(pinhole, Double.MIN_NORMAL),
-        Map.of(
-            detector,
-            row.number("confidence", 0, 1, "a confidence from 0 to 1")));
+        Map.of(detector, row.number("confidence", 0, 1, "a confidence from 0 to 1")));
   }
 
   private static double metres(CsvRow row, String column) {

@@ -3,8 +3,8 @@ package org.hificamsim.profiling.measure;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
+import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.detector.Photograph;
 import org.opencv.core.Core;
 

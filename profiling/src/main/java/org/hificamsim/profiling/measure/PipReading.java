@@ -27,9 +27,7 @@ public enum PipReading {
 
   /** The reading behind a table of measurements. */
   static PipReading of(Path file) {
-    return table(file).columns().contains(RECTANGLE.column)
-        ? RECTANGLE
-        : SILHOUETTE;
+    return table(file).columns().contains(RECTANGLE.column) ? RECTANGLE : SILHOUETTE;
   }
 
   /**

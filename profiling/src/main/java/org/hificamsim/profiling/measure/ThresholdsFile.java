@@ -33,7 +33,8 @@ public final class ThresholdsFile {
     Path file = folder.resolve(NAME);
     Map<String, Double> thresholds = new LinkedHashMap<>();
     if (Files.exists(file)) {
-      CsvReader.open(file, "a table of thresholds").all(LAYOUT.names())
+      CsvReader.open(file, "a table of thresholds")
+          .all(LAYOUT.names())
           .rows()
           .forEach(
               row ->

@@ -150,8 +150,7 @@ final class OwnTables {
   /** The ladder, with every detector. */
   static void ladder(HtmlPage page, Map<String, List<FidelityLadder.Step>> ladders) {
     List<FidelityLadder.Step> any = ladders.values().iterator().next();
-    TableLayout<Integer> layout =
-        new TableLayout<Integer>().with("model", i -> any.get(i).model());
+    TableLayout<Integer> layout = new TableLayout<Integer>().with("model", i -> any.get(i).model());
     ladders.forEach(
         (detector, steps) ->
             layout

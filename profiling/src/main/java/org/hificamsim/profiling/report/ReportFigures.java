@@ -52,7 +52,7 @@ final class ReportFigures {
         List.of(density("PIP", result.measuredPip()), density("-log10(PIP)", responses)), 2);
   }
 
-  /** With Gaussian kernels and Scott's bandwidth. */
+  /** With Gaussian kernels and Scott's bandwidth; of a copy, since Smile sorts what it is given. */
   private static XYChart density(String title, double[] values) {
     double sd = new StandardDeviation().evaluate(values);
     double width = Math.max(sd * StrictMath.pow(values.length, -0.2), 1e-9);
@@ -60,7 +60,8 @@ final class ReportFigures {
     double step = (StatUtils.max(values) + 3 * width - from) / (DENSITY_POINTS - 1);
     double[] x = IntStream.range(0, DENSITY_POINTS).mapToDouble(i -> from + i * step).toArray();
     XYChart chart = Charts.plot(title, title, "density");
-    Charts.line(chart, "density", x, at(x, new KernelDensity(values, width)::p), Charts.BLUE);
+    Charts.line(
+        chart, "density", x, at(x, new KernelDensity(values.clone(), width)::p), Charts.BLUE);
     double[] zeros = new double[values.length];
     return Charts.points(chart, "photos", values, zeros, Charts.DOTS, SeriesMarkers.CROSS);
   }

@@ -1,11 +1,11 @@
 package org.hificamsim.profiling.report;
 
-import static org.hificamsim.profiling.report.CellText.withPublished;
 import static org.hificamsim.profiling.report.CellText.fixed;
 import static org.hificamsim.profiling.report.CellText.interval;
 import static org.hificamsim.profiling.report.CellText.published;
 import static org.hificamsim.profiling.report.CellText.significant;
 import static org.hificamsim.profiling.report.CellText.span;
+import static org.hificamsim.profiling.report.CellText.withPublished;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -38,7 +38,9 @@ final class ThesisTables {
             .with("SD", row -> withPublished(row.moments.sd(), 3, row.published, "sd"))
             .with("min", row -> withPublished(row.moments.min(), 5, row.published, "min"))
             .with("max", row -> withPublished(row.moments.max(), 3, row.published, "max"))
-            .with("skewness", row -> withPublished(row.moments.skewness(), 2, row.published, "skewness")),
+            .with(
+                "skewness",
+                row -> withPublished(row.moments.skewness(), 2, row.published, "skewness")),
         Variable.of(result).stream()
             .map(
                 one ->

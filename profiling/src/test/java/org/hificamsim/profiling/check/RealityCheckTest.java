@@ -59,7 +59,8 @@ class RealityCheckTest {
     assertEquals(
         20 / 25.0 - 1, check.comparisons().get(1).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
     assertEquals(0, check.comparisons().get(2).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
-    assertEquals(0, check.comparisons().get(1).error(SizeModel.CALIBRATION, Quantity.HEIGHT), 1e-12);
+    assertEquals(
+        0, check.comparisons().get(1).error(SizeModel.CALIBRATION, Quantity.HEIGHT), 1e-12);
   }
 
   @Test

@@ -206,7 +206,8 @@ class DatasetReaderTest {
   @Test
   void tableWithoutAColumnOrARowIsReportedInOneLine() throws IOException {
     table(HEADER.replace("size_m", "size"), ROW);
-    assertTrue(DatasetReader.read(folder).problems().get(0).contains("expected image,object,size_m,"));
+    assertTrue(
+        DatasetReader.read(folder).problems().get(0).contains("expected image,object,size_m,"));
     table(HEADER);
     String problem = DatasetReader.read(folder).problems().get(0);
     assertTrue(problem.contains("no rows"), problem);

@@ -143,7 +143,10 @@ class LaboratoryTest {
   }
 
   private static List<Double> column(Dataset photos, String name) {
-    return CsvReader.open(photos.folder().resolve(Dataset.TABLE), "photos").all(List.of(name)).rows().stream()
+    return CsvReader.open(photos.folder().resolve(Dataset.TABLE), "photos")
+        .all(List.of(name))
+        .rows()
+        .stream()
         .map(row -> Double.valueOf(row.text(name)))
         .toList();
   }

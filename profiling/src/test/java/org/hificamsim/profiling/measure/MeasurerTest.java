@@ -20,8 +20,8 @@ import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.SmallLab;
 import org.hificamsim.profiling.dataset.Dataset;
-import org.hificamsim.profiling.dataset.Photos;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
+import org.hificamsim.profiling.dataset.Photos;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -51,10 +51,7 @@ class MeasurerTest {
     List<LabelledPhoto> every = dataset.samples();
     some =
         with(
-            IntStream.range(0, every.size())
-                .filter(i -> i % 3 == 0)
-                .mapToObj(every::get)
-                .toList());
+            IntStream.range(0, every.size()).filter(i -> i % 3 == 0).mapToObj(every::get).toList());
     new Measurer(some, PLAIN).measure(1, () -> {});
     measured = table();
   }

@@ -18,9 +18,9 @@ import java.util.Random;
 import java.util.stream.Stream;
 import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.data.CsvReader;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
-import org.hificamsim.data.CsvReader;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.CamSimConfidence;
 import org.hificamsim.profiling.fit.FeatureResult;
@@ -177,6 +177,14 @@ class FitReportTest {
     assertEquals("0", CellText.fixed(-0.0, 0));
     assertEquals("1 photo", org.hificamsim.profiling.fit.Counted.of(1, "photo"));
     assertEquals("0 lenses", org.hificamsim.profiling.fit.Counted.of(0, "lens"));
+  }
+
+  @Test
+  void aFigureIsTheSameWhateverWasDrawnBeforeIt() {
+    ReportFigures figures = new ReportFigures(result);
+    byte[] residuals = figures.residuals(List.of("lin"));
+    figures.transformation();
+    assertArrayEquals(residuals, figures.residuals(List.of("lin")));
   }
 
   /** By hand: 3 detected, of which 2 are told; 2 not, of which 1 is. */
@@ -340,7 +348,9 @@ class FitReportTest {
     List<Claim> claims = new Claims(result).all();
     assertEquals(5 + 4 + 3 + 3 + 3 + 3, claims.size());
     List<String> columns = List.of("source", "claim", "published", "value", "verdict");
-    assertEquals(claims.size(), CsvReader.open(folder.resolve(Claims.FILE), "claims").all(columns).rows().size());
+    assertEquals(
+        claims.size(),
+        CsvReader.open(folder.resolve(Claims.FILE), "claims").all(columns).rows().size());
     List<String> published = claims.stream().map(Claim::published).toList();
     assertTrue(published.containsAll(List.of("0.86", "0.73", "0.92", "0.60", "0.09")));
     assertTrue(published.containsAll(List.of("svr-rbf > lin > sr", "orb > surf > sift")));

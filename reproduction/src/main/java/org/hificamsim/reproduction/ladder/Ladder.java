@@ -10,7 +10,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.RunPlan;
 
-/** Scenarios x rungs x policies: what is run, and what is set beside what. */
+/** Scenarios x rungs x policies: what is run, and what is compared with what. */
 public final class Ladder {
   private final List<Rung> rungs;
   private final List<String> policies;

@@ -41,7 +41,7 @@ final class LadderFigures {
         result.scenarios().stream().map(this::panel).toList());
   }
 
-  /** Tau, regret and cost beside each other, the means over the scenarios. */
+  /** Tau, regret and cost side by side, the means over the scenarios. */
   Figure overview() {
     return figure(
         "How much realism the choice of a policy needs, judged by " + top(),

@@ -68,12 +68,12 @@ public final class LadderFiles {
   private void policies() throws IOException {
     try (CsvTable table = Table.LADDER.create(folder)) {
       for (RungScenario place : ladder.all()) {
-        policies(table, place, Scores.of(place.results(cases, ladder.policies())));
+        policies(table, place, PolicyScores.of(place.results(cases, ladder.policies())));
       }
     }
   }
 
-  private void policies(CsvTable table, RungScenario place, Scores scores) {
+  private void policies(CsvTable table, RungScenario place, PolicyScores scores) {
     int[] ranks = scores.ranks();
     for (int policy = 0; policy < ranks.length; policy++) {
       Estimate score = Bootstrap.mean(scores.score()[policy]);

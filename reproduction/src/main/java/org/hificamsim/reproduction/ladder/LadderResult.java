@@ -7,7 +7,7 @@ import java.util.Map;
 import org.hificamsim.runs.compare.Cases;
 
 /**
- * Every rung beside the top one.
+ * Every rung compared with the top one.
  *
  * @param rungs by scenario, then the means over all scenarios
  * @param nanoseconds what a step costs, by rung
@@ -16,18 +16,18 @@ import org.hificamsim.runs.compare.Cases;
 public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, String measure) {
   static LadderResult of(Ladder ladder, Cases cases, List<Double> nanoseconds) {
     List<RungResult> results = new ArrayList<>();
-    Map<Rung, List<Beside>> byRung = new LinkedHashMap<>();
+    Map<Rung, List<RungComparison>> byRung = new LinkedHashMap<>();
     for (List<RungScenario> places : ladder.scenarios().values()) {
       RungScenario last = places.get(places.size() - 1);
-      Scores top = Scores.of(last.results(cases, ladder.policies()));
+      PolicyScores top = PolicyScores.of(last.results(cases, ladder.policies()));
       for (RungScenario place : places) {
-        Scores own = Scores.of(place.results(cases, ladder.policies()));
-        Beside beside = new Beside(own, top);
-        results.add(RungResult.of(place, ladder.policies(), beside));
-        byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(beside);
+        PolicyScores own = PolicyScores.of(place.results(cases, ladder.policies()));
+        RungComparison comparison = new RungComparison(own, top);
+        results.add(RungResult.of(place, ladder.policies(), comparison));
+        byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(comparison);
       }
     }
-    byRung.forEach((rung, besides) -> results.add(RungResult.ofAll(rung, besides)));
+    byRung.forEach((rung, comparisons) -> results.add(RungResult.ofAll(rung, comparisons)));
     return new LadderResult(List.copyOf(results), nanoseconds, ladder.measure());
   }
 

@@ -28,36 +28,37 @@ public record RungResult(
   /** In place of a scenario's name. */
   public static final String ALL = "all";
 
-  static RungResult of(RungScenario place, List<String> policies, Beside beside) {
+  static RungResult of(RungScenario place, List<String> policies, RungComparison comparison) {
     return of(
         place.scenario(),
         place.rung(),
-        Arrays.stream(beside.own().best()).mapToObj(policies::get).toList(),
-        List.of(beside));
+        Arrays.stream(comparison.own().best()).mapToObj(policies::get).toList(),
+        List.of(comparison));
   }
 
-  static RungResult ofAll(Rung rung, List<Beside> scenarios) {
+  static RungResult ofAll(Rung rung, List<RungComparison> scenarios) {
     return of(ALL, rung, List.of(), scenarios);
   }
 
   private static RungResult of(
-      String scenario, Rung rung, List<String> chosen, List<Beside> besides) {
+      String scenario, Rung rung, List<String> chosen, List<RungComparison> comparisons) {
     return new RungResult(
         scenario,
         rung,
-        estimate(besides, (one, seeds) -> one.own().optimum(seeds)),
-        estimate(besides, Beside::tau),
+        estimate(comparisons, (one, seeds) -> one.own().optimum(seeds)),
+        estimate(comparisons, RungComparison::tau),
         chosen,
-        estimate(besides, Beside::regret),
-        estimate(besides, Beside::share));
+        estimate(comparisons, RungComparison::regret),
+        estimate(comparisons, RungComparison::share));
   }
 
   /** The mean over the scenarios that have the figure, with its interval: the same seeds in all. */
-  private static Estimate estimate(List<Beside> besides, ToDoubleBiFunction<Beside, int[]> figure) {
+  private static Estimate estimate(
+      List<RungComparison> comparisons, ToDoubleBiFunction<RungComparison, int[]> figure) {
     return Ratio.estimate(
-        besides.get(0).own().seeds(),
+        comparisons.get(0).own().seeds(),
         seeds ->
-            besides.stream()
+            comparisons.stream()
                 .mapToDouble(one -> figure.applyAsDouble(one, seeds))
                 .filter(value -> !Double.isNaN(value))
                 .average()

@@ -21,11 +21,19 @@ public final class WorldRungs {
   public WorldRungs(String detection) {
     all =
         List.of(
-            new Rung("round", "all-round views, a radius for each level", detection, Taken::lenses),
-            new Rung("optics", "lenses: angle against reach", detection, Taken::pan),
-            new Rung("pan", "turning, at once", detection, Taken::time),
-            new Rung("time", "the time that turning and zooming take", detection, Taken::walls),
-            new Rung("walls", "obstacles", detection, Taken::occlusion),
+            new Rung(
+                "round",
+                "all-round views, a radius for each level",
+                detection,
+                Simplifications::lenses),
+            new Rung("optics", "lenses: angle against reach", detection, Simplifications::pan),
+            new Rung("pan", "turning, at once", detection, Simplifications::time),
+            new Rung(
+                "time",
+                "the time that turning and zooming take",
+                detection,
+                Simplifications::walls),
+            new Rung("walls", "obstacles", detection, Simplifications::occlusion),
             new Rung(
                 "occlusion",
                 "targets hide targets, each of its own size",

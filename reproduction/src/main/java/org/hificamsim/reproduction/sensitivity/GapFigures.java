@@ -85,7 +85,7 @@ final class GapFigures {
     return panel.chart();
   }
 
-  /** Short enough to stand beside the others. */
+  /** Short enough to fit next to the others. */
   private static String label(String value) {
     return value.replaceFirst("^camsim-", "");
   }

@@ -4,7 +4,7 @@ import java.util.Locale;
 import java.util.Set;
 
 /** Whether the defaults were chosen for something, or have to stand up to it. */
-public enum Role {
+public enum FitRole {
   /** The hi-fi column of Table 8.1, and what it says by itself: agreeing shows consistency. */
   FITTED,
   /** Everything else, which no default was chosen for. */
@@ -26,12 +26,12 @@ public enum Role {
   }
 
   /** The role of a cell. */
-  public static Role of(Table81.Cell cell) {
+  public static FitRole of(Table81.Cell cell) {
     return cell.published().hifi() ? FITTED : HELD_OUT;
   }
 
   /** The role of a statement. */
-  public static Role of(Statement statement) {
+  public static FitRole of(Statement statement) {
     return IMPLIED.contains(statement.id()) ? FITTED : HELD_OUT;
   }
 }

@@ -2,8 +2,11 @@ package org.hificamsim.reproduction.ladder;
 
 import org.apache.commons.math3.stat.correlation.KendallsCorrelation;
 
-/** A rung beside the top rung, in one scenario; figures are of some seeds, as a bootstrap draws. */
-record Beside(Scores own, Scores top) {
+/**
+ * A rung compared with the top rung in one scenario; figures are of the seeds that a bootstrap
+ * draws.
+ */
+record RungComparison(PolicyScores own, PolicyScores top) {
   /**
    * How alike both put the policies in order: Kendall's tau-b, 1 for the same order, -1 for the
    * reverse; NaN where either has all policies tie.

@@ -15,10 +15,10 @@ import org.hificamsim.runs.compare.ScoredRun;
  * @param score by policy, then by seed
  * @param optimum the mean score of the exact optimum, by seed; by chance it knows the luck
  */
-record Scores(double[][] score, double[] optimum) {
-  static Scores of(List<CaseResult> cases) {
-    return new Scores(
-        cases.stream().map(Scores::score).toArray(double[][]::new),
+record PolicyScores(double[][] score, double[] optimum) {
+  static PolicyScores of(List<CaseResult> cases) {
+    return new PolicyScores(
+        cases.stream().map(PolicyScores::score).toArray(double[][]::new),
         cases.get(0).runs().stream()
             .mapToDouble(run -> run.optimum() / cases.get(0).plan().steps())
             .toArray());

@@ -14,13 +14,13 @@ import org.hificamsim.core.scenario.Surroundings;
 import org.hificamsim.core.scenario.TargetSpec;
 
 /**
- * Scenarios with something taken away. Each method takes away what the one above it does, too; the
- * scenario has the name of what it still has then.
+ * Simplified scenarios. Each method removes what the one above it removes, and one thing more; the
+ * scenario is named after what it still has.
  */
-final class Taken {
+final class Simplifications {
   private static final double ALL_ROUND = 360;
 
-  private Taken() {}
+  private Simplifications() {}
 
   /** Targets hide none, and all have one size: the mean of all. */
   static Scenario occlusion(Scenario scenario) {

@@ -8,17 +8,17 @@ import java.util.Arrays;
 import org.junit.jupiter.api.Test;
 
 /** Order, choice and regret of made-up policies, one seed unless said. */
-class BesideTest {
+class RungComparisonTest {
   private static final int[] ONE = {0};
 
-  private static Scores scores(double... kMin) {
-    return new Scores(
+  private static PolicyScores scores(double... kMin) {
+    return new PolicyScores(
         Arrays.stream(kMin).mapToObj(value -> new double[] {value}).toArray(double[][]::new),
         new double[] {9});
   }
 
-  private static double tau(Scores own, Scores top) {
-    return new Beside(own, top).tau(ONE);
+  private static double tau(PolicyScores own, PolicyScores top) {
+    return new RungComparison(own, top).tau(ONE);
   }
 
   @Test
@@ -47,49 +47,51 @@ class BesideTest {
 
   @Test
   void regretIsTheTopRungsLossByTheRungsChoice() {
-    Beside beside = new Beside(scores(3, 2, 1), scores(0.5, 0.8, 0.1));
-    assertEquals(0.3, beside.regret(ONE), 1e-12);
-    assertEquals(0.3 / 0.8, beside.share(ONE), 1e-12);
+    RungComparison comparison = new RungComparison(scores(3, 2, 1), scores(0.5, 0.8, 0.1));
+    assertEquals(0.3, comparison.regret(ONE), 1e-12);
+    assertEquals(0.3 / 0.8, comparison.share(ONE), 1e-12);
   }
 
   @Test
   void aRungThatIsRightLosesNothingWhateverElseItPredicts() {
-    assertEquals(0, new Beside(scores(1, 9, 5), scores(0.1, 0.8, 0)).regret(ONE));
+    assertEquals(0, new RungComparison(scores(1, 9, 5), scores(0.1, 0.8, 0)).regret(ONE));
   }
 
   @Test
   void whereARungHasSeveralBestTheirMeanIsWhatItGets() {
-    Beside beside = new Beside(scores(1, 1, 0), scores(0.4, 0.8, 0.9));
-    assertEquals(0.9 - 0.6, beside.regret(ONE), 1e-12);
-    Beside blind = new Beside(scores(0, 0, 0), scores(0.3, 0.6, 0.9));
+    RungComparison comparison = new RungComparison(scores(1, 1, 0), scores(0.4, 0.8, 0.9));
+    assertEquals(0.9 - 0.6, comparison.regret(ONE), 1e-12);
+    RungComparison blind = new RungComparison(scores(0, 0, 0), scores(0.3, 0.6, 0.9));
     assertEquals(0.3, blind.regret(ONE), 1e-12);
   }
 
   @Test
   void underATopRungWhereNothingIsCoveredThereIsNothingToLoseAndNoShare() {
-    Beside beside = new Beside(scores(1, 2), scores(0, 0));
-    assertEquals(0, beside.regret(ONE));
-    assertTrue(Double.isNaN(beside.share(ONE)));
+    RungComparison comparison = new RungComparison(scores(1, 2), scores(0, 0));
+    assertEquals(0, comparison.regret(ONE));
+    assertTrue(Double.isNaN(comparison.share(ONE)));
   }
 
   @Test
   void drawnSeedsAreTheSameOnBothRungs() {
-    Scores own = new Scores(new double[][] {{1, 1}, {0, 0}}, new double[] {1, 1});
-    Scores top = new Scores(new double[][] {{0.2, 0.6}, {0.3, 0.9}}, new double[] {1, 1});
-    Beside beside = new Beside(own, top);
-    assertEquals(0.2, beside.regret(new int[] {0, 1}), 1e-12);
-    assertEquals(0.1, beside.regret(new int[] {0, 0}), 1e-12);
-    assertEquals(0.3, beside.regret(new int[] {1, 1}), 1e-12);
+    PolicyScores own = new PolicyScores(new double[][] {{1, 1}, {0, 0}}, new double[] {1, 1});
+    PolicyScores top =
+        new PolicyScores(new double[][] {{0.2, 0.6}, {0.3, 0.9}}, new double[] {1, 1});
+    RungComparison comparison = new RungComparison(own, top);
+    assertEquals(0.2, comparison.regret(new int[] {0, 1}), 1e-12);
+    assertEquals(0.1, comparison.regret(new int[] {0, 0}), 1e-12);
+    assertEquals(0.3, comparison.regret(new int[] {1, 1}), 1e-12);
   }
 
   @Test
   void everyDrawChoosesAnewUnderBothRungs() {
-    Scores own = new Scores(new double[][] {{1, 0}, {0, 2}}, new double[] {1, 1});
-    Scores top = new Scores(new double[][] {{0.2, 0.6}, {0.3, 0.1}}, new double[] {1, 1});
-    Beside beside = new Beside(own, top);
-    assertEquals(0.2, beside.regret(new int[] {0, 1}), 1e-12);
-    assertEquals(0.1, beside.regret(new int[] {0, 0}), 1e-12);
-    assertEquals(0.5, beside.regret(new int[] {1, 1}), 1e-12);
+    PolicyScores own = new PolicyScores(new double[][] {{1, 0}, {0, 2}}, new double[] {1, 1});
+    PolicyScores top =
+        new PolicyScores(new double[][] {{0.2, 0.6}, {0.3, 0.1}}, new double[] {1, 1});
+    RungComparison comparison = new RungComparison(own, top);
+    assertEquals(0.2, comparison.regret(new int[] {0, 1}), 1e-12);
+    assertEquals(0.1, comparison.regret(new int[] {0, 0}), 1e-12);
+    assertEquals(0.5, comparison.regret(new int[] {1, 1}), 1e-12);
   }
 
   @Test
