@@ -32,29 +32,6 @@ public record HiFiDetection(
     Optional<FittedOn> fitted,
     Provenance provenance)
     implements OpticalDetection {
-  /** A model of which it is not known what it was fitted on. */
-  public HiFiDetection(
-      String name,
-      FeatureAbstraction f,
-      DetectorModel g,
-      Optics optics,
-      double defaultThreshold,
-      OptionalDouble rmse,
-      Provenance provenance) {
-    this(name, f, g, optics, defaultThreshold, rmse, Optional.empty(), provenance);
-  }
-
-  /** A model of whose fit no scatter is known. */
-  public HiFiDetection(
-      String name,
-      FeatureAbstraction f,
-      DetectorModel g,
-      Optics optics,
-      double defaultThreshold,
-      Provenance provenance) {
-    this(name, f, g, optics, defaultThreshold, OptionalDouble.empty(), provenance);
-  }
-
   /** The same under another name. */
   public HiFiDetection named(String other) {
     return new HiFiDetection(other, f, g, optics, defaultThreshold, rmse, fitted, provenance);

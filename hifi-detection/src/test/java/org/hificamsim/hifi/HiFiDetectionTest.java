@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
@@ -54,6 +56,6 @@ class HiFiDetectionTest {
   }
 
   private static HiFiDetection model(FeatureAbstraction f, DetectorLine g) {
-    return new HiFiDetection("test", f, g, LAB, 0.5, Provenance.UNKNOWN);
+    return new HiFiDetection("test", f, g, LAB, 0.5, OptionalDouble.empty(), Optional.empty(), Provenance.UNKNOWN);
   }
 }

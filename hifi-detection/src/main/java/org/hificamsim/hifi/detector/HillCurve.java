@@ -19,12 +19,6 @@ public record HillCurve(double floor, double rise, double half, double exponent)
   }
 
   @Override
-  public double pip(double confidence) {
-    double gained = (confidence - floor) / rise;
-    return gained <= 0 ? 0 : half * StrictMath.pow(gained / (1 - gained), 1 / exponent);
-  }
-
-  @Override
   public String equation() {
     return String.format(
         Locale.ROOT, "%.3g + %.3g / (1 + (%.3g / p)^%.3g)", floor, rise, half, exponent);

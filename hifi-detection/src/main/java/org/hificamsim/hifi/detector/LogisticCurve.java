@@ -12,20 +12,11 @@ import java.util.Locale;
 public record LogisticCurve(double half, double exponent) implements DetectorModel {
   @Override
   public double confidence(double pip) {
-    return curve().confidence(pip);
-  }
-
-  @Override
-  public double pip(double confidence) {
-    return curve().pip(confidence);
+    return 1 / (1 + StrictMath.pow(half / pip, exponent));
   }
 
   @Override
   public String equation() {
     return String.format(Locale.ROOT, "1 / (1 + (%.3g / p)^%.3g)", half, exponent);
-  }
-
-  private HillCurve curve() {
-    return new HillCurve(0, 1, half, exponent);
   }
 }

@@ -17,11 +17,6 @@ public record SaturatingExponential(double floor, double rise, double scale)
   }
 
   @Override
-  public double pip(double confidence) {
-    return confidence <= floor ? 0 : -scale * StrictMath.log1p((floor - confidence) / rise);
-  }
-
-  @Override
   public String equation() {
     return String.format(Locale.ROOT, "%.3g + %.3g (1 - exp(-p / %.3g))", floor, rise, scale);
   }

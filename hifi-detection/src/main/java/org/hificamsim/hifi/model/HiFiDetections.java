@@ -70,6 +70,7 @@ public final class HiFiDetections {
         catalogue.optics(),
         catalogue.threshold(line.g()),
         line.rmse(),
+        Optional.empty(),
         provenance);
   }
 

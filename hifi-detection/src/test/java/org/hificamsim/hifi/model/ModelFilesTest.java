@@ -15,6 +15,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
+import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
@@ -81,6 +82,8 @@ class ModelFilesTest {
             new DetectorLine(Math.PI, -third),
             new Optics(0.1 + 0.2, Math.nextDown(0.085)),
             Math.nextUp(0.0441),
+            OptionalDouble.empty(),
+            Optional.empty(),
             new Provenance(
                 Map.of("quotes \" and \\", "line\nbreak, tab\t, é, 狐, \uD83E\uDD8A, \u0000"))));
   }
@@ -97,6 +100,7 @@ class ModelFilesTest {
             without.optics(),
             0.05,
             OptionalDouble.of(1.0 / 3),
+            Optional.empty(),
             without.provenance()));
   }
 
@@ -195,6 +199,6 @@ class ModelFilesTest {
   private static HiFiDetection named(String name, FeatureAbstraction f) {
     Provenance remarks = Provenance.UNKNOWN.with("zebra", "1").with("ant", "2").with("monkey", "3");
     return new HiFiDetection(
-        name, f, new DetectorLine(0.5, 0.03), new Optics(0.0224, 0.085), 0.05, remarks);
+        name, f, new DetectorLine(0.5, 0.03), new Optics(0.0224, 0.085), 0.05, OptionalDouble.empty(), Optional.empty(), remarks);
   }
 }

@@ -23,10 +23,4 @@ public record LabelledPhoto(
     double distance,
     double focalLength,
     Patch patch,
-    Optional<Path> mask) {
-  /** The same without a mask. */
-  public LabelledPhoto unmasked() {
-    return new LabelledPhoto(
-        image, file, object, size, distance, focalLength, patch, Optional.empty());
-  }
-}
+    Optional<Path> mask) {}

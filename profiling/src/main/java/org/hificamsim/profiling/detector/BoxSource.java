@@ -24,11 +24,6 @@ final class BoxSource implements ConfidenceSource {
   }
 
   @Override
-  public MemoryNeed memoryNeed() {
-    return detector.memoryNeed();
-  }
-
-  @Override
   public Look look(Photograph photo) {
     return new Boxes(detector.detect(photo));
   }

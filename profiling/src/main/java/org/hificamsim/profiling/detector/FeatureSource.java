@@ -31,11 +31,6 @@ final class FeatureSource implements ConfidenceSource {
   }
 
   @Override
-  public MemoryNeed memoryNeed() {
-    return detector.memoryNeed();
-  }
-
-  @Override
   public Look look(Photograph photo) {
     return new Matched(detector.detect(photo.grey()));
   }

@@ -21,7 +21,6 @@ import org.opencv.imgproc.Imgproc;
  * answer.
  */
 final class OnnxDetector implements BoxDetector {
-  private static final MemoryNeed NEEDS = new MemoryNeed(10, 0);
   private static final double GREY = 114;
 
   private final OnnxOptions options;
@@ -34,11 +33,6 @@ final class OnnxDetector implements BoxDetector {
     } catch (CvException e) {
       throw failed(e);
     }
-  }
-
-  @Override
-  public MemoryNeed memoryNeed() {
-    return NEEDS;
   }
 
   @Override

@@ -9,7 +9,6 @@ import java.util.function.BiFunction;
 import org.hificamsim.profiling.detector.ConfidenceSource;
 import org.hificamsim.profiling.detector.ConfidenceSource.Look;
 import org.hificamsim.profiling.detector.Detectors;
-import org.hificamsim.profiling.detector.MemoryNeed;
 import org.hificamsim.profiling.detector.Photograph;
 
 /** Looks at photos with all detectors; each set of them is used by one thread at a time. */
@@ -21,19 +20,11 @@ final class DetectorPool implements AutoCloseable {
   DetectorPool(MeasureSettings settings, Templates templates) {
     this.settings = settings;
     this.templates = templates;
+    free.add(detectors()); // a file that is no detector's is refused at once
   }
 
-  /** The memory that the detector with the largest need takes. */
-  static MemoryNeed memoryNeed(MeasureSettings settings) {
-    List<ConfidenceSource> sources =
-        Detectors.sources(settings.detectors(), settings.test(), (object, detector) -> null);
-    try {
-      return sources.stream()
-          .map(ConfidenceSource::memoryNeed)
-          .reduce(new MemoryNeed(0, 0), MemoryNeed::max);
-    } finally {
-      sources.forEach(ConfidenceSource::close);
-    }
+  private List<ConfidenceSource> detectors() {
+    return Detectors.sources(settings.detectors(), settings.test(), templates);
   }
 
   /**
@@ -48,7 +39,7 @@ final class DetectorPool implements AutoCloseable {
         subjects.stream().<Map<String, Double>>map(subject -> new LinkedHashMap<>()).toList();
     List<ConfidenceSource> kept = free.poll();
     List<ConfidenceSource> detectors =
-        kept != null ? kept : Detectors.sources(settings.detectors(), settings.test(), templates);
+        kept != null ? kept : detectors();
     try (Photograph photo = new Photograph(file)) {
       detectors.forEach(detector -> add(detector, photo, subjects, asked, all));
       return all;

@@ -73,7 +73,7 @@ public final class Measurer {
 
   private int threads(int wanted) {
     return MemoryBudget.now()
-        .threads(wanted, dataset.largestPicture(), DetectorPool.memoryNeed(settings));
+        .threads(wanted, dataset.largestPicture(), Detectors.memoryNeed(settings.detectors()));
   }
 
   private Measurement measured(int index, DetectorPool detectors) {

@@ -111,7 +111,7 @@ class MeasurerTest {
   void pipIsTheMasksShareAndElseThePatchs() {
     new Measurer(dataset, ORB).measure(2, () -> {});
     List<Measurement> masked = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
-    List<LabelledPhoto> bare = dataset.samples().stream().map(LabelledPhoto::unmasked).toList();
+    List<LabelledPhoto> bare = dataset.samples().stream().map(MeasurerTest::unmasked).toList();
     new Measurer(with(bare), ORB).measure(2, () -> {});
     List<Measurement> patched = MeasurementsFile.read(folder.resolve(MeasurementsFile.NAME));
     double pixels = (double) dataset.camera().width() * dataset.camera().height();
@@ -245,6 +245,18 @@ class MeasurerTest {
     String message =
         assertThrows(InputException.class, () -> measured(List.of(sample))).getMessage();
     assertTrue(message.startsWith(cut + ": the picture is cut short"), message);
+  }
+
+  private static LabelledPhoto unmasked(LabelledPhoto photo) {
+    return new LabelledPhoto(
+        photo.image(),
+        photo.file(),
+        photo.object(),
+        photo.size(),
+        photo.distance(),
+        photo.focalLength(),
+        photo.patch(),
+        Optional.empty());
   }
 
   private static LabelledPhoto scaled(LabelledPhoto sample, double factor) {
