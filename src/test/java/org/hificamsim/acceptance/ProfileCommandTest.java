@@ -24,14 +24,13 @@ class ProfileCommandTest {
   void aSmallLabBecomesModelsThatRun() throws IOException {
     Path lab =
         Cli.lab(
-            folder,
-            "--scale 0.1 --objects 4 --focal-lengths 0.010,0.035,0.085 --distances 1,2,4,8");
+            folder, "--scale 0.08 --objects 3 --focal-lengths 0.010,0.035,0.085 --distances 1,2,5");
     Cli measured = assertDone(Cli.run("profile", "measure", lab));
     assertTrue(measured.out().contains("photos measured"), measured.out());
     Cli fitted =
         assertDone(
             Cli.run(
-                "profile", "fit", lab, "--population", 100, "--generations", 5, "--restarts", 2));
+                "profile", "fit", lab, "--population", 60, "--generations", 3, "--restarts", 2));
     assertTrue(fitted.out().contains(" models in "), fitted.out());
     assertTrue(fitted.out().contains("Take "), fitted.out());
     assertTrue(Files.exists(lab.resolve("report.html")));

@@ -3,10 +3,12 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.PhotoCamera;
@@ -43,6 +45,14 @@ import picocli.CommandLine.Spec;
 final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
   private static final int WIDTH = 16; // of the models' names, at least
+
+  /** What {@code --g} takes. */
+  static final class Shapes implements Iterable<String> {
+    @Override
+    public Iterator<String> iterator() {
+      return Stream.concat(Stream.of(BEST), DetectorShape.names().stream()).iterator();
+    }
+  }
 
   @Parameters(paramLabel = "DIR", description = "The data set's folder, measured.")
   private Path folder;
@@ -85,9 +95,8 @@ final class FitCommand implements Callable<Integer> {
   @Option(
       names = "--g",
       paramLabel = "SHAPE",
-      description =
-          "Shape of g: best, line (the thesis's), logistic, saturating-exponential, hill,"
-              + " isotonic.")
+      completionCandidates = Shapes.class,
+      description = "Shape of g: ${COMPLETION-CANDIDATES}; line is the thesis's.")
   private String shape;
 
   @Option(

@@ -123,15 +123,15 @@ final class LabCommand implements Callable<Integer> {
       throw new InputException("--out '" + out + "' is a file, expected a folder");
     }
     Laboratory laboratory = new Laboratory(settings);
-    Laboratory.Outcome outcome;
+    Laboratory.PhotoCount photos;
     try (Progress progress = screen.progress("", " photos", laboratory.shots())) {
-      outcome = laboratory.render(out, count, progress::advance);
+      photos = laboratory.render(out, count, progress::advance);
     }
     screen
         .out()
         .printf(
             "%s photos by OpenCV %s in %s; %s dropped, whose object is larger than the frame%n",
-            outcome.taken(), OpenCv.version(), out, outcome.dropped());
+            photos.taken(), OpenCv.version(), out, photos.dropped());
     return 0;
   }
 

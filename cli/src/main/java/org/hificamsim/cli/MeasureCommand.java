@@ -17,12 +17,12 @@ import org.hificamsim.profiling.detector.DescriptorDistance;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.hificamsim.profiling.measure.MatchPictures;
+import org.hificamsim.profiling.measure.MeasureProgress;
+import org.hificamsim.profiling.measure.MeasureResult;
 import org.hificamsim.profiling.measure.MeasureSettings;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.Measurer;
-import org.hificamsim.profiling.measure.Outcome;
 import org.hificamsim.profiling.measure.PipReading;
-import org.hificamsim.profiling.measure.Watcher;
 import org.hificamsim.profiling.opencv.OpenCv;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -115,7 +115,7 @@ final class MeasureCommand implements Callable<Integer> {
 
   private void measureAll(Dataset dataset, MeasureSettings settings, int count) {
     int photos = dataset.samples().size();
-    Outcome outcome;
+    MeasureResult outcome;
     try (Progress progress = screen.progress("", " photos", photos + dataset.negatives().size())) {
       outcome = new Measurer(dataset, settings).measure(count, watcher(progress));
     }
@@ -136,8 +136,8 @@ final class MeasureCommand implements Callable<Integer> {
             folder.resolve(MeasurementsFile.NAME));
   }
 
-  private static Watcher watcher(Progress progress) {
-    return new Watcher() {
+  private static MeasureProgress watcher(Progress progress) {
+    return new MeasureProgress() {
       @Override
       public void measured() {
         progress.advance();

@@ -36,11 +36,6 @@ public record FittedOn(
           && value <= most + ROUNDING * Math.abs(most);
     }
 
-    /** The nearest value inside. */
-    public double held(double value) {
-      return Math.max(least, Math.min(most, value));
-    }
-
     /** The span of some values. */
     public static Span of(double[] values) {
       return new Span(

@@ -1,5 +1,7 @@
 package org.hificamsim.hifi.detector;
 
+import java.util.Locale;
+
 /**
  * A detector model g: the line {@code confidence = slope * PIP + intercept} that was fitted to one
  * detector's confidences, on measured PIP (Eqs 5.2-5.4) or on an abstraction's PIP (Table 6.1).
@@ -13,9 +15,8 @@ public record DetectorLine(double slope, double intercept) implements DetectorMo
     return slope * pip + intercept;
   }
 
-  /** The PIP at which the line takes this confidence; not finite for a level line. */
   @Override
-  public double pip(double confidence) {
-    return (confidence - intercept) / slope;
+  public String equation() {
+    return String.format(Locale.ROOT, "%+.3g p %+.3g", slope, intercept);
   }
 }

@@ -10,9 +10,6 @@ public interface DetectorModel {
   /** The confidence at a PIP of 0 or more, not clamped; NaN where the PIP is. */
   double confidence(double pip);
 
-  /**
-   * The least PIP at which the confidence is reached; 0 where nothing of a target is needed, not
-   * finite where no PIP is enough.
-   */
-  double pip(double confidence);
+  /** The equation as people read it, with PIP as p. */
+  String equation();
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.hifi.detector;
 
+import java.util.Locale;
+
 /**
  * Hill's curve {@code floor + rise * PIP^n / (half^n + PIP^n)}: with an exponent n above 1 a target
  * has to be large enough before anything is gained.
@@ -17,8 +19,8 @@ public record HillCurve(double floor, double rise, double half, double exponent)
   }
 
   @Override
-  public double pip(double confidence) {
-    double gained = (confidence - floor) / rise;
-    return gained <= 0 ? 0 : half * StrictMath.pow(gained / (1 - gained), 1 / exponent);
+  public String equation() {
+    return String.format(
+        Locale.ROOT, "%.3g + %.3g / (1 + (%.3g / p)^%.3g)", floor, rise, half, exponent);
   }
 }

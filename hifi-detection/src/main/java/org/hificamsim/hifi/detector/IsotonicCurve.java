@@ -31,40 +31,24 @@ public final class IsotonicCurve implements DetectorModel {
 
   @Override
   public double confidence(double pip) {
-    return Double.isNaN(pip) ? pip : between(pips, confidences, pip);
+    if (Double.isNaN(pip)) {
+      return pip;
+    }
+    int found = Arrays.binarySearch(pips, pip);
+    if (found >= 0) {
+      return confidences[found];
+    }
+    int after = -found - 1;
+    if (after == 0 || after == pips.length) {
+      return confidences[Math.max(0, after - 1)];
+    }
+    double share = (pip - pips[after - 1]) / (pips[after] - pips[after - 1]);
+    return confidences[after - 1] + share * (confidences[after] - confidences[after - 1]);
   }
 
   @Override
-  public double pip(double confidence) {
-    if (confidence <= confidences[0]) {
-      return 0;
-    }
-    int after = 0;
-    while (after < confidences.length && confidences[after] < confidence) {
-      after++;
-    }
-    return after == confidences.length
-        ? Double.POSITIVE_INFINITY
-        : segment(confidences, pips, after, confidence);
-  }
-
-  /** How many knots there are. */
-  public int size() {
-    return pips.length;
-  }
-
-  private static double between(double[] x, double[] y, double at) {
-    int found = Arrays.binarySearch(x, at);
-    int after = -found - 1;
-    if (found >= 0) {
-      return y[found];
-    }
-    return after == 0 ? y[0] : after == x.length ? y[x.length - 1] : segment(x, y, after, at);
-  }
-
-  private static double segment(double[] x, double[] y, int after, double at) {
-    double share = (at - x[after - 1]) / (x[after] - x[after - 1]);
-    return y[after - 1] + share * (y[after] - y[after - 1]);
+  public String equation() {
+    return pips.length + " knots";
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.hificamsim.hifi.detector;
 
+import java.util.Locale;
+
 /**
  * The logistic curve in log PIP, {@code 1 / (1 + (half / PIP)^n)}: from 0 to 1, whatever was
  * measured.
@@ -10,15 +12,11 @@ package org.hificamsim.hifi.detector;
 public record LogisticCurve(double half, double exponent) implements DetectorModel {
   @Override
   public double confidence(double pip) {
-    return curve().confidence(pip);
+    return 1 / (1 + StrictMath.pow(half / pip, exponent));
   }
 
   @Override
-  public double pip(double confidence) {
-    return curve().pip(confidence);
-  }
-
-  private HillCurve curve() {
-    return new HillCurve(0, 1, half, exponent);
+  public String equation() {
+    return String.format(Locale.ROOT, "1 / (1 + (%.3g / p)^%.3g)", half, exponent);
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.hifi.detector;
 
+import java.util.Locale;
+
 /**
  * The curve {@code floor + rise * (1 - exp(-PIP / scale))}, steepest at the start.
  *
@@ -15,7 +17,7 @@ public record SaturatingExponential(double floor, double rise, double scale)
   }
 
   @Override
-  public double pip(double confidence) {
-    return confidence <= floor ? 0 : -scale * StrictMath.log1p((floor - confidence) / rise);
+  public String equation() {
+    return String.format(Locale.ROOT, "%.3g + %.3g (1 - exp(-p / %.3g))", floor, rise, scale);
   }
 }

@@ -1,6 +1,11 @@
 package org.hificamsim.hifi.json;
 
 import com.fasterxml.jackson.core.JsonToken;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -33,6 +38,28 @@ public final class JsonFile {
         throw new Place(file, 1, 1).error("the file is empty, expected a JSON object");
       }
       return new JsonFile(json).whole();
+    }
+  }
+
+  /**
+   * Reads a file as one object.
+   *
+   * @param expected what the file has to be, in error lines
+   * @param most bytes that it may have
+   * @throws InputException when it cannot be read, with the place when it is not one JSON object
+   */
+  public static JsonObject read(Path file, String expected, int most) {
+    try (InputStream in = Files.newInputStream(file)) {
+      byte[] bytes = in.readNBytes(most + 1);
+      if (bytes.length > most) {
+        throw new Place(file.toString(), 1, 1)
+            .error("the file is too big, expected at most " + most + " bytes");
+      }
+      return parse(file.toString(), bytes);
+    } catch (NoSuchFileException e) {
+      throw new InputException(file + ": no such file, expected " + expected, e);
+    } catch (IOException e) {
+      throw new InputException(file + ": cannot be read, expected " + expected + ": " + e, e);
     }
   }
 

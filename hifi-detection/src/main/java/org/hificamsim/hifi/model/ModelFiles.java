@@ -3,11 +3,8 @@ package org.hificamsim.hifi.model;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.Place;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.json.JsonFile;
@@ -31,7 +28,7 @@ public final class ModelFiles {
    * @throws InputException in one line with file, line and column, when it is no valid model
    */
   public static HiFiDetection read(Path file) {
-    return parse(file.toString(), bytes(file));
+    return ModelFormat.read(JsonFile.read(file, "a model in JSON", MAX_BYTES));
   }
 
   /**
@@ -51,7 +48,7 @@ public final class ModelFiles {
     }
   }
 
-  /** The model in a resource beside this class. */
+  /** The model in a resource of this class's package. */
   static HiFiDetection resource(String name) {
     try (InputStream in = ModelFiles.class.getResourceAsStream(name)) {
       if (in == null) {
@@ -70,21 +67,6 @@ public final class ModelFiles {
    */
   public static HiFiDetection parse(String file, byte[] bytes) {
     return ModelFormat.read(JsonFile.parse(file, bytes));
-  }
-
-  private static byte[] bytes(Path file) {
-    try (InputStream in = Files.newInputStream(file)) {
-      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
-      if (bytes.length > MAX_BYTES) {
-        throw new Place(file.toString(), 1, 1)
-            .error("the file is too big, expected at most " + MAX_BYTES + " bytes");
-      }
-      return bytes;
-    } catch (NoSuchFileException e) {
-      throw new InputException(file + ": no such file, expected a model in JSON", e);
-    } catch (IOException e) {
-      throw new InputException(file + ": cannot be read, expected a model in JSON: " + e, e);
-    }
   }
 
   /**

@@ -93,7 +93,7 @@ class HiFiDetectionsTest {
     double pip = (0.0441 - 0.026) / 0.571;
     for (String name : registry.names()) {
       if (registry.create(name) instanceof HiFiDetection model) {
-        assertEquals(pip, model.g().pip(model.defaultThreshold()), 1e-15, name);
+        assertEquals(model.g().confidence(pip), model.defaultThreshold(), 1e-15, name);
       }
     }
   }

@@ -106,7 +106,7 @@ class NewerModelFilesTest {
   @Test
   void defaultThresholdIsTheConfidenceAtTheReferencesShare() {
     HiFiDetection model = ModelFiles.parse("m", MODEL.getBytes(StandardCharsets.UTF_8));
-    assertEquals((0.0441 - 0.026) / 0.571, model.g().pip(model.defaultThreshold()), 1e-12);
+    assertEquals(model.g().confidence((0.0441 - 0.026) / 0.571), model.defaultThreshold(), 1e-12);
     assertEquals(0.05, model.fitted().orElseThrow().withinObjects());
   }
 

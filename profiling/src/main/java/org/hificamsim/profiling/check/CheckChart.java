@@ -26,18 +26,23 @@ final class CheckChart {
             title + ": predicted against measured, " + check.boxes() + " boxes",
             "distance, m",
             "error, % of the measured");
-    points(chart, check, quantity, Rung.FLAT, Charts.BLUE, SeriesMarkers.CIRCLE);
-    points(chart, check, quantity, Rung.CALIBRATION, Charts.ORANGE, SeriesMarkers.CROSS);
-    line(chart, check, quantity, Rung.FLAT, Charts.BLUE);
-    line(chart, check, quantity, Rung.CALIBRATION, Charts.ORANGE);
+    points(chart, check, quantity, SizeModel.FLAT, Charts.BLUE, SeriesMarkers.CIRCLE);
+    points(chart, check, quantity, SizeModel.CALIBRATION, Charts.ORANGE, SeriesMarkers.CROSS);
+    line(chart, check, quantity, SizeModel.FLAT, Charts.BLUE);
+    line(chart, check, quantity, SizeModel.CALIBRATION, Charts.ORANGE);
     chart.getStyler().setLegendVisible(true);
     return chart;
   }
 
   private static void points(
-      XYChart chart, RealityCheck check, Quantity quantity, Rung rung, Color color, Marker marker) {
+      XYChart chart,
+      RealityCheck check,
+      Quantity quantity,
+      SizeModel rung,
+      Color color,
+      Marker marker) {
     int every = 1 + check.boxes() / MAX_POINTS;
-    List<Comparison> shown =
+    List<BoxComparison> shown =
         IntStream.range(0, check.boxes())
             .filter(i -> i % every == 0)
             .mapToObj(check.comparisons()::get)
@@ -45,14 +50,14 @@ final class CheckChart {
     Charts.points(
         chart,
         Spelling.of(rung),
-        shown.stream().mapToDouble(Comparison::distance).toArray(),
+        shown.stream().mapToDouble(BoxComparison::distance).toArray(),
         shown.stream().mapToDouble(one -> 100 * one.error(rung, quantity)).toArray(),
         new Color(color.getRed(), color.getGreen(), color.getBlue(), 70),
         marker);
   }
 
   private static void line(
-      XYChart chart, RealityCheck check, Quantity quantity, Rung rung, Color color) {
+      XYChart chart, RealityCheck check, Quantity quantity, SizeModel rung, Color color) {
     List<ErrorSummary> bands =
         check.byDistance().stream()
             .filter(one -> one.rung().equals(Spelling.of(rung)))

@@ -41,7 +41,7 @@ public final class CheckFolder {
       }
       try (Writer out = folder.open(BOXES)) {
         out.write(BOX_COLUMNS);
-        for (Comparison one : check.comparisons()) {
+        for (BoxComparison one : check.comparisons()) {
           out.write(row(one, pixels));
         }
       }
@@ -69,17 +69,17 @@ public final class CheckFolder {
     }
   }
 
-  private static String row(Comparison one, double pixels) {
+  private static String row(BoxComparison one, double pixels) {
     Sighting seen = one.sighting();
-    Size flat = one.predicted().get(Rung.FLAT);
-    Size calibrated = one.predicted().get(Rung.CALIBRATION);
+    Size flat = one.predicted().get(SizeModel.FLAT);
+    Size calibrated = one.predicted().get(SizeModel.CALIBRATION);
     return String.format(
         Locale.ROOT,
         "%s,%s,%.4f,%.4f,%.4f,%.2f,%.2f,%.2f,%.2f,%.8f,%.8f,%.8f\n",
         (long) seen.frame(),
         seen.target(),
-        seen.foot().x(),
-        seen.foot().y(),
+        seen.foot().getX(),
+        seen.foot().getY(),
         one.distance(),
         one.footError(),
         seen.height(),

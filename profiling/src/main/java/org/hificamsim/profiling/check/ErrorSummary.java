@@ -27,7 +27,7 @@ public record ErrorSummary(
   private static final double NINETY = 90;
 
   static ErrorSummary of(
-      Rung rung, Quantity quantity, double from, double to, List<Comparison> all) {
+      SizeModel rung, Quantity quantity, double from, double to, List<BoxComparison> all) {
     double[] errors = all.stream().mapToDouble(one -> one.error(rung, quantity)).toArray();
     double[] sizes = all.stream().mapToDouble(one -> Math.abs(one.error(rung, quantity))).toArray();
     return new ErrorSummary(

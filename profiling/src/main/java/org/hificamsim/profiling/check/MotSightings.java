@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -57,8 +58,8 @@ final class MotSightings {
 
   private void locate() {
     for (MotRow row : whole) {
-      Vector foot = foot(row);
-      if (Double.isNaN(foot.x())) {
+      Vector3D foot = foot(row);
+      if (Double.isNaN(foot.getX())) {
         nowhere++;
       } else {
         sightings.add(
@@ -69,9 +70,9 @@ final class MotSightings {
   }
 
   /** As the file says; where it says it of no target, as the calibration has the box's foot. */
-  private Vector foot(MotRow row) {
+  private Vector3D foot(MotRow row) {
     return inWorld
-        ? new Vector(metres * row.x(), metres * row.y(), 0)
+        ? new Vector3D(metres * row.x(), metres * row.y(), 0)
         : picture.camera().ground(new Pixel(row.footX(), row.footY()));
   }
 

@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 
 /**
@@ -10,11 +11,11 @@ import org.hificamsim.core.InputException;
 final class ProjectionMatrix implements Calibration {
   private static final double SINGULAR = 1e-12;
 
-  private final Vector across;
-  private final Vector down;
-  private final Vector along;
-  private final Vector shift;
-  private final Vector position;
+  private final Vector3D across;
+  private final Vector3D down;
+  private final Vector3D along;
+  private final Vector3D shift;
+  private final Vector3D position;
 
   /**
    * @param p the matrix, row by row, in any scale; 12 numbers
@@ -22,54 +23,54 @@ final class ProjectionMatrix implements Calibration {
    * @throws InputException when it is no camera's
    */
   ProjectionMatrix(double[] p, double metres) {
-    Vector third = new Vector(p[8], p[9], p[10]);
+    Vector3D third = new Vector3D(p[8], p[9], p[10]);
     double determinant =
-        new Vector(p[0], p[1], p[2]).dot(new Vector(p[4], p[5], p[6]).cross(third));
-    double size = third.length() * Math.signum(determinant);
-    if (!(Math.abs(determinant) > SINGULAR * Math.pow(third.length(), 3))) {
+        new Vector3D(p[0], p[1], p[2]).dotProduct(new Vector3D(p[4], p[5], p[6]).crossProduct(third));
+    double size = third.getNorm() * Math.signum(determinant);
+    if (!(Math.abs(determinant) > SINGULAR * Math.pow(third.getNorm(), 3))) {
       throw new InputException(
           "the matrix is not a camera's: the determinant of its left three columns is "
               + determinant
               + ", expected another than 0");
     }
-    across = new Vector(p[0], p[1], p[2]).times(1 / size);
-    down = new Vector(p[4], p[5], p[6]).times(1 / size);
-    along = third.times(1 / size);
-    shift = new Vector(p[3], p[7], p[11]).times(metres / size);
-    position = solve(shift.times(-1));
+    across = new Vector3D(p[0], p[1], p[2]).scalarMultiply(1 / size);
+    down = new Vector3D(p[4], p[5], p[6]).scalarMultiply(1 / size);
+    along = third.scalarMultiply(1 / size);
+    shift = new Vector3D(p[3], p[7], p[11]).scalarMultiply(metres / size);
+    position = solve(shift.negate());
   }
 
   /** The v for which the left three columns times v are a vector (Cramer's rule). */
-  private Vector solve(Vector right) {
-    double determinant = across.dot(down.cross(along));
-    return down.cross(along)
-        .times(right.x())
-        .plus(along.cross(across).times(right.y()))
-        .plus(across.cross(down).times(right.z()))
-        .times(1 / determinant);
+  private Vector3D solve(Vector3D right) {
+    double determinant = across.dotProduct(down.crossProduct(along));
+    return down.crossProduct(along)
+        .scalarMultiply(right.getX())
+        .add(along.crossProduct(across).scalarMultiply(right.getY()))
+        .add(across.crossProduct(down).scalarMultiply(right.getZ()))
+        .scalarMultiply(1 / determinant);
   }
 
   @Override
-  public Pixel project(Vector point) {
-    double w = along.dot(point) + shift.z();
+  public Pixel project(Vector3D point) {
+    double w = along.dotProduct(point) + shift.getZ();
     return w > 0
-        ? new Pixel((across.dot(point) + shift.x()) / w, (down.dot(point) + shift.y()) / w)
+        ? new Pixel((across.dotProduct(point) + shift.getX()) / w, (down.dotProduct(point) + shift.getY()) / w)
         : Pixel.NONE;
   }
 
   @Override
-  public Vector ray(Pixel pixel) {
-    return solve(new Vector(pixel.u(), pixel.v(), 1));
+  public Vector3D ray(Pixel pixel) {
+    return solve(new Vector3D(pixel.u(), pixel.v(), 1));
   }
 
   @Override
-  public Vector position() {
+  public Vector3D position() {
     return position;
   }
 
   /** With |third row| = 1 it is |second row x third row|, whatever the principal point. */
   @Override
   public double focalLength() {
-    return down.cross(along).length();
+    return down.crossProduct(along).getNorm();
   }
 }

@@ -5,14 +5,14 @@ import java.util.List;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.InputException;
 
-/** Sightings beside predictions, and what the errors come to: over all, and by distance. */
+/** Sightings compared with predictions, and a summary of the errors: over all, and by distance. */
 public final class RealityCheck {
   private static final double MAX_BANDS = 8;
 
-  private final List<Comparison> comparisons;
+  private final List<BoxComparison> comparisons;
   private final double bandWidth;
 
-  private RealityCheck(List<Comparison> comparisons) {
+  private RealityCheck(List<BoxComparison> comparisons) {
     this.comparisons = comparisons;
     this.bandWidth = bandWidth(comparisons);
   }
@@ -25,10 +25,10 @@ public final class RealityCheck {
    *     are none
    */
   static RealityCheck of(List<Sighting> sightings, Calibration camera, Body body) {
-    List<Comparison> possible =
+    List<BoxComparison> possible =
         sightings.stream()
-            .map(sighting -> Comparison.of(sighting, camera, body))
-            .filter(Comparison::possible)
+            .map(sighting -> BoxComparison.of(sighting, camera, body))
+            .filter(BoxComparison::possible)
             .toList();
     if (possible.isEmpty()) {
       throw new InputException(
@@ -53,8 +53,9 @@ public final class RealityCheck {
     }
   }
 
-  private static double bandWidth(List<Comparison> all) {
-    double least = all.stream().mapToDouble(Comparison::distance).max().orElseThrow() / MAX_BANDS;
+  private static double bandWidth(List<BoxComparison> all) {
+    double least =
+        all.stream().mapToDouble(BoxComparison::distance).max().orElseThrow() / MAX_BANDS;
     double power = Math.pow(10, Math.floor(Math.log10(least)));
     for (int factor : new int[] {1, 2, 5}) {
       if (factor * power >= least) {
@@ -64,7 +65,7 @@ public final class RealityCheck {
     return 10 * power;
   }
 
-  List<Comparison> comparisons() {
+  List<BoxComparison> comparisons() {
     return comparisons;
   }
 
@@ -75,7 +76,7 @@ public final class RealityCheck {
 
   /** From where the calibration has feet to where boxes stand, the median, pixels. */
   public double footError() {
-    return median(comparisons.stream().mapToDouble(Comparison::footError).toArray());
+    return median(comparisons.stream().mapToDouble(BoxComparison::footError).toArray());
   }
 
   private static double median(double[] values) {
@@ -84,7 +85,7 @@ public final class RealityCheck {
 
   /** The errors of all boxes, a summary for each rung and quantity. */
   public List<ErrorSummary> overall() {
-    double most = comparisons.stream().mapToDouble(Comparison::distance).max().orElseThrow();
+    double most = comparisons.stream().mapToDouble(BoxComparison::distance).max().orElseThrow();
     return summaries(0, most, comparisons);
   }
 
@@ -94,7 +95,7 @@ public final class RealityCheck {
     for (int band = 0; band <= MAX_BANDS; band++) {
       double from = band * bandWidth;
       double to = from + bandWidth;
-      List<Comparison> within =
+      List<BoxComparison> within =
           comparisons.stream().filter(o -> o.distance() >= from && o.distance() < to).toList();
       if (!within.isEmpty()) {
         all.addAll(summaries(from, to, within));
@@ -103,10 +104,10 @@ public final class RealityCheck {
     return all;
   }
 
-  private static List<ErrorSummary> summaries(double from, double to, List<Comparison> within) {
+  private static List<ErrorSummary> summaries(double from, double to, List<BoxComparison> within) {
     List<ErrorSummary> all = new ArrayList<>();
     for (Quantity quantity : Quantity.values()) {
-      for (Rung rung : Rung.values()) {
+      for (SizeModel rung : SizeModel.values()) {
         all.add(ErrorSummary.of(rung, quantity, from, to, within));
       }
     }

@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+
 /**
  * A target as it was seen: its box in the picture, and where it stood.
  *
@@ -16,7 +18,7 @@ record Sighting(
     double top,
     double width,
     double height,
-    Vector foot) {
+    Vector3D foot) {
   Size size() {
     return new Size(width, height);
   }

@@ -1,5 +1,10 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Rotation;
+import org.apache.commons.math3.geometry.euclidean.threed.RotationConvention;
+import org.apache.commons.math3.geometry.euclidean.threed.RotationOrder;
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+
 /**
  * A camera calibrated by Tsai's method (R. Tsai, IEEE J. Robotics and Automation 3(4), 1987) with
  * one coefficient of radial distortion.
@@ -16,28 +21,18 @@ record TsaiCamera(Extrinsic view, Intrinsic lens) implements Calibration {
    * @param rz radians
    * @param shift T, metres
    */
-  record Extrinsic(double rx, double ry, double rz, Vector shift) {
-    private Vector row(int i) {
-      double sa = Math.sin(rx);
-      double ca = Math.cos(rx);
-      double sb = Math.sin(ry);
-      double cb = Math.cos(ry);
-      double sg = Math.sin(rz);
-      double cg = Math.cos(rz);
-      return switch (i) {
-        case 0 -> new Vector(cb * cg, cg * sa * sb - ca * sg, sa * sg + ca * cg * sb);
-        case 1 -> new Vector(cb * sg, sa * sb * sg + ca * cg, ca * sb * sg - cg * sa);
-        default -> new Vector(-sb, cb * sa, ca * cb);
-      };
+  record Extrinsic(double rx, double ry, double rz, Vector3D shift) {
+    private Rotation rotation() {
+      return new Rotation(RotationOrder.ZYX, RotationConvention.VECTOR_OPERATOR, rz, ry, rx);
     }
 
-    Vector before(Vector world) {
-      return new Vector(row(0).dot(world), row(1).dot(world), row(2).dot(world)).plus(shift);
+    Vector3D before(Vector3D world) {
+      return rotation().applyTo(world).add(shift);
     }
 
     /** The direction in the world of one before the camera. */
-    Vector turnedBack(Vector v) {
-      return row(0).times(v.x()).plus(row(1).times(v.y())).plus(row(2).times(v.z()));
+    Vector3D turnedBack(Vector3D v) {
+      return rotation().applyInverseTo(v);
     }
   }
 
@@ -73,30 +68,30 @@ record TsaiCamera(Extrinsic view, Intrinsic lens) implements Calibration {
       return found && r >= 0 && 1 + 3 * kappa1 * r * r > 0 ? r : Double.NaN;
     }
 
-    Vector ray(Pixel pixel) {
+    Vector3D ray(Pixel pixel) {
       double x = (pixel.u() - cx) * dpx / sx;
       double y = (pixel.v() - cy) * dpy;
       double factor = 1 + kappa1 * (x * x + y * y);
-      return new Vector(x * factor / focal, y * factor / focal, 1);
+      return new Vector3D(x * factor / focal, y * factor / focal, 1);
     }
   }
 
   @Override
-  public Pixel project(Vector point) {
-    Vector before = view.before(point);
-    return before.z() > 0
-        ? lens.pixel(before.x() / before.z(), before.y() / before.z())
+  public Pixel project(Vector3D point) {
+    Vector3D before = view.before(point);
+    return before.getZ() > 0
+        ? lens.pixel(before.getX() / before.getZ(), before.getY() / before.getZ())
         : Pixel.NONE;
   }
 
   @Override
-  public Vector ray(Pixel pixel) {
+  public Vector3D ray(Pixel pixel) {
     return view.turnedBack(lens.ray(pixel));
   }
 
   @Override
-  public Vector position() {
-    return view.turnedBack(view.shift().times(-1));
+  public Vector3D position() {
+    return view.turnedBack(view.shift().negate());
   }
 
   @Override

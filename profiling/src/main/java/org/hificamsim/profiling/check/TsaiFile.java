@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -105,8 +106,8 @@ final class TsaiFile extends PlainXml {
   }
 
   private void extrinsic(Attributes attributes) {
-    Vector shift =
-        new Vector(
+    Vector3D shift =
+        new Vector3D(
             number(attributes, "Extrinsic", "tx"),
             number(attributes, "Extrinsic", "ty"),
             number(attributes, "Extrinsic", "tz"));
@@ -115,7 +116,7 @@ final class TsaiFile extends PlainXml {
             number(attributes, "Extrinsic", "rx"),
             number(attributes, "Extrinsic", "ry"),
             number(attributes, "Extrinsic", "rz"),
-            shift.times(unit.metres()));
+            shift.scalarMultiply(unit.metres()));
   }
 
   private double positive(Attributes attributes, String element, String name) {

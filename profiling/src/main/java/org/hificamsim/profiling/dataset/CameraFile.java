@@ -1,8 +1,5 @@
 package org.hificamsim.profiling.dataset;
 
-import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.json.JsonFile;
@@ -11,6 +8,7 @@ import org.hificamsim.hifi.json.JsonObject;
 /** Reads {@code camera.json}. */
 final class CameraFile {
   private static final int MAX_PIXELS = 100_000;
+  private static final int MAX_BYTES = 1 << 20;
 
   private CameraFile() {}
 
@@ -20,7 +18,8 @@ final class CameraFile {
    * @throws InputException with its place, when the file is missing or wrong
    */
   static PhotoCamera read(Path file) {
-    return JsonFile.parse(file.toString(), bytes(file)).whole(CameraFile::camera);
+    return JsonFile.read(file, "the camera's sensor and pixels", MAX_BYTES)
+        .whole(CameraFile::camera);
   }
 
   private static PhotoCamera camera(JsonObject json) {
@@ -29,16 +28,5 @@ final class CameraFile {
         json.number("sensorHeight", 1e-6, 1),
         (int) json.number("width", 1, MAX_PIXELS),
         (int) json.number("height", 1, MAX_PIXELS));
-  }
-
-  private static byte[] bytes(Path file) {
-    try {
-      return Files.readAllBytes(file);
-    } catch (NoSuchFileException e) {
-      throw new InputException(file + ": no such file, expected the camera's sensor and pixels", e);
-    } catch (IOException e) {
-      throw new InputException(
-          file + ": cannot be read, expected a JSON file: " + e.getMessage(), e);
-    }
   }
 }

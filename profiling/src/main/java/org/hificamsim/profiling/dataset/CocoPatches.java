@@ -1,7 +1,5 @@
 package org.hificamsim.profiling.dataset;
 
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -15,7 +13,7 @@ import org.hificamsim.hifi.json.JsonObject;
 /** The boxes of a COCO annotation file, by picture and category. */
 final class CocoPatches {
   private static final double MAX = 1e9;
-  private static final long MAX_BYTES = 64L << 20;
+  private static final int MAX_BYTES = 64 << 20;
 
   private record Box(String category, Patch patch) {}
 
@@ -35,7 +33,7 @@ final class CocoPatches {
    * @throws InputException with its place, when the file is no such thing
    */
   static CocoPatches read(Path file) {
-    JsonObject json = JsonFile.parse(file.toString(), bytes(file));
+    JsonObject json = JsonFile.read(file, "a COCO annotation file", MAX_BYTES);
     Map<Long, String> images = new LinkedHashMap<>();
     json.objects("images").forEach(image -> images.put(id(image, "id"), image.text("file_name")));
     Map<Long, String> categories = new LinkedHashMap<>();
@@ -72,17 +70,5 @@ final class CocoPatches {
 
   private static long id(JsonObject json, String key) {
     return (long) json.number(key, 0, 1e15);
-  }
-
-  private static byte[] bytes(Path file) {
-    try {
-      if (Files.size(file) > MAX_BYTES) {
-        throw new InputException(file + ":1:1: the file is too big, expected at most 64 MiB");
-      }
-      return Files.readAllBytes(file);
-    } catch (IOException e) {
-      throw new InputException(
-          file + ": cannot be read, expected a JSON file: " + e.getMessage(), e);
-    }
   }
 }

@@ -14,7 +14,7 @@ import java.util.Map;
 public record Dataset(
     Path folder,
     PhotoCamera camera,
-    List<Sample> samples,
+    List<LabelledPhoto> samples,
     Map<String, Path> templates,
     List<Path> negatives) {
   /** The table's file name. */

@@ -10,14 +10,16 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.dataset.CsvRows.Cell;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 
-/** Reads a data set's folder and tells everything that is wrong with it. */
+/** Reads a data set's folder and reports everything that is wrong with it. */
 public final class DatasetReader {
   private static final List<String> COLUMNS =
       Stream.concat(
               Stream.of("image", "object", "size_m", "distance_m", "focal_length_m"),
-              SampleReader.PATCH.stream())
+              LabelledPhotoReader.PATCH.stream())
           .toList();
   private static final List<String> ENDINGS = List.of(".png", ".jpg", ".jpeg");
 
@@ -54,36 +56,34 @@ public final class DatasetReader {
     PhotoCamera camera = CameraFile.read(folder.resolve(Dataset.CAMERA));
     Path cocoFile = folder.resolve(Dataset.COCO);
     CocoPatches coco = Files.exists(cocoFile) ? CocoPatches.read(cocoFile) : CocoPatches.none();
-    CsvRows table = CsvRows.read(folder.resolve(Dataset.TABLE), COLUMNS);
+    CsvRows table =
+        CsvReader.open(folder.resolve(Dataset.TABLE), "a data set's table").all(COLUMNS);
     if (table.rows().isEmpty()) {
       throw new InputException(table.file() + ":2:1: no rows, expected one for each picture");
     }
-    List<Sample> samples = new ArrayList<>();
+    List<LabelledPhoto> samples = new ArrayList<>();
     Map<String, Path> templates = new LinkedHashMap<>();
     Map<String, Integer> lines = new LinkedHashMap<>();
-    for (Map<String, Cell> row : table.rows()) {
+    for (CsvRow row : table.rows()) {
       checkOnce(row, lines);
-      new SampleReader(folder, camera, coco, row, problems).read().ifPresent(samples::add);
-      addTemplate(row.get("object"), templates);
+      new LabelledPhotoReader(folder, camera, coco, row, problems).read().ifPresent(samples::add);
+      addTemplate(row, templates);
     }
     List<Path> negatives = new Negatives(folder.resolve(Dataset.NEGATIVES), camera).read(problems);
     return Optional.of(new Dataset(folder, camera, samples, templates, negatives));
   }
 
-  private void checkOnce(Map<String, Cell> row, Map<String, Integer> lines) {
-    Cell image = row.get("image");
-    Integer earlier =
-        lines.putIfAbsent(image.text() + '\n' + row.get("object").text(), image.place().line());
+  private void checkOnce(CsvRow row, Map<String, Integer> lines) {
+    Integer earlier = lines.putIfAbsent(row.text("image") + '\n' + row.text("object"), row.line());
     if (earlier != null) {
       problems.add(
-          image
-              .error("image", "each image and object once, and line " + earlier + " has it")
+          row.invalid("image", "each image and object once, and line " + earlier + " has it")
               .getMessage());
     }
   }
 
-  private void addTemplate(Cell object, Map<String, Path> templates) {
-    String name = object.text();
+  private void addTemplate(CsvRow row, Map<String, Path> templates) {
+    String name = row.text("object");
     if (templates.containsKey(name) || name.contains("/") || name.isEmpty()) {
       return;
     }
@@ -92,21 +92,20 @@ public final class DatasetReader {
       Path file = folder.resolve("templates").resolve(name + ending);
       if (Files.exists(file)) {
         templates.put(name, file);
-        checkReadable(object, file);
+        checkReadable(row, file);
         return;
       }
     }
     problems.add(
-        object.error("object", "its close-up as templates/" + name + ".png or .jpg").getMessage());
+        row.invalid("object", "its close-up as templates/" + name + ".png or .jpg").getMessage());
   }
 
-  private void checkReadable(Cell object, Path file) {
+  private void checkReadable(CsvRow row, Path file) {
     try {
       ImageHeader.read(file);
     } catch (IOException | RuntimeException e) {
       problems.add(
-          object
-              .error("object", file + " to be a whole PNG or JPEG (" + e.getMessage() + ")")
+          row.invalid("object", file + " to be a whole PNG or JPEG (" + e.getMessage() + ")")
               .getMessage());
     }
   }

@@ -36,7 +36,7 @@ record ImageHeader(int width, int height) {
         reader.setInput(in, true, true);
         checkEnd(file, reader.getFormatName());
         ImageHeader stored = new ImageHeader(reader.getWidth(0), reader.getHeight(0));
-        return ExifOrientation.isUpright(file) ? stored.turned() : stored;
+        return Exif.isUpright(file) ? stored.turned() : stored;
       } finally {
         reader.dispose();
       }

@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * A table as data: each column's name, and the cell that a row has there.
@@ -22,6 +21,11 @@ public final class TableLayout<R> {
     return this;
   }
 
+  /** A text as a cell that reads back from a table between commas or semicolons. */
+  public static String quoted(String text) {
+    return text.matches("[^,;\"\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
+  }
+
   /** The names of the columns. */
   public List<String> names() {
     return names;
@@ -34,8 +38,13 @@ public final class TableLayout<R> {
 
   /** A line of names and a line for each row, between commas; each cell is written as it is. */
   public String csv(List<R> rows) {
-    return Stream.concat(Stream.of(names), rows.stream().map(this::cells))
-        .map(line -> String.join(",", line) + "\n")
-        .collect(Collectors.joining());
+    return String.join(",", names)
+        + "\n"
+        + rows.stream().map(this::line).collect(Collectors.joining());
+  }
+
+  /** The line of a row, with its end. */
+  public String line(R row) {
+    return String.join(",", cells(row)) + "\n";
   }
 }

@@ -7,9 +7,6 @@ import java.util.List;
  * An instance serves one thread.
  */
 interface BoxDetector extends AutoCloseable {
-  /** What a photo needs while it is looked at. */
-  Appetite appetite();
-
   /** Every rectangle that it takes for what it looks for. */
   List<Box> detect(Photograph photo);
 

@@ -24,11 +24,6 @@ final class BoxSource implements ConfidenceSource {
   }
 
   @Override
-  public Appetite appetite() {
-    return detector.appetite();
-  }
-
-  @Override
   public Look look(Photograph photo) {
     return new Boxes(detector.detect(photo));
   }

@@ -10,9 +10,6 @@ public interface ConfidenceSource extends AutoCloseable {
   /** The names of its columns. */
   List<String> columns();
 
-  /** What a photo needs while it is looked at. */
-  Appetite appetite();
-
   /** Looks at a photo once; the caller closes the look. */
   Look look(Photograph photo);
 

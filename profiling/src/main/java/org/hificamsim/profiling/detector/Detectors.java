@@ -12,7 +12,10 @@ import org.hificamsim.core.InputException;
  * find boxes.
  */
 public final class Detectors {
-  private static final Map<String, Supplier<FeatureDetector>> FEATURES = features();
+  private static final Map<String, Extractor> FEATURES = features();
+
+  /** How a feature detector is made, and the memory that it takes. */
+  private record Extractor(Supplier<FeatureDetector> maker, MemoryNeed need) {}
 
   private Detectors() {}
 
@@ -27,12 +30,12 @@ public final class Detectors {
    * @throws InputException when there is none
    */
   public static FeatureDetector create(String name) {
-    Supplier<FeatureDetector> maker = FEATURES.get(name);
-    if (maker == null) {
+    Extractor extractor = FEATURES.get(name);
+    if (extractor == null) {
       throw new InputException(
           "unknown detector '" + name + "', expected one of " + String.join(", ", names()));
     }
-    return maker.get();
+    return extractor.maker().get();
   }
 
   /**
@@ -42,6 +45,17 @@ public final class Detectors {
    */
   public static String column(String name) {
     return FEATURES.containsKey(extractor(name)) ? name : BoxSpec.of(name).column();
+  }
+
+  /** The memory that the one with the largest need takes. */
+  public static MemoryNeed memoryNeed(List<String> names) {
+    return names.stream()
+        .map(
+            name ->
+                FEATURES.containsKey(extractor(name))
+                    ? FEATURES.get(extractor(name)).need()
+                    : BoxSpec.of(name).need())
+        .reduce(new MemoryNeed(0, 0), MemoryNeed::max);
   }
 
   /** The feature detectors that these need, each once. */
@@ -83,11 +97,12 @@ public final class Detectors {
     return name.substring(0, name.length() - MatchReading.of(name).suffix().length());
   }
 
-  private static Map<String, Supplier<FeatureDetector>> features() {
-    Map<String, Supplier<FeatureDetector>> all = new LinkedHashMap<>();
-    all.put("orb", OpenCvDetector::orb);
-    all.put("sift", OpenCvDetector::sift);
-    all.put("surf", SurfDetector::new);
+  private static Map<String, Extractor> features() {
+    Map<String, Extractor> all = new LinkedHashMap<>();
+    all.put("orb", new Extractor(OpenCvDetector::orb, new MemoryNeed(20, 0)));
+    // Both pyramids of a picture that is enlarged twice, in 32 bits.
+    all.put("sift", new Extractor(OpenCvDetector::sift, new MemoryNeed(250, 0)));
+    all.put("surf", new Extractor(SurfDetector::new, new MemoryNeed(2, 50)));
     return all;
   }
 }

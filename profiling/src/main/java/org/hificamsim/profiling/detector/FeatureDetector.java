@@ -11,9 +11,6 @@ public interface FeatureDetector extends AutoCloseable {
   /** The short name in files, such as {@code orb}. */
   String name();
 
-  /** What a photo needs while its features are found. */
-  Appetite appetite();
-
   /** The features of a picture of 8-bit grey; the caller closes them. */
   Features detect(Mat grey);
 

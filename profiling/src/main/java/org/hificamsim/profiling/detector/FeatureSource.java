@@ -31,11 +31,6 @@ final class FeatureSource implements ConfidenceSource {
   }
 
   @Override
-  public Appetite appetite() {
-    return detector.appetite();
-  }
-
-  @Override
   public Look look(Photograph photo) {
     return new Matched(detector.detect(photo.grey()));
   }

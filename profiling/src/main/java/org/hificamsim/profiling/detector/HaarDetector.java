@@ -18,7 +18,6 @@ import org.opencv.objdetect.CascadeClassifier;
  * neighbouring windows agree on scores n / (n + 3).
  */
 final class HaarDetector implements BoxDetector {
-  private static final Appetite NEEDS = new Appetite(40, 0);
   private static final int MIN_NEIGHBOURS = 3;
 
   /** Where Debian's opencv-data puts cascades. */
@@ -55,11 +54,6 @@ final class HaarDetector implements BoxDetector {
                         + name
                         + "', expected a cascade's XML file, or the name of one that Debian's"
                         + " opencv-data installs, such as frontalface_alt"));
-  }
-
-  @Override
-  public Appetite appetite() {
-    return NEEDS;
   }
 
   @Override

@@ -14,19 +14,12 @@ import org.opencv.objdetect.HOGDescriptor;
  * has built in. A box scores the logistic function of its distance from the separating plane.
  */
 final class HogDetector implements BoxDetector {
-  private static final Appetite NEEDS = new Appetite(60, 0);
-
   private final HOGDescriptor people = new HOGDescriptor();
 
   HogDetector() {
     try (Mats mats = new Mats()) {
       people.setSVMDetector(mats.own(HOGDescriptor.getDefaultPeopleDetector()));
     }
-  }
-
-  @Override
-  public Appetite appetite() {
-    return NEEDS;
   }
 
   @Override

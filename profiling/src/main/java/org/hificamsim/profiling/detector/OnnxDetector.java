@@ -17,11 +17,10 @@ import org.opencv.imgproc.Imgproc;
 
 /**
  * A network in an ONNX file. It is shown the photo in a square, shrunk or enlarged with its sides
- * in proportion and grey beside it, red, green and blue from 0 to 1; how its answer is read says
- * {@link OnnxBoxes}.
+ * in proportion and grey around it, red, green and blue from 0 to 1; {@link OnnxBoxes} reads its
+ * answer.
  */
 final class OnnxDetector implements BoxDetector {
-  private static final Appetite NEEDS = new Appetite(10, 0);
   private static final double GREY = 114;
 
   private final OnnxOptions options;
@@ -34,11 +33,6 @@ final class OnnxDetector implements BoxDetector {
     } catch (CvException e) {
       throw failed(e);
     }
-  }
-
-  @Override
-  public Appetite appetite() {
-    return NEEDS;
   }
 
   @Override

@@ -12,39 +12,27 @@ import org.opencv.features2d.SIFT;
  * 5.5).
  */
 public final class OpenCvDetector implements FeatureDetector {
-  /** Both pyramids of a picture that is enlarged twice, in 32 bits. */
-  private static final Appetite SIFT_NEEDS = new Appetite(250, 0);
-
-  private static final Appetite ORB_NEEDS = new Appetite(20, 0);
-
   private final String name;
   private final Feature2D detector;
-  private final Appetite appetite;
 
-  private OpenCvDetector(String name, Feature2D detector, Appetite appetite) {
+  private OpenCvDetector(String name, Feature2D detector) {
     this.name = name;
     this.detector = detector;
-    this.appetite = appetite;
   }
 
   /** Oriented FAST and rotated BRIEF. */
   public static FeatureDetector orb() {
-    return new OpenCvDetector("orb", ORB.create(), ORB_NEEDS);
+    return new OpenCvDetector("orb", ORB.create());
   }
 
   /** The scale-invariant feature transform. */
   public static FeatureDetector sift() {
-    return new OpenCvDetector("sift", SIFT.create(), SIFT_NEEDS);
+    return new OpenCvDetector("sift", SIFT.create());
   }
 
   @Override
   public String name() {
     return name;
-  }
-
-  @Override
-  public Appetite appetite() {
-    return appetite;
   }
 
   @Override

@@ -39,9 +39,4 @@ public record RatioTest(DescriptorDistance metric, double ratio) {
     }
     return good;
   }
-
-  /** The confidence of Eq 5.1: matched over all template features, 0 where there are none. */
-  public double confidence(Features template, Features image) {
-    return template.count() == 0 ? 0 : (double) matches(template, image).size() / template.count();
-  }
 }

@@ -15,8 +15,6 @@ public final class SurfDetector implements FeatureDetector {
   /** The blob response below which nothing counts as a feature; BoofCV's scale, for 8-bit grey. */
   private static final float MIN_RESPONSE = 12;
 
-  private static final Appetite NEEDS = new Appetite(2, 50);
-
   private final DetectDescribePoint<GrayU8, TupleDesc_F64> detector;
 
   public SurfDetector() {
@@ -28,11 +26,6 @@ public final class SurfDetector implements FeatureDetector {
   @Override
   public String name() {
     return "surf";
-  }
-
-  @Override
-  public Appetite appetite() {
-    return NEEDS;
   }
 
   @Override

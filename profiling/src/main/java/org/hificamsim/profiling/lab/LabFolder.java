@@ -14,9 +14,9 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.dataset.PhotoCamera;
+import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.core.Mat;
 import org.opencv.core.MatOfByte;
@@ -27,9 +27,21 @@ import org.opencv.imgcodecs.Imgcodecs;
 /** Writes a rendered experiment as a data set, each file whole or not at all. */
 final class LabFolder {
   private static final int JPEG_QUALITY = 95;
-  private static final String HEADER =
-      "image,object,size_m,distance_m,focal_length_m,patch_x,patch_y,patch_width,patch_height,mask"
-          + ",aperture,distortion,light";
+  private static final TableLayout<LabRow> TABLE =
+      new TableLayout<LabRow>()
+          .with("image", LabRow::image)
+          .with("object", row -> row.shot().object().name())
+          .with("size_m", row -> row.shot().object().q())
+          .with("distance_m", row -> row.shot().distance())
+          .with("focal_length_m", row -> row.shot().focalLength())
+          .with("patch_x", row -> row.patch().x)
+          .with("patch_y", row -> row.patch().y)
+          .with("patch_width", row -> row.patch().width)
+          .with("patch_height", row -> row.patch().height)
+          .with("mask", LabRow::mask)
+          .with("aperture", row -> row.conditions().aperture())
+          .with("distortion", row -> row.conditions().distortion())
+          .with("light", row -> row.conditions().light());
 
   private static final ObjectWriter JSON = new ObjectMapper().writer(printer());
 
@@ -37,7 +49,7 @@ final class LabFolder {
 
   /** What {@code lab.json} holds: all settings and what became of them, side by side. */
   private record Rendered(
-      @JsonUnwrapped LabSettings settings, @JsonUnwrapped Laboratory.Outcome outcome) {}
+      @JsonUnwrapped LabSettings settings, @JsonUnwrapped Laboratory.PhotoCount photos) {}
 
   LabFolder(Path folder) {
     this.folder = folder;
@@ -56,35 +68,13 @@ final class LabFolder {
   }
 
   /** Writes the tables last: a folder with a {@code dataset.csv} is complete. */
-  void finish(LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.Outcome outcome) {
+  void finish(
+      LabSettings settings, Sensor sensor, List<LabRow> rows, Laboratory.PhotoCount photos) {
     json(
         "camera.json",
         new PhotoCamera(Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height()));
-    json("lab.json", new Rendered(settings, outcome));
-    StringBuilder table = new StringBuilder(HEADER).append('\n');
-    rows.forEach(row -> table.append(line(row)).append('\n'));
-    text("dataset.csv", table.toString());
-  }
-
-  private static String line(LabRow row) {
-    Shot shot = row.shot();
-    Rect patch = row.patch();
-    return String.format(
-        Locale.ROOT,
-        "%s,%s,%s,%s,%s,%d,%d,%d,%d,%s,%s,%s,%s",
-        row.image(),
-        shot.object().name(),
-        shot.object().q(),
-        shot.distance(),
-        shot.focalLength(),
-        patch.x,
-        patch.y,
-        patch.width,
-        patch.height,
-        row.mask(),
-        row.conditions().aperture(),
-        row.conditions().distortion(),
-        row.conditions().light());
+    json("lab.json", new Rendered(settings, photos));
+    text("dataset.csv", TABLE.csv(rows));
   }
 
   private void encode(String name, Mat picture) {

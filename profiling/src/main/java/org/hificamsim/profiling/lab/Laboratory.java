@@ -28,7 +28,7 @@ public final class Laboratory {
    * @param taken pictures in the data set
    * @param dropped pictures whose object does not fit the frame
    */
-  public record Outcome(int taken, int dropped) {}
+  public record PhotoCount(int taken, int dropped) {}
 
   /** The number of pictures that will be tried. */
   public int shots() {
@@ -40,7 +40,7 @@ public final class Laboratory {
    *
    * @param progress called once per picture, by any thread
    */
-  public Outcome render(Path folder, int threads, Runnable progress) {
+  public PhotoCount render(Path folder, int threads, Runnable progress) {
     OpenCv.load();
     SplittableRandom random = new SplittableRandom(settings.seed());
     try (Mats mats = new Mats();
@@ -63,7 +63,7 @@ public final class Laboratory {
                 return row;
               });
       List<LabRow> taken = rows.stream().filter(Objects::nonNull).toList();
-      Outcome outcome = new Outcome(taken.size(), rows.size() - taken.size());
+      PhotoCount outcome = new PhotoCount(taken.size(), rows.size() - taken.size());
       files.finish(settings, Sensor.scaled(settings.scale()), taken, outcome);
       return outcome;
     }

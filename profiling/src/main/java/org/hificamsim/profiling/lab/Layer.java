@@ -28,9 +28,8 @@ final class Layer {
    * Blends a board in.
    *
    * @param blur diameter of the disc that a point becomes, pixels
-   * @param gain factor on its brightness
    */
-  void put(Board board, double blur, double gain) {
+  void put(Board board, double blur) {
     Point[] corners = board.corners(camera);
     Rect part = part(corners, blur);
     if (part.empty()) {
@@ -39,7 +38,7 @@ final class Layer {
     try (Mats mats = new Mats()) {
       double span = span(corners);
       Mat shape = mats.own(shape(board, span));
-      Mat colour = mats.own(colour(board.texture(), span, gain));
+      Mat colour = mats.own(colour(board.texture(), span));
       Mat cover = warped(mats, shape, corners, part);
       Mat light = warped(mats, colour, corners, part);
       Mat cover3 = mats.mat();
@@ -72,13 +71,12 @@ final class Layer {
   }
 
   /** The texture in linear light, no finer than it is seen. */
-  private static Mat colour(Mat texture, double span, double gain) {
+  private static Mat colour(Mat texture, double span) {
     try (Mats mats = new Mats()) {
       Mat seen = fitted(mats, texture, span);
       Mat linear = new Mat();
       seen.convertTo(linear, CvType.CV_32F, 1.0 / 255);
       Core.pow(linear, GAMMA, linear);
-      Core.multiply(linear, Scalar.all(gain), linear);
       return linear;
     }
   }

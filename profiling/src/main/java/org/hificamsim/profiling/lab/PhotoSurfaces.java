@@ -16,8 +16,8 @@ import org.opencv.imgcodecs.Imgcodecs;
 import org.opencv.imgproc.Imgproc;
 
 /**
- * Photographs (their sources are named beside them). Each object has one of its own; things and the
- * wall have random parts of others, so that nothing behind an object is a part of it.
+ * Photographs (with a list of their sources). Each object has one of its own; things and the wall
+ * have random parts of others, so that nothing behind an object is a part of it.
  */
 final class PhotoSurfaces implements Surfaces {
   private static final List<String> BACKGROUNDS =

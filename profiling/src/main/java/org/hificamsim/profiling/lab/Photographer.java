@@ -37,7 +37,7 @@ final class Photographer {
     Pinhole camera = camera(shot.focalLength(), bend);
     RadialDistortion distortion = RadialDistortion.at(shot.focalLength(), bend);
     double aperture = chosen(settings.optics().aperture(), shot, 2);
-    Lens lens = focused(shot, aperture, random);
+    FocusedLens lens = focused(shot, aperture, random);
     Board board = placed(shot, camera, random);
     double gain = 1 + settings.scene().lighting() * clamped(random.nextGaussian());
     try (Mats mats = new Mats()) {
@@ -46,9 +46,9 @@ final class Photographer {
       LensBlur.apply(canvas, blur(lens, camera, room.wallDistance()));
       Layer layer = new Layer(canvas, camera);
       for (Board thing : room.behind(shot.distance())) {
-        layer.put(thing, blur(lens, camera, thing.distance()), 1);
+        layer.put(thing, blur(lens, camera, thing.distance()));
       }
-      layer.put(board, blur(lens, camera, shot.distance()), 1);
+      layer.put(board, blur(lens, camera, shot.distance()));
       Mat mask = mask(mats.own(layer.silhouette(board)), camera, distortion);
       Mat image = exposed(canvas, camera, distortion, lens, gain, random);
       return new Photo(image, mask, new Conditions(aperture, distortion.k(), gain));
@@ -72,12 +72,12 @@ final class Photographer {
             0,
             CLOSE_UP,
             Board.Pose.FRONTAL);
-    Lens lens = new Lens(MAX, settings.optics().aperture().get(0), CLOSE_UP);
+    FocusedLens lens = new FocusedLens(MAX, settings.optics().aperture().get(0), CLOSE_UP);
     RandomGenerator random = new SplittableRandom(settings.seed() - object.name().hashCode());
     try (Mats mats = new Mats()) {
       Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3, Scalar.all(0.4)));
       Layer layer = new Layer(canvas, camera);
-      layer.put(board, 0, 1);
+      layer.put(board, 0);
       Mat mask = mats.own(mask(mats.own(layer.silhouette(board)), camera, distortion));
       Mat picture = mats.own(exposed(canvas, camera, distortion, lens, 1, random));
       return picture.submat(Imgproc.boundingRect(mask)).clone();
@@ -98,12 +98,12 @@ final class Photographer {
         focalLength, Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height(), margin);
   }
 
-  private Lens focused(Shot shot, double aperture, RandomGenerator random) {
+  private FocusedLens focused(Shot shot, double aperture, RandomGenerator random) {
     double error = settings.optics().focusError() * clamped(random.nextGaussian());
-    return new Lens(shot.focalLength(), aperture, shot.distance() * (1 + error));
+    return new FocusedLens(shot.focalLength(), aperture, shot.distance() * (1 + error));
   }
 
-  private static double blur(Lens lens, Pinhole camera, double distance) {
+  private static double blur(FocusedLens lens, Pinhole camera, double distance) {
     return lens.circleOfConfusion(distance) * camera.pitch();
   }
 
@@ -152,7 +152,7 @@ final class Photographer {
       Mat canvas,
       Pinhole camera,
       RadialDistortion distortion,
-      Lens lens,
+      FocusedLens lens,
       double gain,
       RandomGenerator random) {
     try (Mats mats = new Mats()) {

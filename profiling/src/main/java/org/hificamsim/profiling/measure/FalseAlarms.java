@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Dataset;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.ConfidenceSource.Look;
 import org.hificamsim.profiling.detector.Subject;
 
@@ -14,18 +14,19 @@ import org.hificamsim.profiling.detector.Subject;
  * What the detectors make of photos without any of the objects. Each photo is asked for each
  * object, at places and in sizes that the object has in the other photos.
  */
-record FalseAlarms(Dataset dataset, Gaze gaze) {
+record FalseAlarms(Dataset dataset, DetectorPool detectors) {
   private static final int PLACES = 8;
 
   /** Every confidence of every photo, object and place, by detector. */
-  Map<String, List<Double>> confidences(int threads, Watcher watcher) {
+  Map<String, List<Double>> confidences(int threads, MeasureProgress watcher) {
     List<Subject> subjects = subjects();
     Map<String, List<Double>> all = new LinkedHashMap<>();
     Parallel.map(
             dataset.negatives(),
             threads,
             photo -> {
-              List<Map<String, Double>> seen = gaze.at(photo, subjects, Look::falseConfidences);
+              List<Map<String, Double>> seen =
+                  detectors.confidences(photo, subjects, Look::falseConfidences);
               watcher.measured();
               return seen;
             })
@@ -41,7 +42,8 @@ record FalseAlarms(Dataset dataset, Gaze gaze) {
   private List<Subject> subjects() {
     List<Subject> subjects = new ArrayList<>();
     for (String object : dataset.templates().keySet()) {
-      List<Sample> of = dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
+      List<LabelledPhoto> of =
+          dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
       int places = Math.min(PLACES, of.size());
       for (int i = 0; i < places; i++) {
         subjects.add(new Subject(object, of.get(i * of.size() / places).patch()));

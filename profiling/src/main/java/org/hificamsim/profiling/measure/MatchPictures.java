@@ -8,7 +8,7 @@ import java.util.Collection;
 import java.util.List;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.dataset.Dataset;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.FeatureDetector;
 import org.hificamsim.profiling.detector.Features;
@@ -35,7 +35,7 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
     List<String> extractors = Detectors.extractors(settings.detectors());
     int drawn = 0;
     try (Templates templates = Templates.of(dataset, extractors, 1)) {
-      for (Sample sample : dataset.samples()) {
+      for (LabelledPhoto sample : dataset.samples()) {
         if (images.contains(sample.image())) {
           extractors.forEach(extractor -> draw(sample, extractor, templates));
           drawn += extractors.size();
@@ -45,7 +45,7 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
     return drawn;
   }
 
-  private void draw(Sample sample, String extractor, Templates templates) {
+  private void draw(LabelledPhoto sample, String extractor, Templates templates) {
     Features template = templates.of(sample.object(), extractor);
     try (Photograph photo = new Photograph(sample.file());
         Photograph close = new Photograph(dataset.templates().get(sample.object()));
@@ -87,7 +87,7 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
     }
   }
 
-  private static String name(Sample sample) {
+  private static String name(LabelledPhoto sample) {
     return sample.image().replaceAll("[/\\\\]", "_").replaceFirst("\\.[^.]*$", "");
   }
 }

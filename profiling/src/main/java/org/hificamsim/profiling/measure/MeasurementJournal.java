@@ -17,7 +17,8 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.profiling.dataset.Dataset;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
+import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.detector.Detectors;
 
 /**
@@ -28,12 +29,12 @@ final class MeasurementJournal implements Closeable {
   private static final int KEY_LENGTH = 16;
 
   private final Path file;
-  private final Columns columns;
+  private final TableLayout<Measurement> columns;
   private final Writer out;
   private final Map<Integer, Measurement> done;
 
   private MeasurementJournal(
-      Path file, Columns columns, Map<Integer, Measurement> done, Writer out) {
+      Path file, TableLayout<Measurement> columns, Map<Integer, Measurement> done, Writer out) {
     this.file = file;
     this.columns = columns;
     this.done = done;
@@ -42,11 +43,9 @@ final class MeasurementJournal implements Closeable {
 
   static MeasurementJournal open(Dataset dataset, MeasureSettings settings) throws IOException {
     Path file = dataset.folder().resolve(".measurements-" + key(dataset, settings) + ".part");
-    Columns columns = columns(settings);
+    TableLayout<Measurement> columns = columns(settings).layout();
     Map<Integer, Measurement> done = read(file, dataset);
-    StringBuilder kept = new StringBuilder(columns.header());
-    done.values().forEach(row -> kept.append(columns.line(row)));
-    new OutputFile(file).write(kept.toString());
+    new OutputFile(file).write(columns.csv(List.copyOf(done.values())));
     Writer out =
         Files.newBufferedWriter(
             file, StandardCharsets.UTF_8, StandardOpenOption.APPEND, LinkOption.NOFOLLOW_LINKS);
@@ -54,8 +53,8 @@ final class MeasurementJournal implements Closeable {
   }
 
   /** The columns that are filled photo by photo. */
-  static Columns columns(MeasureSettings settings) {
-    return new Columns(
+  static MeasurementColumns columns(MeasureSettings settings) {
+    return new MeasurementColumns(
         settings.pip(), settings.detectors().stream().map(Detectors::column).toList());
   }
 
@@ -110,9 +109,9 @@ final class MeasurementJournal implements Closeable {
     }
   }
 
-  private static Map<String, Integer> indices(List<Sample> samples) {
+  private static Map<String, Integer> indices(List<LabelledPhoto> samples) {
     Map<String, Integer> indices = new LinkedHashMap<>();
-    for (Sample sample : samples) {
+    for (LabelledPhoto sample : samples) {
       indices.put(name(sample.image(), sample.object()), indices.size());
     }
     return indices;
@@ -127,7 +126,7 @@ final class MeasurementJournal implements Closeable {
     StringBuilder facts = new StringBuilder();
     facts.append(settings.detectors()).append(settings.test()).append(dataset.camera());
     facts.append(settings.pip());
-    for (Sample sample : dataset.samples()) {
+    for (LabelledPhoto sample : dataset.samples()) {
       facts.append(sample);
       stamp(sample.file(), facts);
     }

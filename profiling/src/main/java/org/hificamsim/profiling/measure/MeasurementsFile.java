@@ -2,7 +2,6 @@ package org.hificamsim.profiling.measure;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,8 +10,9 @@ import java.util.Set;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.profiling.dataset.CsvRows;
-import org.hificamsim.profiling.dataset.CsvRows.Cell;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 
 /**
  * The table {@code measurements.csv}: one row per photo, one column of confidences per detector.
@@ -33,10 +33,9 @@ public final class MeasurementsFile {
   private MeasurementsFile() {}
 
   /** Writes the table whole or not at all. */
-  static void write(Path file, Columns columns, List<Measurement> rows) throws IOException {
-    StringBuilder table = new StringBuilder(columns.header());
-    rows.forEach(row -> table.append(columns.line(row)));
-    new OutputFile(file).write(table.toString());
+  static void write(Path file, MeasurementColumns columns, List<Measurement> rows)
+      throws IOException {
+    new OutputFile(file).write(columns.layout().csv(rows));
   }
 
   /**
@@ -46,7 +45,8 @@ public final class MeasurementsFile {
    */
   public static List<Measurement> read(Path file) {
     PipReading pip = PipReading.of(file);
-    CsvRows table = CsvRows.read(file, Columns.required(pip));
+    CsvRows table =
+        CsvReader.open(file, "a table of measurements").all(MeasurementColumns.required(pip));
     List<String> detectors = table.columns().stream().filter(MeasurementsFile::isDetector).toList();
     if (detectors.isEmpty()) {
       throw new InputException(file + ":1:1: no detector's column, expected one such as orb");
@@ -54,37 +54,31 @@ public final class MeasurementsFile {
     if (table.rows().isEmpty()) {
       throw new InputException(file + ":2:1: no rows, expected one for each photo");
     }
-    List<Measurement> rows = new ArrayList<>();
-    for (Map<String, Cell> row : table.rows()) {
-      rows.add(measurement(row, pip.column(), detectors));
-    }
-    return rows;
+    return table.rows().stream().map(row -> measurement(row, pip.column(), detectors)).toList();
   }
 
   private static boolean isDetector(String column) {
-    return !Columns.PHYSICAL.contains(column)
+    return !MeasurementColumns.PHYSICAL.contains(column)
         && !PIP.contains(column)
         && !CONDITIONS.contains(column);
   }
 
-  private static Measurement measurement(
-      Map<String, Cell> row, String pip, List<String> detectors) {
+  private static Measurement measurement(CsvRow row, String pip, List<String> detectors) {
     Map<String, Double> confidences = new LinkedHashMap<>();
     for (String detector : detectors) {
-      confidences.put(
-          detector, row.get(detector).number(detector, 0, 1, "a confidence from 0 to 1"));
+      confidences.put(detector, row.number(detector, 0, 1, "a confidence from 0 to 1"));
     }
     return new Measurement(
-        row.get("image").text(),
-        row.get("object").text(),
+        row.text("image"),
+        row.text("object"),
         length(row, "size_m"),
         length(row, "distance_m"),
         length(row, "focal_length_m"),
-        row.get(pip).number(pip, Double.MIN_NORMAL, 1, "a share above 0, at most 1"),
+        row.number(pip, Double.MIN_NORMAL, 1, "a share above 0, at most 1"),
         confidences);
   }
 
-  private static double length(Map<String, Cell> row, String column) {
-    return row.get(column).number(column, Double.MIN_NORMAL, MAX, "metres above 0");
+  private static double length(CsvRow row, String column) {
+    return row.number(column, Double.MIN_NORMAL, MAX, "metres above 0");
   }
 }

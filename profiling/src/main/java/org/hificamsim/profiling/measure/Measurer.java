@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Dataset;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.ConfidenceSource.Look;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.Subject;
@@ -38,12 +38,12 @@ public final class Measurer {
    * @param wanted how many threads at most
    * @throws InputException when a photo turns out unreadable, or larger than the memory
    */
-  public Outcome measure(int wanted, Watcher watcher) {
+  public MeasureResult measure(int wanted, MeasureProgress watcher) {
     OpenCv.load();
     int threads = threads(wanted);
     List<String> extractors = Detectors.extractors(settings.detectors());
     try (Templates templates = Templates.of(dataset, extractors, threads);
-        Toolboxes toolboxes = new Toolboxes(settings, templates);
+        DetectorPool detectors = new DetectorPool(settings, templates);
         MeasurementJournal done = MeasurementJournal.open(dataset, settings)) {
       int resumed = done.count();
       watcher.resumed(resumed);
@@ -55,17 +55,17 @@ public final class Measurer {
                   done.get(i)
                       .orElseGet(
                           () -> {
-                            Measurement row = done.add(i, measured(i, new Gaze(toolboxes)));
+                            Measurement row = done.add(i, measured(i, detectors));
                             watcher.measured();
                             return row;
                           }));
       List<String> warnings = warnings(templates, rows);
       if (!dataset.negatives().isEmpty()) {
-        warnings.addAll(writeThresholds(rows, new Gaze(toolboxes), threads, watcher));
+        warnings.addAll(writeThresholds(rows, detectors, threads, watcher));
       }
       write(rows);
       done.finish();
-      return new Outcome(resumed, threads, warnings);
+      return new MeasureResult(resumed, threads, warnings);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -73,13 +73,14 @@ public final class Measurer {
 
   private int threads(int wanted) {
     return MemoryBudget.now()
-        .threads(wanted, dataset.largestPicture(), Toolboxes.appetite(settings));
+        .threads(wanted, dataset.largestPicture(), Detectors.memoryNeed(settings.detectors()));
   }
 
-  private Measurement measured(int index, Gaze gaze) {
-    Sample sample = dataset.samples().get(index);
+  private Measurement measured(int index, DetectorPool detectors) {
+    LabelledPhoto sample = dataset.samples().get(index);
     List<Subject> subject = List.of(new Subject(sample.object(), sample.patch()));
-    Map<String, Double> confidences = gaze.at(sample.file(), subject, Look::confidences).get(0);
+    Map<String, Double> confidences =
+        detectors.confidences(sample.file(), subject, Look::confidences).get(0);
     return new Measurement(
         sample.image(),
         sample.object(),
@@ -97,12 +98,15 @@ public final class Measurer {
       all = Recall.with(all, heights, detector);
     }
     MeasurementsFile.write(
-        dataset.folder().resolve(MeasurementsFile.NAME), Columns.of(settings.pip(), all), all);
+        dataset.folder().resolve(MeasurementsFile.NAME),
+        MeasurementColumns.of(settings.pip(), all),
+        all);
   }
 
   private List<String> writeThresholds(
-      List<Measurement> rows, Gaze gaze, int threads, Watcher watcher) throws IOException {
-    FalseAlarms alarms = new FalseAlarms(dataset, gaze);
+      List<Measurement> rows, DetectorPool detectors, int threads, MeasureProgress watcher)
+      throws IOException {
+    FalseAlarms alarms = new FalseAlarms(dataset, detectors);
     Map<String, AlarmThreshold> thresholds = new LinkedHashMap<>();
     Map<String, List<Double>> without = alarms.confidences(threads, watcher);
     for (String detector : rows.get(0).confidences().keySet()) {

@@ -7,7 +7,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.detector.Appetite;
+import org.hificamsim.profiling.detector.MemoryNeed;
 
 /**
  * How many photos may be in memory at once.
@@ -36,17 +36,17 @@ record MemoryBudget(double nativeBytes, double heapBytes) {
    * @param pixels of the largest photo
    * @throws InputException when not even one fits
    */
-  int threads(int wanted, long pixels, Appetite appetite) {
-    double outside = USED * nativeBytes / (pixels * appetite.nativeBytes());
-    double inside = USED * heapBytes / (pixels * appetite.heapBytes());
+  int threads(int wanted, long pixels, MemoryNeed memoryNeed) {
+    double outside = USED * nativeBytes / (pixels * memoryNeed.nativeBytes());
+    double inside = USED * heapBytes / (pixels * memoryNeed.heapBytes());
     double fit = Math.min(outside, inside);
     if (fit < 1) {
-      throw tooSmall(pixels, appetite);
+      throw tooSmall(pixels, memoryNeed);
     }
     return (int) Math.min(wanted, fit);
   }
 
-  private InputException tooSmall(long pixels, Appetite appetite) {
+  private InputException tooSmall(long pixels, MemoryNeed memoryNeed) {
     return new InputException(
         String.format(
             Locale.ROOT,
@@ -54,8 +54,8 @@ record MemoryBudget(double nativeBytes, double heapBytes) {
                 + " most %.0f %% of the %.1f and %.1f GiB that are free. Maybe leave out"
                 + " --detectors sift, use smaller photos, or set HIFICAMSIM_OPTS=-Xmx for the heap",
             pixels / 1e6,
-            pixels * appetite.nativeBytes() / GIB,
-            pixels * appetite.heapBytes() / GIB,
+            pixels * memoryNeed.nativeBytes() / GIB,
+            pixels * memoryNeed.heapBytes() / GIB,
             100 * USED,
             nativeBytes / GIB,
             heapBytes / GIB));

@@ -4,8 +4,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.dataset.CsvRows;
-import org.hificamsim.profiling.dataset.CsvRows.Cell;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.data.CsvRow;
+import org.hificamsim.data.CsvRows;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 
 /**
@@ -25,7 +26,7 @@ public final class OwnConfidences {
    * @throws InputException with its place, when a cell is missing or out of range
    */
   public static List<Measurement> read(Path file, PhotoCamera camera) {
-    CsvRows table = CsvRows.read(file, COLUMNS);
+    CsvRows table = CsvReader.open(file, "a table of confidences").all(COLUMNS);
     if (table.rows().isEmpty()) {
       throw new InputException(file + ":2:1: no rows, expected one for each photo");
     }
@@ -39,28 +40,24 @@ public final class OwnConfidences {
     return stem.replaceAll("[^A-Za-z0-9_]+", "-");
   }
 
-  private static Measurement measurement(
-      Map<String, Cell> row, String detector, PhotoCamera camera) {
+  private static Measurement measurement(CsvRow row, String detector, PhotoCamera camera) {
     double size = metres(row, "q");
     double distance = metres(row, "d");
     double focalLength = metres(row, "z");
     double pinhole = Math.min(1, camera.pinholePip(size, distance, focalLength));
-    Cell pip = row.get("pip");
     return new Measurement(
-        row.get("image").text(),
-        row.containsKey("object") ? row.get("object").text() : "object",
+        row.text("image"),
+        row.has("object") ? row.text("object") : "object",
         size,
         distance,
         focalLength,
-        pip == null
-            ? Math.max(pinhole, Double.MIN_NORMAL)
-            : pip.number("pip", Double.MIN_NORMAL, 1, "a share above 0, at most 1"),
-        Map.of(
-            detector,
-            row.get("confidence").number("confidence", 0, 1, "a confidence from 0 to 1")));
+        row.has("pip")
+            ? row.number("pip", Double.MIN_NORMAL, 1, "a share above 0, at most 1")
+            : Math.max(pinhole, Double.MIN_NORMAL),
+        Map.of(detector, row.number("confidence", 0, 1, "a confidence from 0 to 1")));
   }
 
-  private static double metres(Map<String, Cell> row, String column) {
-    return row.get(column).number(column, Double.MIN_NORMAL, MAX, "metres above 0");
+  private static double metres(CsvRow row, String column) {
+    return row.number(column, Double.MIN_NORMAL, MAX, "metres above 0");
   }
 }

@@ -3,14 +3,14 @@ package org.hificamsim.profiling.measure;
 import java.nio.file.Path;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.dataset.PhotoCamera;
-import org.hificamsim.profiling.dataset.Sample;
 import org.hificamsim.profiling.detector.Photograph;
 import org.opencv.core.Core;
 
 /** The ground truth: the share of the image that is the object's. */
 record PipCount(PhotoCamera camera, PipReading reading) {
-  double of(Sample sample) {
+  double of(LabelledPhoto sample) {
     Optional<Path> mask = sample.mask();
     long set =
         reading == PipReading.RECTANGLE || mask.isEmpty()

@@ -3,7 +3,8 @@ package org.hificamsim.profiling.measure;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import org.hificamsim.profiling.dataset.CsvRows;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.data.CsvRows;
 import org.hificamsim.profiling.dataset.Dataset;
 
 /** Which pixels count as the object's in PIP. */
@@ -12,8 +13,6 @@ public enum PipReading {
   SILHOUETTE("pip"),
   /** Those of the patch, a rectangle around the object, as in thesis 3.5. */
   RECTANGLE("pip_rectangle");
-
-  private static final List<String> NONE_REQUIRED = List.of();
 
   private final String column;
 
@@ -28,9 +27,7 @@ public enum PipReading {
 
   /** The reading behind a table of measurements. */
   static PipReading of(Path file) {
-    return CsvRows.read(file, NONE_REQUIRED).columns().contains(RECTANGLE.column)
-        ? RECTANGLE
-        : SILHOUETTE;
+    return table(file).columns().contains(RECTANGLE.column) ? RECTANGLE : SILHOUETTE;
   }
 
   /**
@@ -43,8 +40,12 @@ public enum PipReading {
     return unmasked ? RECTANGLE : of(folder.resolve(MeasurementsFile.NAME));
   }
 
+  private static CsvRows table(Path file) {
+    return CsvReader.open(file, "a table of photos").all(List.of());
+  }
+
   private static boolean hasMasks(Path table) {
-    return CsvRows.read(table, NONE_REQUIRED).rows().stream()
-        .anyMatch(row -> row.containsKey("mask") && !row.get("mask").text().isEmpty());
+    return table(table).rows().stream()
+        .anyMatch(row -> row.has("mask") && !row.text("mask").isEmpty());
   }
 }

@@ -7,25 +7,25 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.profiling.dataset.CsvRows;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.profiling.dataset.TableLayout;
 
 /** The table {@code thresholds.csv}: from which confidence on each detector detects. */
 public final class ThresholdsFile {
   /** The file's name. */
   public static final String NAME = "thresholds.csv";
 
-  private static final List<String> COLUMNS =
-      List.of("detector", "threshold", "false_alarms", "recall");
+  private static final TableLayout<Map.Entry<String, AlarmThreshold>> LAYOUT =
+      new TableLayout<Map.Entry<String, AlarmThreshold>>()
+          .with("detector", Map.Entry::getKey)
+          .with("threshold", row -> row.getValue().threshold())
+          .with("false_alarms", row -> row.getValue().falseAlarms())
+          .with("recall", row -> row.getValue().recall());
 
   private ThresholdsFile() {}
 
   static void write(Path file, Map<String, AlarmThreshold> thresholds) throws IOException {
-    StringBuilder table = new StringBuilder(String.join(",", COLUMNS)).append('\n');
-    thresholds.forEach(
-        (detector, t) ->
-            table.append(
-                "%s,%s,%s,%s\n".formatted(detector, t.threshold(), t.falseAlarms(), t.recall())));
-    new OutputFile(file).write(table.toString());
+    new OutputFile(file).write(LAYOUT.csv(List.copyOf(thresholds.entrySet())));
   }
 
   /** Thresholds by detector; none where a folder has no such table. */
@@ -33,13 +33,14 @@ public final class ThresholdsFile {
     Path file = folder.resolve(NAME);
     Map<String, Double> thresholds = new LinkedHashMap<>();
     if (Files.exists(file)) {
-      CsvRows.read(file, COLUMNS)
+      CsvReader.open(file, "a table of thresholds")
+          .all(LAYOUT.names())
           .rows()
           .forEach(
               row ->
                   thresholds.put(
-                      row.get("detector").text(),
-                      row.get("threshold").number("threshold", 0, 1, "a confidence from 0 to 1")));
+                      row.text("detector"),
+                      row.number("threshold", 0, 1, "a confidence from 0 to 1")));
     }
     return thresholds;
   }

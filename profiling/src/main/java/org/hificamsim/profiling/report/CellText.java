@@ -38,7 +38,7 @@ final class CellText {
   }
 
   /** Your number, then the published one in brackets where there is one. */
-  static String beside(double yours, int digits, Map<String, String> row, String column) {
+  static String withPublished(double yours, int digits, Map<String, String> row, String column) {
     String theirs = published(row, column);
     return fixed(yours, digits) + (theirs.equals(NONE) ? "" : " (" + theirs + ")");
   }

@@ -4,21 +4,22 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Stream;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.profiling.fit.CamSimConfidence;
 import org.hificamsim.profiling.fit.DetectorShape;
+import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitScores;
 import org.hificamsim.profiling.fit.ShapeFit;
 
 /**
- * The fidelity ladder: from "certain in view" to support vectors, how well each model tells the
+ * The fidelity ladder: from "certain in view" to support vectors, how well each model predicts the
  * confidence of objects that it has not seen and how long one evaluation takes.
  */
 public final class FidelityLadder {
-  /** The models, the plainest first. */
-  static final List<String> MODELS =
-      List.of("geometric", FitResult.CAMSIM, "pinhole", "power", "lin", "svr-lin", "sr", "svr-rbf");
+  /** What CamSim has. */
+  private static final List<String> SIMPLEST = List.of("geometric", FitResult.CAMSIM);
 
   /** The mean of the confidences, whatever the PIP. */
   private static final DetectorShape MEAN =
@@ -30,16 +31,24 @@ public final class FidelityLadder {
   /**
    * One step.
    *
-   * @param unseen how well it tells the confidence of what it has not seen; {@code geometric}'s
-   *     value never varies, so that it tells the mean of what it has
+   * @param unseen how well it predicts the confidence of what it has not seen; {@code geometric}'s
+   *     value never varies, so that it predicts the mean of what it has
    * @param accuracy how often it puts that on the right side of the threshold (balanced)
    * @param nanoseconds per evaluation of the shipped model of this kind; NaN where nobody measured
    */
   public record Step(String model, FitScores unseen, double accuracy, double nanoseconds) {}
 
-  /** The ladder of one detector. */
+  /** The ladder of one detector: the plainest model first, then every f. */
   public static List<Step> of(FitResult result, String detector, Map<String, Double> nanoseconds) {
-    return MODELS.stream().map(model -> step(result, detector, model, nanoseconds)).toList();
+    return models(result).stream()
+        .map(model -> step(result, detector, model, nanoseconds))
+        .toList();
+  }
+
+  /** The models, the plainest first. */
+  static List<String> models(FitResult result) {
+    return Stream.concat(SIMPLEST.stream(), result.features().stream().map(FeatureResult::name))
+        .toList();
   }
 
   private static Step step(

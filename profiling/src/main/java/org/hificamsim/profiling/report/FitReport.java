@@ -13,7 +13,7 @@ import org.hificamsim.profiling.trial.Trials;
 
 /**
  * Writes {@code report.html}, a page in one file, and its pictures once more as files for papers.
- * Your numbers come first, the thesis's beside them behind.
+ * Your numbers come first; the thesis's tables, with both, follow.
  */
 public final class FitReport {
   private static final Map<String, String> DETECTOR_FIGURES =

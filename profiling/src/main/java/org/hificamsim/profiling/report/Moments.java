@@ -4,7 +4,7 @@ import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 
 /**
- * What Table 4.1 tells of a variable.
+ * What Table 4.1 says of a variable.
  *
  * @param skewness by thesis 4.2's formula, {@code sum (x - mean)^3 / ((n - 1) v^(3/2))}; its
  *     exponent is printed as 2/3

@@ -60,7 +60,7 @@ final class OwnTables {
             .with("R2, unseen", row -> fixed(row.of().unseen().r2(), 3))
             .with("RMSE, unseen", row -> fixed(row.of().unseen().rmse(), 4))
             .with("", row -> row.of().equals(onMeasuredPip(row.detector())) ? "chosen" : "")
-            .with("curve", row -> Equations.equation(row.of().g())),
+            .with("curve", row -> row.of().g().equation()),
         result.detectors().stream().flatMap(ofDetector).toList());
   }
 
@@ -149,16 +149,15 @@ final class OwnTables {
 
   /** The ladder, with every detector. */
   static void ladder(HtmlPage page, Map<String, List<FidelityLadder.Step>> ladders) {
-    TableLayout<Integer> layout =
-        new TableLayout<Integer>().with("model", FidelityLadder.MODELS::get);
+    List<FidelityLadder.Step> any = ladders.values().iterator().next();
+    TableLayout<Integer> layout = new TableLayout<Integer>().with("model", i -> any.get(i).model());
     ladders.forEach(
         (detector, steps) ->
             layout
                 .with(detector + " R2, unseen", i -> fixed(steps.get(i).unseen().r2(), 3))
                 .with(detector + " detect or not", i -> fixed(steps.get(i).accuracy(), 3)));
-    List<FidelityLadder.Step> any = ladders.values().iterator().next();
     page.table(
         layout.with("ns, shipped model", i -> significant(any.get(i).nanoseconds())),
-        IntStream.range(0, FidelityLadder.MODELS.size()).boxed().toList());
+        IntStream.range(0, any.size()).boxed().toList());
   }
 }

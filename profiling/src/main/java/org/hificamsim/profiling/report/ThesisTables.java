@@ -1,11 +1,11 @@
 package org.hificamsim.profiling.report;
 
-import static org.hificamsim.profiling.report.CellText.beside;
 import static org.hificamsim.profiling.report.CellText.fixed;
 import static org.hificamsim.profiling.report.CellText.interval;
 import static org.hificamsim.profiling.report.CellText.published;
 import static org.hificamsim.profiling.report.CellText.significant;
 import static org.hificamsim.profiling.report.CellText.span;
+import static org.hificamsim.profiling.report.CellText.withPublished;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -34,11 +34,13 @@ final class ThesisTables {
     page.table(
         new TableLayout<VariableRow>()
             .with("variable", VariableRow::name)
-            .with("mean", row -> beside(row.moments.mean(), 3, row.published, "mean"))
-            .with("SD", row -> beside(row.moments.sd(), 3, row.published, "sd"))
-            .with("min", row -> beside(row.moments.min(), 5, row.published, "min"))
-            .with("max", row -> beside(row.moments.max(), 3, row.published, "max"))
-            .with("skewness", row -> beside(row.moments.skewness(), 2, row.published, "skewness")),
+            .with("mean", row -> withPublished(row.moments.mean(), 3, row.published, "mean"))
+            .with("SD", row -> withPublished(row.moments.sd(), 3, row.published, "sd"))
+            .with("min", row -> withPublished(row.moments.min(), 5, row.published, "min"))
+            .with("max", row -> withPublished(row.moments.max(), 3, row.published, "max"))
+            .with(
+                "skewness",
+                row -> withPublished(row.moments.skewness(), 2, row.published, "skewness")),
         Variable.of(result).stream()
             .map(
                 one ->
@@ -52,8 +54,8 @@ final class ThesisTables {
     page.table(
         new TableLayout<FeatureResult>()
             .with("f", FeatureResult::name)
-            .with("MSE", f -> beside(f.scores().mse(), 3, theirs(f), "mse"))
-            .with("R2", f -> beside(f.scores().r2(), 3, theirs(f), "r2_best"))
+            .with("MSE", f -> withPublished(f.scores().mse(), 3, theirs(f), "mse"))
+            .with("R2", f -> withPublished(f.scores().r2(), 3, theirs(f), "r2_best"))
             .with("RMSE", f -> fixed(f.scores().rmse(), 3))
             .with("SSE", f -> fixed(f.scores().sse(), 2))
             .with("R2 of folds", ThesisTables::folds)
@@ -140,9 +142,9 @@ final class ThesisTables {
     page.table(
         new TableLayout<LineRow>()
             .with(first, LineRow::name)
-            .with("R2", row -> beside(row.fit.r2(), 3, row.published, "r2"))
-            .with("RMSE", row -> beside(row.fit.rmse(), 4, row.published, "rmse"))
-            .with("SSE", row -> beside(row.fit.sse(), 2, row.published, "sse"))
+            .with("R2", row -> withPublished(row.fit.r2(), 3, row.published, "r2"))
+            .with("RMSE", row -> withPublished(row.fit.rmse(), 4, row.published, "rmse"))
+            .with("SSE", row -> withPublished(row.fit.sse(), 2, row.published, "sse"))
             .with("slope [95%]", row -> interval(row.fit.slope()))
             .with("published", row -> published(row.published, "slope"))
             .with("intercept [95%]", row -> interval(row.fit.intercept()))

@@ -1,2 +1,2 @@
-/** The report: the thesis's tables and figures of chapters 3 to 6 beside a data set's own. */
+/** The report: a data set's own tables and figures, and those of the thesis's chapters 3 to 6. */
 package org.hificamsim.profiling.report;

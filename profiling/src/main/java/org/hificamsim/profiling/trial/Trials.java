@@ -7,7 +7,6 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.profiling.dataset.CsvRows;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.FittedModel;
@@ -100,8 +99,8 @@ public record Trials(
       new TableLayout<Row>()
           .with("detector", row -> row.of.model.detector())
           .with("model", row -> row.of.model.name())
-          .with("image", row -> CsvRows.quoted(row.trial.photo().image()))
-          .with("object", row -> CsvRows.quoted(row.trial.photo().object()))
+          .with("image", row -> TableLayout.quoted(row.trial.photo().image()))
+          .with("object", row -> TableLayout.quoted(row.trial.photo().object()))
           .with("size_m", row -> row.trial.photo().size())
           .with("distance_m", row -> row.trial.photo().distance())
           .with("focal_length_m", row -> row.trial.photo().focalLength())

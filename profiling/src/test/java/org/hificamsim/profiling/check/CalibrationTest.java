@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -15,26 +16,26 @@ class CalibrationTest {
   @Test
   void aLevelCameraSeesAsAPinholeDoes() {
     TsaiCamera camera = MadeCameras.at(5, 0, MadeCameras.LENS);
-    Pixel foot = camera.project(new Vector(2, 20, 0));
+    Pixel foot = camera.project(new Vector3D(2, 20, 0));
     assertEquals(384 + 6 * 1.25 / 0.01 * 2 / 20, foot.u(), 1e-9);
     assertEquals(288 + 6 / 0.012 * 5 / 20, foot.v(), 1e-9);
     assertEquals(500, camera.focalLength(), 1e-9);
-    assertEquals(5, camera.position().z(), 1e-9);
-    assertEquals(288, camera.project(new Vector(0, 1e6, 5)).v(), 1e-9, "the horizon");
-    assertTrue(Double.isNaN(camera.project(new Vector(0, -3, 0)).u()), "behind it");
+    assertEquals(5, camera.position().getZ(), 1e-9);
+    assertEquals(288, camera.project(new Vector3D(0, 1e6, 5)).v(), 1e-9, "the horizon");
+    assertTrue(Double.isNaN(camera.project(new Vector3D(0, -3, 0)).u()), "behind it");
   }
 
   @Test
   void aTurnIsMadeAboutXFirstThenYThenZ() {
     TsaiCamera.Extrinsic turn =
-        new TsaiCamera.Extrinsic(Math.PI / 2, Math.PI / 2, 0, new Vector(0, 0, 0));
-    Vector north = turn.before(new Vector(0, 1, 0)); // about x: to z; about y: z to x
-    assertEquals(1, north.x(), 1e-12);
-    assertEquals(0, north.z(), 1e-12);
+        new TsaiCamera.Extrinsic(Math.PI / 2, Math.PI / 2, 0, new Vector3D(0, 0, 0));
+    Vector3D north = turn.before(new Vector3D(0, 1, 0)); // about x: to z; about y: z to x
+    assertEquals(1, north.getX(), 1e-12);
+    assertEquals(0, north.getZ(), 1e-12);
     TsaiCamera.Extrinsic last =
-        new TsaiCamera.Extrinsic(0, Math.PI / 2, Math.PI / 2, new Vector(0, 0, 0));
-    Vector up = last.before(new Vector(0, 0, 1)); // about y: to x; about z: x to y
-    assertEquals(1, up.y(), 1e-12);
+        new TsaiCamera.Extrinsic(0, Math.PI / 2, Math.PI / 2, new Vector3D(0, 0, 0));
+    Vector3D up = last.before(new Vector3D(0, 0, 1)); // about y: to x; about z: x to y
+    assertEquals(1, up.getY(), 1e-12);
   }
 
   @ParameterizedTest
@@ -43,19 +44,19 @@ class CalibrationTest {
     TsaiCamera camera = MadeCameras.at(6, 15, MadeCameras.bent(kappa1));
     for (double x = -6; x <= 6; x += 1.5) {
       for (double y = 12; y <= 40; y += 4) {
-        Vector back = camera.ground(camera.project(new Vector(x, y, 0)));
-        assertEquals(x, back.x(), 1e-6);
-        assertEquals(y, back.y(), 1e-6);
-        assertEquals(0, back.z(), 1e-9);
+        Vector3D back = camera.ground(camera.project(new Vector3D(x, y, 0)));
+        assertEquals(x, back.getX(), 1e-6);
+        assertEquals(y, back.getY(), 1e-6);
+        assertEquals(0, back.getZ(), 1e-9);
       }
     }
-    assertTrue(Double.isNaN(camera.ground(new Pixel(384, -400)).x()), "above the horizon");
+    assertTrue(Double.isNaN(camera.ground(new Pixel(384, -400)).getX()), "above the horizon");
   }
 
   @Test
   void distortionMovesWhatIsFarFromTheCentre() {
     TsaiCamera bent = MadeCameras.at(5, 0, MadeCameras.bent(0.01));
-    Pixel seen = bent.project(new Vector(8, 20, 5));
+    Pixel seen = bent.project(new Vector3D(8, 20, 5));
     double r = (seen.u() - 384) * 0.01 / 1.25; // millimetres
     assertEquals(6.0 * 8 / 20, r * (1 + 0.01 * r * r), 1e-9);
   }
@@ -66,14 +67,14 @@ class CalibrationTest {
     TsaiCamera camera = MadeCameras.at(6, 15, MadeCameras.LENS);
     ProjectionMatrix matrix =
         new ProjectionMatrix(MadeCameras.matrix(camera, metres, scale), metres);
-    Vector point = new Vector(3, 17, 1.2);
+    Vector3D point = new Vector3D(3, 17, 1.2);
     assertEquals(0, camera.project(point).distance(matrix.project(point)), 1e-6);
-    Vector ground = matrix.ground(camera.project(new Vector(-2, 25, 0)));
-    assertEquals(-2, ground.x(), 1e-6);
-    assertEquals(25, ground.y(), 1e-6);
-    assertEquals(6, matrix.position().z(), 1e-6);
+    Vector3D ground = matrix.ground(camera.project(new Vector3D(-2, 25, 0)));
+    assertEquals(-2, ground.getX(), 1e-6);
+    assertEquals(25, ground.getY(), 1e-6);
+    assertEquals(6, matrix.position().getZ(), 1e-6);
     assertEquals(500, matrix.focalLength(), 1e-6);
-    assertTrue(Double.isNaN(matrix.project(new Vector(0, -9, 0)).u()), "behind it");
+    assertTrue(Double.isNaN(matrix.project(new Vector3D(0, -9, 0)).u()), "behind it");
   }
 
   @Test

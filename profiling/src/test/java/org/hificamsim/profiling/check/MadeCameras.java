@@ -1,5 +1,7 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
+
 /** Cameras of our own making, whose every number is known. */
 final class MadeCameras {
   /** Of a picture of 768 x 576 pixels. */
@@ -16,9 +18,9 @@ final class MadeCameras {
    */
   static TsaiCamera at(double height, double tilt, TsaiCamera.Intrinsic lens) {
     double rx = Math.toRadians(90 + tilt);
-    Vector place = new Vector(0, 0, height);
-    Vector turned = new TsaiCamera.Extrinsic(rx, 0, 0, new Vector(0, 0, 0)).before(place);
-    return new TsaiCamera(new TsaiCamera.Extrinsic(rx, 0, 0, turned.times(-1)), lens);
+    Vector3D place = new Vector3D(0, 0, height);
+    Vector3D turned = new TsaiCamera.Extrinsic(rx, 0, 0, new Vector3D(0, 0, 0)).before(place);
+    return new TsaiCamera(new TsaiCamera.Extrinsic(rx, 0, 0, turned.negate()), lens);
   }
 
   /** The same lens, bent. */
@@ -29,32 +31,32 @@ final class MadeCameras {
   /** The matrix of a camera without distortion, whose world has so many metres to a unit. */
   static double[] matrix(TsaiCamera camera, double metres, double scale) {
     double[] p = new double[12];
-    Vector[] units = {
-      new Vector(0, 0, 0),
-      new Vector(metres, 0, 0),
-      new Vector(0, metres, 0),
-      new Vector(0, 0, metres)
+    Vector3D[] units = {
+      new Vector3D(0, 0, 0),
+      new Vector3D(metres, 0, 0),
+      new Vector3D(0, metres, 0),
+      new Vector3D(0, 0, metres)
     };
-    Vector shift = homogeneous(camera, units[0]);
+    Vector3D shift = homogeneous(camera, units[0]);
     for (int column = 0; column < 3; column++) {
-      Vector moved = homogeneous(camera, units[column + 1]).plus(shift.times(-1));
-      p[column] = scale * moved.x();
-      p[4 + column] = scale * moved.y();
-      p[8 + column] = scale * moved.z();
+      Vector3D moved = homogeneous(camera, units[column + 1]).add(shift.negate());
+      p[column] = scale * moved.getX();
+      p[4 + column] = scale * moved.getY();
+      p[8 + column] = scale * moved.getZ();
     }
-    p[3] = scale * shift.x();
-    p[7] = scale * shift.y();
-    p[11] = scale * shift.z();
+    p[3] = scale * shift.getX();
+    p[7] = scale * shift.getY();
+    p[11] = scale * shift.getZ();
     return p;
   }
 
   /** (u w, v w, w) of a point, by the pinhole's own formula. */
-  private static Vector homogeneous(TsaiCamera camera, Vector point) {
+  private static Vector3D homogeneous(TsaiCamera camera, Vector3D point) {
     TsaiCamera.Intrinsic lens = camera.lens();
-    Vector before = camera.view().before(point);
-    return new Vector(
-        lens.focal() * lens.sx() / lens.dpx() * before.x() + lens.cx() * before.z(),
-        lens.focal() / lens.dpy() * before.y() + lens.cy() * before.z(),
-        before.z());
+    Vector3D before = camera.view().before(point);
+    return new Vector3D(
+        lens.focal() * lens.sx() / lens.dpx() * before.getX() + lens.cx() * before.getZ(),
+        lens.focal() / lens.dpy() * before.getY() + lens.cy() * before.getZ(),
+        before.getZ());
   }
 }

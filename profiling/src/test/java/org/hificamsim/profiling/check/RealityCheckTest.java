@@ -1,5 +1,6 @@
 package org.hificamsim.profiling.check;
 
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -54,11 +55,12 @@ class RealityCheckTest {
     List<Sighting> sightings =
         List.of(sighting(level, 0, 20, 0), sighting(level, 15, 20, 0), sighting(level, 0, 10, 0));
     RealityCheck check = RealityCheck.of(sightings, level, BODY);
-    assertEquals(0, check.comparisons().get(0).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(0).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
     assertEquals(
-        20 / 25.0 - 1, check.comparisons().get(1).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
-    assertEquals(0, check.comparisons().get(2).error(Rung.FLAT, Quantity.HEIGHT), 1e-12);
-    assertEquals(0, check.comparisons().get(1).error(Rung.CALIBRATION, Quantity.HEIGHT), 1e-12);
+        20 / 25.0 - 1, check.comparisons().get(1).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(0, check.comparisons().get(2).error(SizeModel.FLAT, Quantity.HEIGHT), 1e-12);
+    assertEquals(
+        0, check.comparisons().get(1).error(SizeModel.CALIBRATION, Quantity.HEIGHT), 1e-12);
   }
 
   @Test
@@ -83,11 +85,11 @@ class RealityCheckTest {
   @Test
   void positionsInAnotherUnitAreRefused() {
     List<Sighting> off =
-        sightings(TILTED, i -> 0).stream().map(one -> moved(one, new Vector(0, 15, 0))).toList();
+        sightings(TILTED, i -> 0).stream().map(one -> moved(one, new Vector3D(0, 15, 0))).toList();
     InputException other =
         assertThrows(InputException.class, () -> RealityCheck.of(off, TILTED, BODY));
     assertTrue(other.getMessage().contains("maybe --unit"), other.getMessage());
-    List<Sighting> behind = off.stream().map(one -> moved(one, new Vector(0, -500, 0))).toList();
+    List<Sighting> behind = off.stream().map(one -> moved(one, new Vector3D(0, -500, 0))).toList();
     assertTrue(
         assertThrows(InputException.class, () -> RealityCheck.of(behind, TILTED, BODY))
             .getMessage()
@@ -115,15 +117,15 @@ class RealityCheckTest {
 
   /** A box that is by so much smaller than predicted that the prediction has this error. */
   private static Sighting sighting(Calibration camera, double x, double y, double error) {
-    Vector foot = new Vector(x, y, 0);
-    Size predicted = Rung.CALIBRATION.size(camera, foot, BODY);
+    Vector3D foot = new Vector3D(x, y, 0);
+    Size predicted = SizeModel.CALIBRATION.size(camera, foot, BODY);
     Pixel stand = camera.project(foot);
     double width = predicted.width() / (1 + error);
     double height = predicted.height() / (1 + error);
     return new Sighting(1, "1", stand.u() - width / 2, stand.v() - height, width, height, foot);
   }
 
-  private static Sighting moved(Sighting one, Vector by) {
+  private static Sighting moved(Sighting one, Vector3D by) {
     return new Sighting(
         one.frame(),
         one.target(),
@@ -131,6 +133,6 @@ class RealityCheckTest {
         one.top(),
         one.width(),
         one.height(),
-        one.foot().plus(by));
+        one.foot().add(by));
   }
 }

@@ -39,7 +39,7 @@ class DatasetReaderTest {
 
   @Test
   void readsWhatTheTableSays() throws IOException {
-    Sample sample = sample(ROW + "masks/a.png");
+    LabelledPhoto sample = sample(ROW + "masks/a.png");
     assertEquals("ball", sample.object());
     assertEquals(0.22, sample.size());
     assertEquals(1, sample.distance());
@@ -206,13 +206,14 @@ class DatasetReaderTest {
   @Test
   void tableWithoutAColumnOrARowIsReportedInOneLine() throws IOException {
     table(HEADER.replace("size_m", "size"), ROW);
-    assertTrue(DatasetReader.read(folder).problems().get(0).contains("column 'size_m' is missing"));
+    assertTrue(
+        DatasetReader.read(folder).problems().get(0).contains("expected image,object,size_m,"));
     table(HEADER);
     String problem = DatasetReader.read(folder).problems().get(0);
     assertTrue(problem.contains("no rows"), problem);
   }
 
-  private Sample sample(String row) throws IOException {
+  private LabelledPhoto sample(String row) throws IOException {
     table(HEADER, row);
     DatasetReading reading = DatasetReader.read(folder);
     assertEquals(List.of(), reading.problems());

@@ -105,7 +105,7 @@ class HonestValidationTest {
             QUICK.vectors(),
             java.util.Optional.of("isotonic"),
             java.util.Map.of());
-    List<Measurement> rows = new Photos().detector("d", p -> 0.1 + 0.5 * p).take(2);
+    List<Measurement> rows = new Photos().objects(4).detector("d", p -> 0.1 + 0.5 * p).take(2);
     FitResult result = new Fitting(asked).fit(Photos.CAMERA, rows, 2);
     assertEquals("isotonic", result.model("d", "power").chosen().shape());
   }
@@ -172,7 +172,7 @@ class HonestValidationTest {
   @Test
   void confidencesThatNeverVaryAreNoDetectorAndExplainNothing() {
     List<Measurement> rows =
-        new Photos().detector("constant", p -> 0.1 + 0.2).scatter(0, 0).take(1);
+        new Photos().objects(4).detector("constant", p -> 0.1 + 0.2).scatter(0, 0).take(1);
     FitResult result = new Fitting(QUICK).fit(Photos.CAMERA, rows, 2);
     assertTrue(result.model("constant", "power").refused());
     assertTrue(Double.isNaN(result.line("constant", "power").r2()));
@@ -182,7 +182,11 @@ class HonestValidationTest {
   @Test
   void detectorThatRisesAtOnceAndThenNoMoreIsOne() {
     List<Measurement> rows =
-        new Photos().detector("yolo", p -> 0.9 * p / (p + 0.0004)).scatter(0.03, 0.03).take(3);
+        new Photos()
+            .objects(5)
+            .detector("yolo", p -> 0.9 * p / (p + 0.0004))
+            .scatter(0.03, 0.03)
+            .take(3);
     FitResult result = new Fitting(QUICK).fit(Photos.CAMERA, rows, 2);
     assertFalse(result.model("yolo", "pinhole").refused());
     assertTrue(result.model("yolo", "pinhole").chosen().unseen().r2() > 0.8);

@@ -16,12 +16,13 @@ import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
-import org.hificamsim.profiling.dataset.CsvRows;
+import org.hificamsim.data.CsvReader;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.opencv.Mats;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.opencv.core.Core;
@@ -42,20 +43,26 @@ class LaboratoryTest {
 
   @TempDir Path folder;
 
+  /** The small laboratory, rendered by one thread. */
+  @TempDir static Path small;
+
+  private static final AtomicInteger PHOTOS = new AtomicInteger();
+
+  @BeforeAll
+  static void renderTheSmallOne() {
+    new Laboratory(SMALL).render(small, 1, PHOTOS::incrementAndGet);
+  }
+
   @Test
   void isTheSameOnAnyNumberOfThreads() throws IOException {
-    Path one = folder.resolve("one");
-    Path three = folder.resolve("three");
-    AtomicInteger photos = new AtomicInteger();
-    new Laboratory(SMALL).render(one, 1, photos::incrementAndGet);
-    new Laboratory(SMALL).render(three, 3, () -> {});
-    assertEquals(16, photos.get());
-    List<Path> files = files(one);
-    assertEquals(files.size(), files(three).size());
+    new Laboratory(SMALL).render(folder, 3, () -> {});
+    assertEquals(16, PHOTOS.get());
+    List<Path> files = files(small);
+    assertEquals(files.size(), files(folder).size());
     for (Path file : files) {
       assertArrayEquals(
-          Files.readAllBytes(one.resolve(file)),
-          Files.readAllBytes(three.resolve(file)),
+          Files.readAllBytes(small.resolve(file)),
+          Files.readAllBytes(folder.resolve(file)),
           file::toString);
     }
     assertTrue(files.size() >= 3 + 4 + 2 * 16 - 2, files.toString());
@@ -63,7 +70,7 @@ class LaboratoryTest {
 
   @Test
   void sizeIsTheRootOfWidthTimesHeight() {
-    Sample matchbox = rendered(SMALL).samples().get(0);
+    LabelledPhoto matchbox = read(small).samples().get(0);
     assertEquals("matchbox", matchbox.object());
     assertEquals(Math.sqrt(0.10 * 0.09), matchbox.size(), 1e-12);
   }
@@ -95,8 +102,8 @@ class LaboratoryTest {
     List<Double> light = column(photos, "light");
     double least = Collections.min(light);
     double most = Collections.max(light);
-    Sample darkest = photos.samples().get(light.indexOf(least));
-    Sample brightest = photos.samples().get(light.indexOf(most));
+    LabelledPhoto darkest = photos.samples().get(light.indexOf(least));
+    LabelledPhoto brightest = photos.samples().get(light.indexOf(most));
     // The corner shows the bare wall; display gamma is 2.2.
     double ratio = corner(brightest) / corner(darkest);
     assertEquals(Math.pow(most / least, 1 / 2.2), ratio, 0.08);
@@ -136,12 +143,15 @@ class LaboratoryTest {
   }
 
   private static List<Double> column(Dataset photos, String name) {
-    return CsvRows.read(photos.folder().resolve(Dataset.TABLE), List.of(name)).rows().stream()
-        .map(row -> Double.valueOf(row.get(name).text()))
+    return CsvReader.open(photos.folder().resolve(Dataset.TABLE), "photos")
+        .all(List.of(name))
+        .rows()
+        .stream()
+        .map(row -> Double.valueOf(row.text(name)))
         .toList();
   }
 
-  private static double corner(Sample sample) {
+  private static double corner(LabelledPhoto sample) {
     try (Mats mats = new Mats()) {
       String file = sample.file().toString();
       Mat picture = mats.own(Imgcodecs.imread(file, Imgcodecs.IMREAD_GRAYSCALE));
@@ -168,7 +178,7 @@ class LaboratoryTest {
   void idealCamerasMaskIsThePinholesArea() {
     Dataset dataset = rendered(IDEAL);
     int compared = 0;
-    for (Sample sample : dataset.samples()) {
+    for (LabelledPhoto sample : dataset.samples()) {
       LabObject object =
           LabObject.ALL.stream().filter(o -> o.name().equals(sample.object())).findFirst().get();
       double scale = sample.focalLength() / sample.distance();
@@ -190,23 +200,27 @@ class LaboratoryTest {
   void objectsLargerThanTheFrameAreDroppedAndCounted() throws IOException {
     LabSettings close =
         LabSettings.thesis(0).withScale(0.05).withGrid(List.of(0.085), List.of(1.0), 8);
-    Laboratory.Outcome outcome = new Laboratory(close).render(folder, 1, () -> {});
+    Laboratory.PhotoCount outcome = new Laboratory(close).render(folder, 1, () -> {});
     // 85 mm at 1 m shows 0.176 m of height: three of the eight objects fit.
-    assertEquals(new Laboratory.Outcome(3, 5), outcome);
+    assertEquals(new Laboratory.PhotoCount(3, 5), outcome);
     assertTrue(Files.readString(folder.resolve("lab.json")).contains("\"dropped\": 5"));
     assertEquals(4, Files.readAllLines(folder.resolve(Dataset.TABLE)).size());
   }
 
   @Test
   void writesADataSetWithoutProblems() {
-    Dataset dataset = rendered(SMALL);
+    Dataset dataset = read(small);
     assertEquals(4, dataset.templates().size());
     dataset.samples().forEach(sample -> assertTrue(sample.patch().area() > 0));
   }
 
   private Dataset rendered(LabSettings settings) {
     new Laboratory(settings).render(folder, 2, () -> {});
-    DatasetReading reading = DatasetReader.read(folder);
+    return read(folder);
+  }
+
+  private static Dataset read(Path lab) {
+    DatasetReading reading = DatasetReader.read(lab);
     assertEquals(List.of(), reading.problems());
     return reading.dataset().orElseThrow();
   }

@@ -34,12 +34,13 @@ class OpticsTest {
 
   @Test
   void circleOfConfusionIsTheThinLenss() {
-    Lens lens = new Lens(0.085, 5.6, 2);
+    FocusedLens lens = new FocusedLens(0.085, 5.6, 2);
     assertEquals(0, lens.circleOfConfusion(2));
     // 85/5.6 mm * 10/12 * 0.085/1.915
     assertEquals(0.085 / 5.6 * 10 / 12 * 0.085 / 1.915, lens.circleOfConfusion(12), 1e-12);
-    assertTrue(new Lens(0.085, 11, 2).circleOfConfusion(12) < lens.circleOfConfusion(12) * 0.6);
-    assertEquals(0, new Lens(0.085, 0, 2).circleOfConfusion(12));
+    assertTrue(
+        new FocusedLens(0.085, 11, 2).circleOfConfusion(12) < lens.circleOfConfusion(12) * 0.6);
+    assertEquals(0, new FocusedLens(0.085, 0, 2).circleOfConfusion(12));
   }
 
   @Test

@@ -14,7 +14,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.profiling.SmallLab;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
-import org.hificamsim.profiling.dataset.Sample;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -51,8 +51,8 @@ class FalseAlarmsTest {
   void photosWithoutTheObjectsSetTheThresholds() throws IOException {
     Dataset all = SmallLab.render(folder);
     Files.createDirectories(folder.resolve("negatives"));
-    List<Sample> matchboxes = of(all, "matchbox");
-    for (Sample sample : matchboxes) {
+    List<LabelledPhoto> matchboxes = of(all, "matchbox");
+    for (LabelledPhoto sample : matchboxes) {
       Path copy = folder.resolve("negatives").resolve(sample.file().getFileName().toString());
       Files.copy(sample.file(), copy);
     }
@@ -66,7 +66,7 @@ class FalseAlarmsTest {
             read.negatives());
     List<String> detectors = List.of("orb", "orb-located", "orb-ransac");
     List<String> seen = new ArrayList<>();
-    Outcome outcome =
+    MeasureResult outcome =
         new Measurer(
                 others,
                 new MeasureSettings(detectors, RatioTest.THESIS, PipReading.SILHOUETTE, 0.1))
@@ -84,7 +84,7 @@ class FalseAlarmsTest {
     assertEquals(Map.of(), ThresholdsFile.read(folder));
   }
 
-  private static List<Sample> of(Dataset dataset, String object) {
+  private static List<LabelledPhoto> of(Dataset dataset, String object) {
     return dataset.samples().stream().filter(s -> s.object().equals(object)).toList();
   }
 }

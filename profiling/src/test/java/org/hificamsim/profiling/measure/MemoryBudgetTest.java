@@ -5,12 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.detector.Appetite;
+import org.hificamsim.profiling.detector.MemoryNeed;
 import org.junit.jupiter.api.Test;
 
 class MemoryBudgetTest {
   private static final long MEGAPIXEL = 1_000_000;
-  private static final Appetite SIFT = new Appetite(250, 0);
+  private static final MemoryNeed SIFT = new MemoryNeed(250, 0);
 
   private final MemoryBudget budget = new MemoryBudget(10e9, 4e9);
 
@@ -19,7 +19,7 @@ class MemoryBudgetTest {
     assertEquals(8, budget.threads(8, MEGAPIXEL, SIFT));
     assertEquals(1, budget.threads(8, 18 * MEGAPIXEL, SIFT));
     assertEquals(3, budget.threads(8, 10 * MEGAPIXEL, SIFT));
-    assertEquals(3, budget.threads(8, 20 * MEGAPIXEL, new Appetite(2, 50)));
+    assertEquals(3, budget.threads(8, 20 * MEGAPIXEL, new MemoryNeed(2, 50)));
   }
 
   @Test

@@ -46,7 +46,7 @@ class OwnConfidencesTest {
     message =
         assertThrows(InputException.class, () -> read("image,q,d,confidence\na,1,1,0.8\n"))
             .getMessage();
-    assertTrue(message.contains("column 'z' is missing"), message);
+    assertTrue(message.contains("expected image,q,d,z,confidence among them"), message);
   }
 
   private List<Measurement> read(String table) throws IOException {

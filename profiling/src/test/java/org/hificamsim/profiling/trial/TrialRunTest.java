@@ -20,6 +20,7 @@ import org.hificamsim.profiling.fit.Photos;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -27,7 +28,14 @@ import org.junit.jupiter.api.io.TempDir;
 class TrialRunTest {
   private static final double THRESHOLD = 0.3;
 
+  private static FitResult scattered;
+
   @TempDir Path folder;
+
+  @BeforeAll
+  static void fitScattered() {
+    scattered = fit(curve().scatter(0.1, 0.05).take(2));
+  }
 
   /** A curve through all photos: nothing is left to disagree about but rounding. */
   @Test
@@ -45,7 +53,7 @@ class TrialRunTest {
 
   @Test
   void theSimulatorSaysWhatTheModelWithoutTheObjectSays() {
-    Trials trials = trials(curve().scatter(0.1, 0.05).take(2));
+    Trials trials = TrialRun.of(FittedModel.of(scattered, "d").get(0));
     List<String> objects =
         trials.photos().stream().map(one -> one.photo().object()).distinct().toList();
     for (Trial one : trials.photos()) {
@@ -86,22 +94,22 @@ class TrialRunTest {
 
   @Test
   void everyPhotoIsARowAndAsManyThreadsAsThereAreChangeNothing() throws IOException {
-    FitResult result = fit(curve().scatter(0.1, 0.05).take(2));
-    Trials.write(folder, TrialRun.all(result, 1));
+    List<Trials> trials = TrialRun.all(scattered, 1);
+    Trials.write(folder, trials);
     String one = Files.readString(folder.resolve(Trials.FILE));
-    Trials.write(folder, TrialRun.all(result, 2));
+    Trials.write(folder, TrialRun.all(scattered, 2));
     assertEquals(one, Files.readString(folder.resolve(Trials.FILE)));
-    assertEquals(1 + result.measurements().size(), one.lines().count());
+    assertEquals(1 + scattered.measurements().size(), one.lines().count());
     assertTrue(
         one.startsWith(
             "detector,model,image,object,size_m,distance_m,focal_length_m,confidence,threshold,"
                 + "detected,simulated,chance\n"));
     assertTrue(
-        TrialRun.all(result, 1)
+        trials
             .get(0)
             .sentence()
             .matches("In the simulation d-pinhole agrees .* before up to 3 cameras, .*"),
-        TrialRun.all(result, 1).get(0).sentence());
+        trials.get(0).sentence());
   }
 
   private static double confidence(HiFiDetection model, Measurement photo) {

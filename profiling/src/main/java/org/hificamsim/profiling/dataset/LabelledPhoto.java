@@ -15,7 +15,7 @@ import java.util.Optional;
  * @param patch where the object is
  * @param mask a picture that is not 0 where the object is
  */
-public record Sample(
+public record LabelledPhoto(
     String image,
     Path file,
     String object,
@@ -23,9 +23,4 @@ public record Sample(
     double distance,
     double focalLength,
     Patch patch,
-    Optional<Path> mask) {
-  /** The same without a mask. */
-  public Sample unmasked() {
-    return new Sample(image, file, object, size, distance, focalLength, patch, Optional.empty());
-  }
-}
+    Optional<Path> mask) {}

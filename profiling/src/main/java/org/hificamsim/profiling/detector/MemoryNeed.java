@@ -6,10 +6,10 @@ package org.hificamsim.profiling.detector;
  * @param nativeBytes for each pixel, outside Java's heap
  * @param heapBytes for each pixel, in Java's heap
  */
-public record Appetite(double nativeBytes, double heapBytes) {
+public record MemoryNeed(double nativeBytes, double heapBytes) {
   /** What both need who work one after the other. */
-  public Appetite max(Appetite other) {
-    return new Appetite(
+  public MemoryNeed max(MemoryNeed other) {
+    return new MemoryNeed(
         Math.max(nativeBytes, other.nativeBytes), Math.max(heapBytes, other.heapBytes));
   }
 }

@@ -3,14 +3,13 @@ package org.hificamsim.profiling.dataset;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.dataset.CsvRows.Cell;
+import org.hificamsim.data.CsvRow;
 
-/** Checks the cells of one row and turns them into a {@link Sample}. */
-final class SampleReader {
+/** Checks the cells of one row and turns them into a {@link LabelledPhoto}. */
+final class LabelledPhotoReader {
   static final List<String> PATCH = List.of("patch_x", "patch_y", "patch_width", "patch_height");
 
   /** A picture's file and what it says of itself. */
@@ -24,15 +23,11 @@ final class SampleReader {
   private final Path folder;
   private final PhotoCamera camera;
   private final CocoPatches coco;
-  private final Map<String, Cell> row;
+  private final CsvRow row;
   private final List<String> problems;
 
-  SampleReader(
-      Path folder,
-      PhotoCamera camera,
-      CocoPatches coco,
-      Map<String, Cell> row,
-      List<String> problems) {
+  LabelledPhotoReader(
+      Path folder, PhotoCamera camera, CocoPatches coco, CsvRow row, List<String> problems) {
     this.folder = folder;
     this.camera = camera;
     this.coco = coco;
@@ -40,8 +35,8 @@ final class SampleReader {
     this.problems = problems;
   }
 
-  /** The row's sample, or empty after telling every problem it has. */
-  Optional<Sample> read() {
+  /** The row's photo; empty where something is wrong with it, which is reported then. */
+  Optional<LabelledPhoto> read() {
     int before = problems.size();
     Picture image = check(this::image);
     String object = check(this::object);
@@ -54,15 +49,8 @@ final class SampleReader {
     return problems.size() > before
         ? Optional.empty()
         : Optional.of(
-            new Sample(
-                row.get("image").text(),
-                image.file(),
-                object,
-                size,
-                distance,
-                focalLength,
-                patch,
-                mask));
+            new LabelledPhoto(
+                row.text("image"), image.file(), object, size, distance, focalLength, patch, mask));
   }
 
   /** What is supposed of a photo that cannot be read. */
@@ -85,29 +73,27 @@ final class SampleReader {
 
   /** The mask, which is of its picture's size. */
   private Path mask(ImageHeader image) {
-    Cell cell = row.get("mask");
-    if (cell == null || cell.text().isEmpty()) {
+    if (!row.has("mask") || row.text("mask").isEmpty()) {
       return null;
     }
     Picture mask = picture("mask");
     if (!mask.header().equals(image)) {
-      throw cell.error("mask", "a picture that is as wide and high as its image");
+      throw row.invalid("mask", "a picture that is as wide and high as its image");
     }
     return mask.file();
   }
 
   /** A picture in the folder, of the camera's size. */
   private Picture picture(String column) {
-    Cell cell = row.get(column);
-    Path file = inside(cell, column);
+    Path file = inside(column);
     ImageHeader header;
     try {
       header = ImageHeader.read(file);
     } catch (IOException | RuntimeException e) {
-      throw cell.error(column, "a whole PNG or JPEG in the folder (" + e.getMessage() + ")");
+      throw row.invalid(column, "a whole PNG or JPEG in the folder (" + e.getMessage() + ")");
     }
     if (!camera.takes(header.width(), header.height())) {
-      throw cell.error(
+      throw row.invalid(
           column,
           "%s x %s pixels as camera.json says, or upright, not %s x %s"
               .formatted(camera.width(), camera.height(), header.width(), header.height()));
@@ -115,56 +101,53 @@ final class SampleReader {
     return new Picture(file, header);
   }
 
-  private Path inside(Cell cell, String column) {
+  private Path inside(String column) {
     try {
-      Path file = folder.resolve(cell.text()).normalize();
-      if (!cell.text().isEmpty() && file.startsWith(folder.normalize())) {
+      Path file = folder.resolve(row.text(column)).normalize();
+      if (!row.text(column).isEmpty() && file.startsWith(folder.normalize())) {
         return file;
       }
     } catch (java.nio.file.InvalidPathException e) {
       // reported below
     }
-    throw cell.error(column, "the name of a picture in the folder");
+    throw row.invalid(column, "the name of a picture in the folder");
   }
 
   private String object() {
-    Cell cell = row.get("object");
-    if (!cell.text().matches("[\\p{L}\\p{N}][\\p{L}\\p{N} ._-]{0,99}")) {
-      throw cell.error("object", "1 to 100 letters, digits, blanks or any of . _ -");
+    String name = row.text("object");
+    if (!name.matches("[\\p{L}\\p{N}][\\p{L}\\p{N} ._-]{0,99}")) {
+      throw row.invalid("object", "1 to 100 letters, digits, blanks or any of . _ -");
     }
-    return cell.text();
+    return name;
   }
 
   private double length(String column, double most) {
-    return row.get(column)
-        .number(column, Double.MIN_NORMAL, most, "metres above 0, at most " + (long) most);
+    return row.number(column, Double.MIN_NORMAL, most, "metres above 0, at most " + (long) most);
   }
 
   private double focalLength(Path image) {
-    Cell cell = row.get("focal_length_m");
-    if (cell.text().isEmpty()) {
+    if (row.text("focal_length_m").isEmpty()) {
       return exifFocalLength(
-          cell,
-          ExifFocalLength.of(image)
+          Exif.focalLength(image)
               .orElseThrow(
-                  () -> cell.error("focal_length_m", "metres, or a photo whose EXIF has it")));
+                  () -> row.invalid("focal_length_m", "metres, or a photo whose EXIF has it")));
     }
     return length("focal_length_m", MAX);
   }
 
-  private static double exifFocalLength(Cell cell, double metres) {
+  private double exifFocalLength(double metres) {
     if (metres <= MAX) {
       return metres;
     }
-    throw cell.error(
+    throw row.invalid(
         "focal_length_m",
         "metres, since the photo's EXIF has %s m, which is no lens's (at most %s)"
             .formatted(metres, (long) MAX));
   }
 
   private Patch patch(String object, ImageHeader image) {
-    if (PATCH.stream().allMatch(column -> row.get(column).text().isEmpty())) {
-      return within(coco.patch(row.get("image").text(), object).orElseThrow(this::noPatch), image);
+    if (PATCH.stream().allMatch(column -> row.text(column).isEmpty())) {
+      return within(coco.patch(row.text("image"), object).orElseThrow(this::noPatch), image);
     }
     return within(
         new Patch(
@@ -177,8 +160,7 @@ final class SampleReader {
 
   private Patch within(Patch patch, ImageHeader image) {
     if (patch.width() < 1 || patch.height() < 1 || !patch.within(image.width(), image.height())) {
-      throw row.get("patch_x")
-          .place()
+      throw row.place("patch_x")
           .error(
               "the patch is %s, expected one within the image's %s x %s pixels"
                   .formatted(patch, image.width(), image.height()));
@@ -187,16 +169,14 @@ final class SampleReader {
   }
 
   private InputException noPatch() {
-    return row.get("patch_x")
-        .error("patch_x", "pixels, or one box for the image and object in " + Dataset.COCO);
+    return row.invalid("patch_x", "pixels, or one box for the image and object in " + Dataset.COCO);
   }
 
   private int pixels(String column, int least) {
-    Cell cell = row.get(column);
     String expected = "a whole number of pixels from " + least;
-    double value = cell.number(column, least, MAX_PIXELS, expected);
+    double value = row.number(column, least, MAX_PIXELS, expected);
     if (value != Math.rint(value)) {
-      throw cell.error(column, expected);
+      throw row.invalid(column, expected);
     }
     return (int) value;
   }

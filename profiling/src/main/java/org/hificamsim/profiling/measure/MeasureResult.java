@@ -9,8 +9,8 @@ import java.util.List;
  * @param threads that were used, as many as fit into the memory
  * @param warnings each in one line
  */
-public record Outcome(int resumed, int threads, List<String> warnings) {
-  public Outcome {
+public record MeasureResult(int resumed, int threads, List<String> warnings) {
+  public MeasureResult {
     warnings = List.copyOf(warnings);
   }
 }

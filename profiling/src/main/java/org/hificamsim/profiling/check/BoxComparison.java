@@ -4,21 +4,22 @@ import java.util.EnumMap;
 import java.util.Map;
 
 /**
- * A sighting beside what was predicted of it.
+ * A sighting and what was predicted of it.
  *
  * @param distance from camera to target over the ground, metres
  * @param footError from where the calibration has the target's foot to where the box stands, pixels
  * @param predicted by each rung
  */
-record Comparison(Sighting sighting, double distance, double footError, Map<Rung, Size> predicted) {
-  static Comparison of(Sighting sighting, Calibration camera, Body body) {
-    Map<Rung, Size> predicted = new EnumMap<>(Rung.class);
-    for (Rung rung : Rung.values()) {
+record BoxComparison(
+    Sighting sighting, double distance, double footError, Map<SizeModel, Size> predicted) {
+  static BoxComparison of(Sighting sighting, Calibration camera, Body body) {
+    Map<SizeModel, Size> predicted = new EnumMap<>(SizeModel.class);
+    for (SizeModel rung : SizeModel.values()) {
       predicted.put(rung, rung.size(camera, sighting.foot(), body));
     }
-    return new Comparison(
+    return new BoxComparison(
         sighting,
-        Rung.distance(camera, sighting.foot()),
+        SizeModel.distance(camera, sighting.foot()),
         camera.project(sighting.foot()).distance(sighting.stand()),
         predicted);
   }
@@ -29,7 +30,7 @@ record Comparison(Sighting sighting, double distance, double footError, Map<Rung
   }
 
   /** The error of a prediction as a share of what was measured; above 0 where it is too large. */
-  double error(Rung rung, Quantity quantity) {
+  double error(SizeModel rung, Quantity quantity) {
     double measured = quantity.of(sighting.size());
     return (quantity.of(predicted.get(rung)) - measured) / measured;
   }

@@ -7,7 +7,7 @@ package org.hificamsim.profiling.lab;
  * @param aperture f-number N; 0 for a pinhole, which is sharp everywhere
  * @param focus the distance that is sharp, metres, above the focal length
  */
-record Lens(double focalLength, double aperture, double focus) {
+record FocusedLens(double focalLength, double aperture, double focus) {
   private static final double WAVELENGTH = 550e-9;
 
   /**

@@ -1,0 +1,46 @@
+package org.hificamsim.hifi.model;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import org.hificamsim.hifi.json.JsonObject;
+
+/**
+ * The types of one part of a model, f or g, that JSON files may hold.
+ *
+ * @param formats in the order of error lines
+ */
+record PartFormats<T>(List<Format<T>> formats) {
+  /**
+   * How one type is spelt.
+   *
+   * @param type the text of its property {@code type}
+   * @param of the class, whose properties Jackson writes
+   * @param reader makes one from these properties; those that it does not ask for are refused
+   */
+  record Format<T>(String type, Class<? extends T> of, Function<JsonObject, T> reader) {}
+
+  T read(JsonObject json) {
+    String type = json.text("type", formats.stream().map(Format::type).toList());
+    return format(one -> one.type().equals(type)).orElseThrow().reader().apply(json);
+  }
+
+  ObjectNode json(T part) {
+    Format<T> format =
+        format(one -> one.of().isInstance(part))
+            .orElseThrow(
+                () ->
+                    new IllegalArgumentException(
+                        "no file format for "
+                            + part.getClass().getName()
+                            + ", expected a line in FeatureFormats or DetectorFormats"));
+    ObjectNode json = ModelWriter.MAPPER.createObjectNode().put("type", format.type());
+    return json.setAll(ModelWriter.MAPPER.<ObjectNode>valueToTree(part));
+  }
+
+  private Optional<Format<T>> format(Predicate<Format<T>> wanted) {
+    return formats.stream().filter(wanted).findFirst();
+  }
+}
