@@ -68,7 +68,8 @@ public record PublishedModels(
    */
   public double threshold(DetectorModel g) {
     DetectorLine line = line(reference.detector(), reference.f()).orElseThrow().g();
-    return g.equals(line) ? reference.threshold() : g.confidence(line.pip(reference.threshold()));
+    double pip = (reference.threshold() - line.intercept()) / line.slope();
+    return g.equals(line) ? reference.threshold() : g.confidence(pip);
   }
 
   private static PublishedModels read() {
