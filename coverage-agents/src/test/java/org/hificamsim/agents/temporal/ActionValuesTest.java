@@ -172,7 +172,7 @@ class ActionValuesTest {
             new Class<?>[] {NetworkView.class},
             (proxy, method, arguments) ->
                 switch (method.getName()) {
-                  case "cameras" -> 1;
+                  case "cameras", "pans" -> 1;
                   case "views", "zooms" -> views;
                   case "targets" -> targets;
                   default -> throw new UnsupportedOperationException(method.getName());

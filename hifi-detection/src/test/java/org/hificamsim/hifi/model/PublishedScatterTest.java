@@ -10,6 +10,7 @@ import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.detector.DetectorLine;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -49,8 +50,7 @@ class PublishedScatterTest {
         catalogue.line(name.substring(0, dash), name.substring(dash + 1)).orElseThrow();
     HiFiDetection any = (HiFiDetection) MODELS.create(line);
     HiFiDetection model =
-        new HiFiDetection(
-            name, any.f(), g.g(), any.optics(), 0.5, g.rmse(), Optional.empty(), any.provenance());
+        new HiFiDetection(name, any.f(), g.g(), any.optics(), 0.5, g.rmse(), Optional.empty(), any.provenance());
     assertEquals(atFivePercent, half(model, "0.05"), 0.0006);
     assertEquals(atOnePercent, half(model, "0.01"), 0.0006);
   }
@@ -58,7 +58,8 @@ class PublishedScatterTest {
   private static double half(HiFiDetection model, String alpha) {
     Detection detection = Detection.by(DetectionRule.parse("chance:alpha=" + alpha), "half", model);
     assertEquals(0.5, detection.chance(detection.threshold()), 1e-12);
-    return model.g().pip(detection.threshold());
+    DetectorLine line = (DetectorLine) model.g();
+    return (detection.threshold() - line.intercept()) / line.slope();
   }
 
   @Test
