@@ -39,6 +39,7 @@ def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]
         ({"num_envs": 0}, "0 worlds, expected 1 or more"),
         ({"targets": -1}, "observed targets is -1, expected 0 to 1000"),
         ({"objective": "best"}, "unknown objective 'best'"),
+        ({"policies": "sarsa"}, "unknown setting 'policies', expected one of detection, threshold, "),
         ({"backend": "cloud"}, "backend is 'cloud', expected 'jvm' or 'process'"),
     ],
 )

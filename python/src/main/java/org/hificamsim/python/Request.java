@@ -12,6 +12,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
@@ -87,11 +88,16 @@ record Request(Settings asked, Environment own) {
           "unknown setting '%s', expected one of %s"
               .formatted(
                   e.getPropertyName(),
-                  SETTINGS.stream().map(Setting::label).collect(Collectors.joining(", "))),
+                  Stream.concat(SETTINGS.stream().map(Setting::label), known(e))
+                      .collect(Collectors.joining(", "))),
           e);
     } catch (JsonProcessingException e) {
       throw new InputException("settings: " + e.getOriginalMessage(), e);
     }
+  }
+
+  private static Stream<String> known(UnrecognizedPropertyException fault) {
+    return fault.getKnownPropertyIds().stream().map(String::valueOf).sorted();
   }
 
   /** Reads the scenario, and finds everything by its name. */
