@@ -20,9 +20,9 @@ final class EventReader {
 
   static final Property<ScenarioEvent, Integer> STEP = ELEMENT.required("timestep", Type.whole(0));
   static final Property<ScenarioEvent, String> PARTICIPANT =
-      ELEMENT.required("participant", oneOf(ScenarioEvent.KINDS, EventKind::participant));
+      ELEMENT.required("participant", oneOf(ScenarioEvent.kinds(), EventKind::participant));
   static final Property<ScenarioEvent, String> HAPPENING =
-      ELEMENT.required("event", oneOf(ScenarioEvent.KINDS, EventKind::happening));
+      ELEMENT.required("event", oneOf(ScenarioEvent.kinds(), EventKind::happening));
 
   private final CameraReader cameras;
   private final TargetReader targets;
@@ -45,7 +45,9 @@ final class EventReader {
     int step = head.get(STEP);
     String participant = head.get(PARTICIPANT);
     List<EventKind<?, ?>> its =
-        ScenarioEvent.KINDS.stream().filter(one -> one.participant().equals(participant)).toList();
+        ScenarioEvent.kinds().stream()
+            .filter(one -> one.participant().equals(participant))
+            .toList();
     if (head.has(HAPPENING)) {
       head.narrow(HAPPENING, oneOf(its, EventKind::happening));
     }

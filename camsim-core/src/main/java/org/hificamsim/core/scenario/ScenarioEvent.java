@@ -5,18 +5,19 @@ import java.util.Optional;
 
 /**
  * Something that happens at the beginning of a step. A further kind is declared here and in {@link
- * #KINDS}; {@link org.hificamsim.core.world.World} has what it does.
+ * #kinds}; {@link org.hificamsim.core.world.World} has what it does.
  */
 public sealed interface ScenarioEvent {
   /** All kinds. */
-  List<EventKind<?, ?>> KINDS =
-      List.of(
-          AddCamera.KIND,
-          ChangeCamera.KIND,
-          FailCamera.KIND,
-          AddTarget.KIND,
-          RemoveTarget.KIND,
-          FailRegistration.KIND);
+  static List<EventKind<?, ?>> kinds() {
+    return List.of(
+        AddCamera.KIND,
+        ChangeCamera.KIND,
+        FailCamera.KIND,
+        AddTarget.KIND,
+        RemoveTarget.KIND,
+        FailRegistration.KIND);
+  }
 
   /** The step at whose beginning it fires, from 0. */
   int step();

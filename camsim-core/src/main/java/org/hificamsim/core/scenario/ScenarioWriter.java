@@ -104,7 +104,7 @@ public final class ScenarioWriter {
 
   private void event(ScenarioEvent event) {
     EventKind<?, ?> kind =
-        ScenarioEvent.KINDS.stream()
+        ScenarioEvent.kinds().stream()
             .filter(one -> one.type().isInstance(event))
             .findFirst()
             .orElseThrow();

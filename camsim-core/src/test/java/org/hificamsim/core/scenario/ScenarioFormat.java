@@ -72,7 +72,7 @@ public final class ScenarioFormat {
   private static String events() {
     List<List<String>> lines = new ArrayList<>();
     lines.add(List.of("`participant`", "`event`", "other attributes", "what happens"));
-    for (EventKind<?, ?> kind : ScenarioEvent.KINDS) {
+    for (EventKind<?, ?> kind : ScenarioEvent.kinds()) {
       lines.add(
           List.of(
               "`" + kind.participant() + "`",

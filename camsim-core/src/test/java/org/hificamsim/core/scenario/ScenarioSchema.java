@@ -114,7 +114,7 @@ final class ScenarioSchema {
   private void ofEvents() {
     Map<String, List<Property<?, ?>>> byName = new LinkedHashMap<>();
     Map<String, String> meanings = new LinkedHashMap<>();
-    for (EventKind<?, ?> kind : ScenarioEvent.KINDS) {
+    for (EventKind<?, ?> kind : ScenarioEvent.kinds()) {
       for (AttributeDoc row : AttributeDoc.all(kind.body())) {
         for (Property<?, ?> attribute : row.attributes()) {
           byName.computeIfAbsent(attribute.name(), any -> new ArrayList<>()).add(attribute);
