@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.OptionalInt;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -74,7 +73,7 @@ class BridgeOptionsTest {
     assertEquals(OpticsLaw.CONSTANT_AREA, optics.law());
     assertEquals(List.of(8.0, 25.0, 58.0), optics.anglesOfView());
     assertEquals(List.of(-60.0, 0.0, 60.0), optics.pans());
-    assertEquals(OptionalInt.of(640), optics.pixels());
+    assertEquals(Optional.of(640), optics.pixels());
     assertEquals(OptionalDouble.empty(), optics.reach());
     assertFalse(optics.takesTime());
   }
@@ -84,7 +83,7 @@ class BridgeOptionsTest {
     OpticsSpec optics = parse("policy=random,hfov=58").optics().orElseThrow();
     assertEquals(OpticsLaw.PINHOLE, optics.law());
     assertEquals(List.of(0.0), optics.pans());
-    assertEquals(OptionalInt.empty(), optics.pixels());
+    assertEquals(Optional.empty(), optics.pixels());
     assertEquals(Optional.empty(), parse("policy=random").optics());
   }
 

@@ -45,7 +45,9 @@ final class EventReader {
     int step = head.get(STEP);
     String participant = head.get(PARTICIPANT);
     List<EventKind<?, ?>> its =
-        ScenarioEvent.kinds().stream().filter(one -> one.participant().equals(participant)).toList();
+        ScenarioEvent.kinds().stream()
+            .filter(one -> one.participant().equals(participant))
+            .toList();
     if (head.has(HAPPENING)) {
       head.narrow(HAPPENING, oneOf(its, EventKind::happening));
     }

@@ -62,8 +62,8 @@ final class XmlParser extends PlainXml {
       throw start.error("is a folder, expected a scenario file (XML)");
     }
     try (InputStream in = Files.newInputStream(path)) {
-      byte[] bytes = in.readNBytes(MAX_BYTES + 1);
-      if (bytes.length > MAX_BYTES) {
+      byte[] bytes = Files.size(path) > MAX_BYTES ? null : in.readNBytes(MAX_BYTES + 1);
+      if (bytes == null || bytes.length > MAX_BYTES) {
         throw start.error("the file is too big, expected at most " + MAX_BYTES + " bytes");
       }
       return bytes;
@@ -134,6 +134,7 @@ final class XmlParser extends PlainXml {
       String name = open.getLast().name();
       return place.error("the file ends inside <" + name + ">, expected </" + name + ">");
     }
-    return place.error("not well-formed XML, expected a scenario file: " + words);
+    return place.error(
+        "not well-formed XML, expected a scenario file: " + words.replaceAll("\\s+", " "));
   }
 }
