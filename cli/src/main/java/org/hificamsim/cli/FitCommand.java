@@ -11,12 +11,11 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.Counted;
-import org.hificamsim.profiling.fit.DetectorShapes;
+import org.hificamsim.profiling.fit.DetectorShape;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Fitting;
-import org.hificamsim.profiling.fit.ModelFolder;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
@@ -29,7 +28,6 @@ import org.hificamsim.profiling.measure.ThresholdsFile;
 import org.hificamsim.profiling.report.FitReport;
 import org.hificamsim.profiling.trial.TrialRun;
 import org.hificamsim.profiling.trial.Trials;
-import org.hificamsim.profiling.trial.TrialsFile;
 import org.hificamsim.runs.Setting;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -120,9 +118,9 @@ final class FitCommand implements Callable<Integer> {
     PhotoCamera camera = DatasetReader.camera(folder);
     List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
-    int models = new ModelFolder(folder.resolve("models"), name).write(result);
+    int models = FittedModel.writeAll(result, folder.resolve("models"), name);
     List<Trials> trials = TrialRun.all(result, count);
-    TrialsFile.write(folder, trials);
+    Trials.write(folder, trials);
     FitReport.write(
         result,
         trials,
@@ -176,7 +174,7 @@ final class FitCommand implements Callable<Integer> {
   }
 
   private Optional<String> shape() {
-    return shape.equals(BEST) ? Optional.empty() : Optional.of(DetectorShapes.of(shape).name());
+    return shape.equals(BEST) ? Optional.empty() : Optional.of(DetectorShape.of(shape).name());
   }
 
   private FitSettings settings() {

@@ -15,7 +15,8 @@ public final class Table81 {
   }
 
   /**
-   * A cell compared with the published one, with other readings of it; NaN where one does not apply.
+   * A cell compared with the published one, with other readings of it; NaN where one does not
+   * apply.
    *
    * @param ours performance over that of the same detection model's optimum
    * @param overHifi CamSim's performance over the hi-fi optimum

@@ -20,8 +20,8 @@ public record CurveBand(double[] pip, double[] low, double[] high) {
 
   /** Of a detector's g on measured PIP. */
   public static CurveBand of(FitResult result, String detector, double[] pip, long seed) {
-    DetectorRegression shape =
-        DetectorShapes.of(result.model(detector, FitResult.GROUND_TRUTH).chosen().shape());
+    DetectorShape shape =
+        DetectorShape.of(result.model(detector, FitResult.GROUND_TRUTH).chosen().shape());
     SplittableRandom random = new SplittableRandom(seed);
     List<DetectorModel> curves = new ArrayList<>();
     for (int draw = 0; draw < DRAWS; draw++) {

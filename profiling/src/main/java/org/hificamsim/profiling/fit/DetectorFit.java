@@ -1,6 +1,8 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.Arrays;
 import java.util.List;
+import org.apache.commons.math3.util.MathArrays;
 
 /**
  * What one detector's confidences say of PIP, measured or predicted by one f.
@@ -12,8 +14,47 @@ import java.util.List;
  */
 public record DetectorFit(
     List<ShapeFit> shapes, ShapeFit chosen, ObjectScatter scatter, RisingSlope slope) {
+  /**
+   * Fits every shape of g and chooses one.
+   *
+   * @param settings the shape that is wanted whatever fits best, and the seed of the bootstrap
+   * @param objects the rows of each object
+   * @param unseen what is left out together: objects, or folds where there is one object
+   * @param x the PIP of each row
+   * @param unseenX for each group the PIP of each row as an f says it that has not seen the group
+   */
+  static DetectorFit of(
+      FitSettings settings,
+      Groups objects,
+      Groups unseen,
+      double[] x,
+      List<double[]> unseenX,
+      double[] y) {
+    List<ShapeFit> shapes =
+        DetectorShape.ALL.stream().map(shape -> ShapeFit.of(shape, x, unseenX, y, unseen)).toList();
+    ShapeFit chosen =
+        settings
+            .shape()
+            .map(name -> named(shapes, name))
+            .orElseGet(
+                () ->
+                    shapes.get(
+                        OneStandardError.simplest(
+                            shapes.stream().map(ShapeFit::groupErrors).toList())));
+    double[] fitted = Arrays.stream(x).map(chosen.g()::confidence).toArray();
+    return new DetectorFit(
+        shapes,
+        chosen,
+        ObjectScatter.of(MathArrays.ebeSubtract(y, fitted), objects),
+        RisingSlope.of(x, y, objects, settings.seed()));
+  }
+
   /** One shape. */
   public ShapeFit shape(String name) {
+    return named(shapes, name);
+  }
+
+  private static ShapeFit named(List<ShapeFit> shapes, String name) {
     return shapes.stream().filter(one -> one.shape().equals(name)).findFirst().orElseThrow();
   }
 

@@ -1,5 +1,9 @@
 package org.hificamsim.profiling.fit;
 
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.toList;
+
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.profiling.dataset.PhotoCamera;
@@ -13,8 +17,6 @@ import org.hificamsim.profiling.measure.Measurement;
  * @param unseen what was left out together to see how g does on what it has not seen: objects, or
  *     folds where there is one object
  * @param thresholds by detector, from which confidence on it detects, where that is known
- * @param lines the thesis's g: by detector, then by the name of what it was fitted on, an f, {@link
- *     #GROUND_TRUTH} or {@link #CAMSIM}
  * @param models every g: by detector, then by the name of what it was fitted on, an f or {@link
  *     #GROUND_TRUTH}
  */
@@ -25,7 +27,6 @@ public record FitResult(
     List<FeatureResult> features,
     Groups unseen,
     Map<String, Double> thresholds,
-    Map<String, Map<String, LineFit>> lines,
     Map<String, Map<String, DetectorFit>> models) {
   /** On measured PIP. */
   public static final String GROUND_TRUTH = "ground-truth";
@@ -34,11 +35,8 @@ public record FitResult(
   public static final String CAMSIM = "camsim-standard";
 
   /** The same with every g. */
-  FitResult with(
-      Map<String, Map<String, LineFit>> everyLine,
-      Map<String, Map<String, DetectorFit>> everyModel) {
-    return new FitResult(
-        camera, measurements, detectors, features, unseen, thresholds, everyLine, everyModel);
+  FitResult with(Map<String, Map<String, DetectorFit>> everyModel) {
+    return new FitResult(camera, measurements, detectors, features, unseen, thresholds, everyModel);
   }
 
   /** One f. */
@@ -51,14 +49,24 @@ public record FitResult(
     return models.get(detector).get(on);
   }
 
-  /** One of the thesis's lines. */
+  /** The thesis's g, a line: on an f, on {@link #GROUND_TRUTH} or on {@link #CAMSIM}. */
   public LineFit line(String detector, String on) {
-    return lines.get(detector).get(on);
+    return LineFit.of(predictor(on), confidences(detector));
   }
 
-  /** The measurements as rows of a regression. */
-  public List<Observation> observations() {
-    return observations(measurements);
+  /** What a g is fitted on: the PIP of an f, {@link #GROUND_TRUTH} or {@link #CAMSIM}. */
+  public double[] predictor(String on) {
+    return switch (on) {
+      case GROUND_TRUTH -> measuredPip();
+      case CAMSIM -> CamSimConfidence.of(measurements);
+      default -> predictedPip(on);
+    };
+  }
+
+  /** The photos of each object, by its name. */
+  public Map<String, List<Measurement>> byObject() {
+    return measurements.stream()
+        .collect(groupingBy(Measurement::object, LinkedHashMap::new, toList()));
   }
 
   /** One detector's confidences. */
@@ -73,17 +81,11 @@ public record FitResult(
 
   /** The same of one fit of an f. */
   double[] predictedPip(FittedFeature fit) {
-    return observations().stream().mapToDouble(fit::pip).toArray();
+    return measurements.stream().mapToDouble(fit::pip).toArray();
   }
 
   /** The ground-truth PIP of each measurement. */
   public double[] measuredPip() {
     return measurements.stream().mapToDouble(Measurement::pip).toArray();
-  }
-
-  static List<Observation> observations(List<Measurement> measurements) {
-    return measurements.stream()
-        .map(m -> new Observation(m.size(), m.distance(), m.focalLength(), m.pip()))
-        .toList();
   }
 }

@@ -19,15 +19,4 @@ public record FitSettings(
     SymbolicSettings symbolic,
     SupportVectorSettings vectors,
     Optional<String> shape,
-    Map<String, Double> thresholds) {
-  /** With the shape of g that does best on objects that it has not seen. */
-  public FitSettings(
-      int folds, long seed, SymbolicSettings symbolic, SupportVectorSettings vectors) {
-    this(folds, seed, symbolic, vectors, Optional.empty(), Map.of());
-  }
-
-  /** The thesis's: five folds (thesis 4.4). */
-  public static FitSettings thesis(long seed) {
-    return new FitSettings(5, seed, SymbolicSettings.thesis(seed), SupportVectorSettings.THESIS);
-  }
-}
+    Map<String, Double> thresholds) {}

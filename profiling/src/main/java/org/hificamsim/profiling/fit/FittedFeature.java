@@ -3,6 +3,7 @@ package org.hificamsim.profiling.fit;
 import java.util.List;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.feature.LogPipAbstraction;
+import org.hificamsim.profiling.measure.Measurement;
 
 /**
  * A feature abstraction that was fitted to data.
@@ -16,14 +17,14 @@ public record FittedFeature(FeatureAbstraction f, String equation, List<Coeffici
   }
 
   /** The predicted {@code -log10(PIP)}, unbounded where the abstraction predicts that itself. */
-  public double response(Observation o) {
+  public double response(Measurement o) {
     return f instanceof LogPipAbstraction log
         ? log.negativeLogPip(o.size(), o.distance(), o.focalLength())
         : -StrictMath.log10(pip(o));
   }
 
   /** The predicted PIP, [0, 1]. */
-  public double pip(Observation o) {
+  public double pip(Measurement o) {
     return f.pip(o.size(), o.distance(), o.focalLength());
   }
 }

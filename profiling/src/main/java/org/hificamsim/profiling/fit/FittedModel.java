@@ -1,16 +1,20 @@
 package org.hificamsim.profiling.fit;
 
-import java.util.ArrayList;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.detector.DetectorModel;
+import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.hifi.model.PublishedModels;
 import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.profiling.measure.Measurement;
@@ -18,12 +22,9 @@ import org.hificamsim.profiling.measure.Measurement;
 /**
  * One combination of a detector, an f and a g, and what becomes of it in a model file.
  *
- * @param name {@code <detector>-<f>} with the g on f's own predictions, and {@code -gt} behind it
- *     with the g on measured PIP
- * @param on what g was fitted on
+ * @param on what g was fitted on: f's own predictions or measured PIP
  */
-public record FittedModel(
-    FitResult result, String detector, String name, FeatureResult f, DetectorFit fit, String on) {
+public record FittedModel(FitResult result, String detector, FeatureResult f, String on) {
   private static final double NO_SCATTER = 1e-9;
 
   /** Every combination, by detector. */
@@ -33,18 +34,50 @@ public record FittedModel(
 
   /** Every combination of one detector. */
   public static List<FittedModel> of(FitResult result, String detector) {
-    List<FittedModel> all = new ArrayList<>();
-    for (FeatureResult f : result.features()) {
-      all.add(of(result, detector, f, f.name(), ""));
-      all.add(of(result, detector, f, FitResult.GROUND_TRUTH, "-gt"));
-    }
-    return all;
+    return result.features().stream()
+        .flatMap(
+            f ->
+                Stream.of(f.name(), FitResult.GROUND_TRUTH)
+                    .map(on -> new FittedModel(result, detector, f, on)))
+        .toList();
   }
 
-  private static FittedModel of(
-      FitResult result, String detector, FeatureResult f, String on, String suffix) {
-    return new FittedModel(
-        result, detector, detector + "-" + f.name() + suffix, f, result.model(detector, on), on);
+  /**
+   * Writes every combination as a model file that {@code run --detection} takes: {@code
+   * <detector>-<f>.json} with the g on f's own predictions, {@code <detector>-<f>-gt.json} with the
+   * g on measured PIP. What is refused has no file, and loses the one of an earlier fit.
+   *
+   * @param prefix of the models' names, before a colon
+   * @return how many were written
+   */
+  public static int writeAll(FitResult result, Path folder, String prefix) throws IOException {
+    Files.createDirectories(folder);
+    int written = 0;
+    for (FittedModel model : all(result)) {
+      Path file = folder.resolve(model.name() + ".json");
+      if (model.fit().refused()) {
+        Files.deleteIfExists(file);
+      } else {
+        ModelFiles.write(model.detection(prefix), file);
+        written++;
+      }
+    }
+    return written;
+  }
+
+  /** {@code <detector>-<f>}, with {@code -gt} behind it where g was fitted on measured PIP. */
+  public String name() {
+    return detector + "-" + f.name() + (onMeasuredPip() ? "-gt" : "");
+  }
+
+  /** Its g. */
+  public DetectorFit fit() {
+    return result.model(detector, on);
+  }
+
+  /** The shape of g that is taken. */
+  public ShapeFit chosen() {
+    return fit().chosen();
   }
 
   /** Whether g was fitted on measured PIP, and not on what f says. */
@@ -54,10 +87,10 @@ public record FittedModel(
 
   /** The model, with a prefix and a colon before its name. */
   public HiFiDetection detection(String prefix) {
-    DetectorModel g = fit.chosen().g();
-    double rmse = fit.chosen().unseen().rmse();
+    DetectorModel g = chosen().g();
+    double rmse = chosen().unseen().rmse();
     return new HiFiDetection(
-        prefix + ":" + name,
+        prefix + ":" + name(),
         f.fit().f(),
         g,
         new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
@@ -76,7 +109,7 @@ public record FittedModel(
     return new HiFiDetection(
         all.name(),
         f.unseen().fits().get(group).f(),
-        fit.chosen().fits().get(group),
+        chosen().fits().get(group),
         all.optics(),
         all.defaultThreshold(),
         all.rmse(),
@@ -90,10 +123,10 @@ public record FittedModel(
         Locale.ROOT,
         "%s is no detector: its slope on PIP is %.3g, in [%.3g, %.3g] with 95%% confidence;"
             + " expected one surely above 0",
-        name,
-        fit.slope().slope(),
-        fit.slope().low(),
-        fit.slope().high());
+        name(),
+        fit().slope().slope(),
+        fit().slope().low(),
+        fit().slope().high());
   }
 
   private FittedOn fittedOn() {
@@ -102,8 +135,8 @@ public record FittedModel(
         span(Measurement::distance),
         span(Measurement::focalLength),
         (int) result.measurements().stream().map(Measurement::object).distinct().count(),
-        fit.scatter().between(),
-        fit.scatter().within());
+        fit().scatter().between(),
+        fit().scatter().within());
   }
 
   private Span span(ToDoubleFunction<Measurement> length) {
@@ -130,12 +163,12 @@ public record FittedModel(
             String.format(
                 Locale.ROOT,
                 "%s on %s PIP: R2 %.3f, unseen %ss %.3f (RMSE %.4f)",
-                fit.chosen().shape(),
+                chosen().shape(),
                 onMeasuredPip() ? "measured" : "predicted",
-                fit.chosen().scores().r2(),
+                chosen().scores().r2(),
                 result.unseen().unit(),
-                fit.chosen().unseen().r2(),
-                fit.chosen().unseen().rmse()));
+                chosen().unseen().r2(),
+                chosen().unseen().rmse()));
   }
 
   private static String unseen(String what, Optional<CrossValidation> validation) {

@@ -1,15 +1,16 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.ArrayList;
-import java.util.Arrays;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
-/** Fits every f and every g to a data set's measurements. */
+/** Fits every f and then every g to a data set's measurements. */
 public final class Fitting {
   private final FitSettings settings;
 
@@ -20,68 +21,47 @@ public final class Fitting {
   /**
    * Fits everything; the same on any number of threads.
    *
-   * @throws org.hificamsim.core.InputException when the measurements do not determine a fit
+   * @throws InputException when the measurements do not determine a fit
    */
-  public FitResult fit(PhotoCamera camera, List<Measurement> measurements, int threads) {
-    Groups objects = Groups.byObject(measurements);
-    Groups folds = CrossValidation.folds(measurements.size(), settings.folds(), settings.seed());
-    Groups unseen = objects.count() > 1 ? objects : folds;
-    List<Observation> observations = FitResult.observations(measurements);
-    List<FeatureResult> features =
-        new FeatureFitting(observations, folds, objects, Groups.byLens(measurements))
-            .all(regressions(camera), threads);
-    List<String> detectors = List.copyOf(measurements.get(0).confidences().keySet());
-    FitResult plain =
+  public FitResult fit(PhotoCamera camera, List<Measurement> photos, int threads) {
+    int k = settings.folds();
+    if (photos.size() < 2 * k) {
+      throw new InputException(
+          "%s rows, expected at least %s for %s folds".formatted(photos.size(), 2 * k, k));
+    }
+    Groups folds = Groups.folds(photos.size(), k, settings.seed());
+    Groups objects = Groups.byObject(photos);
+    FitResult features =
         new FitResult(
             camera,
-            measurements,
-            detectors,
-            features,
-            unseen,
+            photos,
+            List.copyOf(photos.get(0).confidences().keySet()),
+            FeatureResult.all(FeatureRegressions.all(camera, settings), photos, folds, threads),
+            objects.count() > 1 ? objects : folds,
             settings.thresholds(),
-            Map.of(),
             Map.of());
-    Map<String, Map<String, LineFit>> lines = new LinkedHashMap<>();
-    detectors.forEach(detector -> lines.put(detector, lines(plain, detector)));
-    DetectorFitting fitting =
-        new DetectorFitting(objects, unseen, settings.shape(), settings.seed());
-    return plain.with(lines, models(plain, fitting, threads));
-  }
-
-  /** Every way to fit f, the simplest first. */
-  private List<FeatureRegression> regressions(PhotoCamera camera) {
-    return List.of(
-        new PinholeLaw(camera.sensorWidth(), camera.sensorHeight()),
-        new PowerRegression(),
-        new LinearRegression(),
-        new LinearSupportVectors(settings.vectors()),
-        new SymbolicRegression(settings.symbolic()),
-        new RbfSupportVectors(settings.vectors()));
-  }
-
-  private static Map<String, LineFit> lines(FitResult result, String detector) {
-    double[] y = result.confidences(detector);
-    Map<String, LineFit> lines = new LinkedHashMap<>();
-    lines.put(FitResult.GROUND_TRUTH, LineFit.of(result.measuredPip(), y));
-    for (FeatureResult f : result.features()) {
-      lines.put(f.name(), LineFit.of(result.predictedPip(f.name()), y));
-    }
-    lines.put(FitResult.CAMSIM, LineFit.of(CamSimConfidence.of(result.measurements()), y));
-    return lines;
+    return features.with(models(features, objects, threads));
   }
 
   /** One g that has to be fitted. */
-  private record Job(String detector, String on, double[] x, double[][] unseenX) {}
+  private record Job(String detector, String on, double[] x, List<double[]> unseenX) {}
 
   private Map<String, Map<String, DetectorFit>> models(
-      FitResult result, DetectorFitting fitting, int threads) {
-    List<Job> jobs = new ArrayList<>();
-    result.detectors().forEach(detector -> jobs.addAll(jobs(result, detector)));
+      FitResult result, Groups objects, int threads) {
+    List<Job> jobs =
+        result.detectors().stream().flatMap(detector -> jobs(result, detector).stream()).toList();
     List<DetectorFit> fits =
         Parallel.map(
             jobs,
             threads,
-            job -> fitting.fit(job.x(), job.unseenX(), result.confidences(job.detector())));
+            job ->
+                DetectorFit.of(
+                    settings,
+                    objects,
+                    result.unseen(),
+                    job.x(),
+                    job.unseenX(),
+                    result.confidences(job.detector())));
     Map<String, Map<String, DetectorFit>> models = new LinkedHashMap<>();
     for (int i = 0; i < jobs.size(); i++) {
       models
@@ -91,16 +71,19 @@ public final class Fitting {
     return models;
   }
 
+  /** On measured PIP, and on what each f says. */
   private static List<Job> jobs(FitResult result, String detector) {
     List<Job> jobs = new ArrayList<>();
     double[] measured = result.measuredPip();
-    double[][] unseen = new double[result.unseen().count()][];
-    Arrays.fill(unseen, measured);
-    jobs.add(new Job(detector, FitResult.GROUND_TRUTH, measured, unseen));
+    jobs.add(
+        new Job(
+            detector,
+            FitResult.GROUND_TRUTH,
+            measured,
+            Collections.nCopies(result.unseen().count(), measured)));
     for (FeatureResult f : result.features()) {
-      double[][] unseenF =
-          f.unseen().fits().stream().map(result::predictedPip).toArray(double[][]::new);
-      jobs.add(new Job(detector, f.name(), result.predictedPip(f.name()), unseenF));
+      List<double[]> unseen = f.unseen().fits().stream().map(result::predictedPip).toList();
+      jobs.add(new Job(detector, f.name(), result.predictedPip(f.name()), unseen));
     }
     return jobs;
   }

@@ -5,14 +5,15 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.detector.IsotonicCurve;
 
 /**
  * Isotonic regression: the rising steps with the least squared error, by pooling adjacent violators
  * (Ayer et al. 1955); straight in between.
  */
-final class IsotonicFit implements DetectorRegression {
+final class IsotonicFit {
+  private IsotonicFit() {}
+
   /** Rows side by side that have one mean. */
   private record Block(double from, double to, double sum, int rows) {
     double mean() {
@@ -24,26 +25,17 @@ final class IsotonicFit implements DetectorRegression {
     }
   }
 
-  @Override
-  public String name() {
-    return "isotonic";
-  }
-
-  @Override
-  public DetectorModel fit(double[] pip, double[] confidence) {
+  /** The curve through the means of the pooled rows. */
+  static IsotonicCurve fit(double[] pip, double[] confidence) {
     List<Block> pooled = new ArrayList<>();
     for (Block block : sorted(pip, confidence)) {
       Block last = block;
-      while (!pooled.isEmpty() && violates(pooled.get(pooled.size() - 1), last)) {
+      while (!pooled.isEmpty() && pooled.get(pooled.size() - 1).mean() >= last.mean()) {
         last = pooled.remove(pooled.size() - 1).and(last);
       }
       pooled.add(last);
     }
     return new IsotonicCurve(knots(pooled));
-  }
-
-  private static boolean violates(Block before, Block after) {
-    return before.mean() >= after.mean();
   }
 
   /** One block for each PIP, in order. */

@@ -3,7 +3,6 @@ package org.hificamsim.profiling.fit;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.exception.MathIllegalArgumentException;
@@ -72,15 +71,11 @@ public final class LeastSquares {
     }
   }
 
-  private static InputException undetermined(int rows, List<String> names, Exception cause) {
+  /** The fault of rows that leave a fit open. */
+  static InputException undetermined(int rows, List<String> names, Exception cause) {
     return new InputException(
         "%s rows do not determine a fit, expected several values of %s"
             .formatted(rows, String.join(" or ", names)),
         cause);
-  }
-
-  /** Four significant digits. */
-  static String shown(double value) {
-    return String.format(Locale.ROOT, "%.4g", value);
   }
 }

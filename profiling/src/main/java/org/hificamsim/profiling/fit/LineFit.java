@@ -34,7 +34,7 @@ public record LineFit(
     List<Coefficient> fit = LeastSquares.fit(rows, y, List.of("slope"));
     double[] fitted =
         Arrays.stream(x).map(value -> fit.get(0).value() + fit.get(1).value() * value).toArray();
-    return of(fit.get(1), fit.get(0), Scores.of(y, fitted));
+    return of(fit.get(1), fit.get(0), FitScores.of(y, fitted));
   }
 
   /** The line alone. */
@@ -46,10 +46,12 @@ public record LineFit(
     double[] mean = new double[y.length];
     Arrays.fill(mean, Arrays.stream(y).average().orElseThrow());
     return of(
-        Coefficient.plain("slope", 0), Coefficient.plain("intercept", mean[0]), Scores.of(y, mean));
+        Coefficient.plain("slope", 0),
+        Coefficient.plain("intercept", mean[0]),
+        FitScores.of(y, mean));
   }
 
-  private static LineFit of(Coefficient slope, Coefficient intercept, Scores scores) {
+  private static LineFit of(Coefficient slope, Coefficient intercept, FitScores scores) {
     double points = scores.sse() / scores.mse();
     double rmse = scores.sse() == 0 ? 0 : Math.sqrt(scores.sse() / (points - 2));
     return new LineFit(slope, intercept, scores.r2(), rmse, scores.sse());

@@ -1,7 +1,10 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.Comparator;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.stat.StatUtils;
+import org.apache.commons.math3.util.MathArrays;
 
 /**
  * The simplest of several fits that is as good as the best: its mean error over the groups lies
@@ -17,7 +20,7 @@ final class OneStandardError {
   /**
    * Which one is chosen.
    *
-   * @param errors the error in each group, the simplest fit first
+   * @param errors the error in each group, the simplest fit first; NaN where a fit has none
    */
   static int simplest(List<double[]> errors) {
     int best = best(errors);
@@ -30,29 +33,13 @@ final class OneStandardError {
   /** The one with the least mean error. */
   static int best(List<double[]> errors) {
     return IntStream.range(0, errors.size())
-        .reduce((a, b) -> mean(errors.get(b)) < mean(errors.get(a)) ? b : a)
+        .boxed()
+        .min(Comparator.comparingDouble(i -> StatUtils.mean(errors.get(i))))
         .orElseThrow();
   }
 
   private static boolean asGood(double[] errors, double[] best) {
-    double[] more = new double[errors.length];
-    for (int i = 0; i < more.length; i++) {
-      more[i] = errors[i] - best[i];
-    }
-    double mean = mean(more);
-    double sum = 0;
-    for (double value : more) {
-      sum += (value - mean) * (value - mean);
-    }
-    return mean <= Math.sqrt(sum / (more.length - 1) / more.length);
-  }
-
-  /** Infinite where a fit has no value somewhere. */
-  private static double mean(double[] values) {
-    double sum = 0;
-    for (double value : values) {
-      sum += value;
-    }
-    return Double.isNaN(sum) ? Double.POSITIVE_INFINITY : sum / values.length;
+    double[] more = MathArrays.ebeSubtract(errors, best);
+    return StatUtils.mean(more) <= Math.sqrt(StatUtils.variance(more) / more.length);
   }
 }

@@ -32,7 +32,7 @@ public record RisingSlope(double slope, double low, double high, boolean sure) {
 
   /** Of y on x, sure where it surely rises with x itself. */
   static RisingSlope plain(double[] x, double[] y, Groups objects, long seed) {
-    if (!Scores.vary(x) || !Scores.vary(y)) {
+    if (!FitScores.vary(x) || !FitScores.vary(y)) {
       return new RisingSlope(0, 0, 0, false);
     }
     Coefficient rows = LineFit.of(x, y).slope();

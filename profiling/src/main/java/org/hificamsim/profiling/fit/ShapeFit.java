@@ -19,10 +19,10 @@ import org.hificamsim.hifi.detector.DetectorModel;
 public record ShapeFit(
     String shape,
     DetectorModel g,
-    Scores scores,
+    FitScores scores,
     List<DetectorModel> fits,
     double[] predicted,
-    Scores unseen,
+    FitScores unseen,
     double[] groupErrors) {
   /**
    * Fits a shape to all rows, and once without each group.
@@ -31,30 +31,30 @@ public record ShapeFit(
    * @param unseenX for each group the PIP of each row as an f says it that has not seen the group
    */
   public static ShapeFit of(
-      DetectorRegression regression, double[] x, double[][] unseenX, double[] y, Groups groups) {
-    DetectorModel g = regression.fit(x, y);
+      DetectorShape shape, double[] x, List<double[]> unseenX, double[] y, Groups groups) {
     double[] predicted = new double[y.length];
     double[] errors = new double[groups.count()];
     List<DetectorModel> fits = new ArrayList<>();
+    DetectorModel g = shape.fit(x, y);
     for (int group = 0; group < errors.length; group++) {
       int[] others = groups.others(group);
-      double[] seen = unseenX[group];
-      DetectorModel without = regression.fit(Groups.at(others, seen), Groups.at(others, y));
+      double[] seen = unseenX.get(group);
+      DetectorModel without = shape.fit(Groups.at(others, seen), Groups.at(others, y));
       fits.add(without);
       int[] held = groups.rows().get(group);
       for (int row : held) {
         predicted[row] = without.confidence(seen[row]);
       }
-      errors[group] = Scores.of(Groups.at(held, y), Groups.at(held, predicted)).mse();
+      errors[group] = FitScores.of(Groups.at(held, y), Groups.at(held, predicted)).mse();
     }
     double[] fitted = Arrays.stream(x).map(g::confidence).toArray();
     return new ShapeFit(
-        regression.name(),
+        shape.name(),
         g,
-        Scores.of(y, fitted),
+        FitScores.of(y, fitted),
         fits,
         predicted,
-        Scores.of(y, predicted),
+        FitScores.of(y, predicted),
         errors);
   }
 }

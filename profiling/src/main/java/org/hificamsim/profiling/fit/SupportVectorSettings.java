@@ -1,10 +1,5 @@
 package org.hificamsim.profiling.fit;
 
-import org.hificamsim.core.InputException;
-import smile.base.svm.SVR;
-import smile.math.kernel.MercerKernel;
-import smile.regression.KernelMachine;
-
 /**
  * What an epsilon support vector regression is trained with (Eq 4.8).
  *
@@ -15,11 +10,4 @@ import smile.regression.KernelMachine;
 public record SupportVectorSettings(double epsilon, double penalty, double tolerance) {
   /** The thesis's epsilon and C (thesis 4.5.3), and LIBSVM's tolerance. */
   public static final SupportVectorSettings THESIS = new SupportVectorSettings(0.1, 1, 1e-3);
-
-  KernelMachine<double[]> fit(MercerKernel<double[]> kernel, double[][] x, double[] y) {
-    if (x.length < 2) {
-      throw new InputException("support vectors need 2 rows or more, not " + x.length);
-    }
-    return new SVR<>(kernel, epsilon, penalty, tolerance).fit(x, y);
-  }
 }

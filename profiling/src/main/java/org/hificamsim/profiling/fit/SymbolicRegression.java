@@ -23,6 +23,7 @@ import java.util.Random;
 import java.util.stream.LongStream;
 import org.hificamsim.hifi.feature.Expression;
 import org.hificamsim.hifi.feature.SymbolicAbstraction;
+import org.hificamsim.profiling.measure.Measurement;
 
 /**
  * Symbolic regression of {@code -log10(PIP)} by genetic programming (thesis 4.5.2), on Jenetics:
@@ -31,7 +32,7 @@ import org.hificamsim.hifi.feature.SymbolicAbstraction;
  *
  * @param settings population, generations, parsimony and seed
  */
-public record SymbolicRegression(SymbolicSettings settings) implements FeatureRegression {
+public record SymbolicRegression(SymbolicSettings settings) {
   private static final int FIRST_DEPTH = 3;
   private static final int MAX_NODES = 60;
   private static final int TOURNAMENT = 10;
@@ -46,16 +47,9 @@ public record SymbolicRegression(SymbolicSettings settings) implements FeatureRe
       Map.of(MathOp.ADD, '+', MathOp.SUB, '-', MathOp.MUL, '*', MathOp.DIV, '/');
   private static final List<String> VARIABLES = List.of("q", "d", "z");
 
-  @Override
-  public String name() {
-    return "sr";
-  }
-
-  @Override
-  public FittedFeature fit(List<Observation> observations) {
-    double[][] x = observations.stream().map(Observation::predictors).toArray(double[][]::new);
-    double[] y = observations.stream().mapToDouble(Observation::response).toArray();
-    String text = best(x, y).text();
+  /** Fits photos; the same for the same photos. */
+  public FittedFeature fit(List<Measurement> photos) {
+    String text = best(Measurement.predictors(photos), Measurement.responses(photos)).text();
     SymbolicAbstraction f = new SymbolicAbstraction(Expression.parse(text));
     return new FittedFeature(f, "-log10(PIP) = " + text, List.of());
   }

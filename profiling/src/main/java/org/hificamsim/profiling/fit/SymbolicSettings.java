@@ -10,14 +10,4 @@ package org.hificamsim.profiling.fit;
  * @param restarts how many runs, of which the best is taken; 1 is the thesis's
  */
 public record SymbolicSettings(
-    int population, int generations, double parsimony, long seed, int restarts) {
-  /** Of one run. */
-  public SymbolicSettings(int population, int generations, double parsimony, long seed) {
-    this(population, generations, parsimony, seed, 1);
-  }
-
-  /** The thesis's (thesis 4.5.2). */
-  public static SymbolicSettings thesis(long seed) {
-    return new SymbolicSettings(1000, 30, 0.001, seed);
-  }
-}
+    int population, int generations, double parsimony, long seed, int restarts) {}

@@ -2,6 +2,7 @@ package org.hificamsim.profiling.measure;
 
 import java.util.Collections;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 
 /**
@@ -30,6 +31,18 @@ public record Measurement(
   /** The response of the regressions, {@code -log10(PIP)} (thesis 4.3). */
   public double response() {
     return -StrictMath.log10(pip);
+  }
+
+  /** The responses of all. */
+  public static double[] responses(List<Measurement> photos) {
+    return photos.stream().mapToDouble(Measurement::response).toArray();
+  }
+
+  /** The regressions' predictors of all, each in the order q, d, z. */
+  public static double[][] predictors(List<Measurement> photos) {
+    return photos.stream()
+        .map(photo -> new double[] {photo.size, photo.distance, photo.focalLength})
+        .toArray(double[][]::new);
   }
 
   /** One detector's confidence. */

@@ -35,8 +35,7 @@ final class Advice {
   static String headline(FitResult result) {
     return Counted.of(result.measurements().size(), "photo")
         + " of "
-        + Counted.of(
-            result.measurements().stream().map(m -> m.object()).distinct().count(), "object")
+        + Counted.of(result.byObject().size(), "object")
         + ". "
         + first(result).sentence();
   }
@@ -67,7 +66,7 @@ final class Advice {
                 + " threshold (balanced accuracy: one half is a guess). The threshold is that of"
                 + " thresholds.csv, else of --detect chance for one false alarm in twenty:");
     for (String detector : result.detectors()) {
-      Decisions decisions = Decisions.of(result, detector);
+      DetectionAccuracy decisions = DetectionAccuracy.of(result, detector);
       text.append(
           String.format(
               Locale.ROOT,

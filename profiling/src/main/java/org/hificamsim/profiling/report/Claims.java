@@ -1,30 +1,44 @@
 package org.hificamsim.profiling.report;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.FitResult;
 
 /** The statements of chapters 4 to 6, judged on a data set; shares are R2. */
 final class Claims {
   static final String FILE = "verdicts.csv";
 
+  private static final TableLayout<Claim> COLUMNS =
+      new TableLayout<Claim>()
+          .with("source", claim -> '"' + claim.source() + '"')
+          .with("claim", claim -> '"' + claim.text() + '"')
+          .with("published", Claim::published)
+          .with("value", Claim::yours)
+          .with("verdict", Claim::verdict);
+
   private static final Map<String, String> SECTIONS =
       Map.of("lin", "4.5.1", "sr", "4.5.2", "svr-lin", "4.5.3", "svr-rbf", "4.5.3");
   private static final List<String> METHODS = List.of("svr-rbf", "lin", "sr");
 
   private final FitResult result;
+  private final List<String> detectors;
 
   Claims(FitResult result) {
     this.result = result;
+    this.detectors =
+        result.detectors().stream()
+            .filter(detector -> !PublishedTables.groundTruthLine(detector).isEmpty())
+            .toList();
   }
 
   /** All that concern the detectors that were measured, in the order of the text. */
@@ -36,39 +50,40 @@ final class Claims {
             "4.6",
             "Of the three methods, which predicts PIP best",
             METHODS,
+            f -> number(PublishedTables.feature(f), "r2_cv_mean"),
             f -> result.feature(f).validation().mean()));
-    List<String> detectors = published();
-    detectors.forEach(detector -> all.add(groundTruth(detector)));
+    ofEach(all, this::groundTruth);
     if (detectors.size() > 1) {
-      all.add(detectorsInOrder(detectors));
+      all.add(
+          order(
+              "5.7",
+              "Which detector's confidence PIP captures best",
+              detectors,
+              detector -> number(PublishedTables.groundTruthLine(detector), "r2"),
+              detector -> result.line(detector, FitResult.GROUND_TRUTH).r2()));
     }
-    detectors.forEach(detector -> all.add(combination(detector)));
-    detectors.forEach(detector -> all.add(methodsInOrder(detector)));
-    detectors.forEach(detector -> all.add(camSim(detector)));
-    detectors.forEach(detector -> all.add(aboveCamSim(detector)));
+    ofEach(all, this::combination);
+    ofEach(all, this::methodsInOrder);
+    ofEach(all, this::camSim);
+    ofEach(all, this::aboveCamSim);
     return all;
+  }
+
+  private void ofEach(List<Claim> all, Function<String, Claim> claim) {
+    detectors.stream().map(claim).forEach(all::add);
   }
 
   /** Writes them as a table. */
   void write(Path folder) throws IOException {
-    StringBuilder table = new StringBuilder("source,claim,published,value,verdict\n");
-    for (Claim claim : all()) {
-      table.append(
-          "\"%s\",\"%s\",%s,%s,%s\n"
-              .formatted(
-                  claim.source(), claim.text(), claim.published(), claim.yours(), claim.verdict()));
-    }
-    new OutputFile(folder.resolve(FILE))
-        .write(out -> out.write(table.toString().getBytes(StandardCharsets.UTF_8)));
+    new OutputFile(folder.resolve(FILE)).write(COLUMNS.csv(all()));
   }
 
   private Claim feature(String f) {
-    double best = Arrays.stream(result.feature(f).validation().folds()).max().orElseThrow();
     return Claim.share(
         SECTIONS.get(f),
         "What " + f + " captures of -log10(PIP), in its best fold",
         number(PublishedTables.feature(f), "r2_best"),
-        best);
+        StatUtils.max(result.feature(f).validation().folds()));
   }
 
   private Claim groundTruth(String detector) {
@@ -77,14 +92,6 @@ final class Claims {
         "What measured PIP captures of the confidence of " + detector,
         number(PublishedTables.groundTruthLine(detector), "r2"),
         result.line(detector, FitResult.GROUND_TRUTH).r2());
-  }
-
-  private Claim detectorsInOrder(List<String> detectors) {
-    return Claim.order(
-        "5.7",
-        "Which detector's confidence PIP captures best",
-        inOrder(detectors, d -> number(PublishedTables.groundTruthLine(d), "r2")),
-        inOrder(detectors, d -> result.line(d, FitResult.GROUND_TRUTH).r2()));
   }
 
   private Claim combination(String detector) {
@@ -96,11 +103,12 @@ final class Claims {
   }
 
   private Claim methodsInOrder(String detector) {
-    return Claim.order(
+    return order(
         "6.1, Table 6.1",
         "Which f captures the confidence of " + detector + " best",
-        inOrder(METHODS, f -> number(PublishedTables.line(detector, f), "r2")),
-        inOrder(METHODS, f -> result.line(detector, f).r2()));
+        METHODS,
+        f -> number(PublishedTables.line(detector, f), "r2"),
+        f -> result.line(detector, f).r2());
   }
 
   private Claim camSim(String detector) {
@@ -121,13 +129,13 @@ final class Claims {
             : "Eq 6.2 > g(f_lin)");
   }
 
-  private Claim order(
-      String source, String text, List<String> names, ToDoubleFunction<String> yours) {
-    return Claim.order(
-        source,
-        text,
-        inOrder(names, f -> number(PublishedTables.feature(f), "r2_cv_mean")),
-        inOrder(names, yours));
+  private static Claim order(
+      String source,
+      String text,
+      List<String> names,
+      ToDoubleFunction<String> published,
+      ToDoubleFunction<String> yours) {
+    return Claim.order(source, text, inOrder(names, published), inOrder(names, yours));
   }
 
   /** The names, highest first. */
@@ -135,12 +143,6 @@ final class Claims {
     return names.stream()
         .sorted(Comparator.comparingDouble(value).reversed())
         .collect(Collectors.joining(" > "));
-  }
-
-  private List<String> published() {
-    return result.detectors().stream()
-        .filter(detector -> !PublishedTables.groundTruthLine(detector).isEmpty())
-        .toList();
   }
 
   private static double number(Map<String, String> row, String column) {

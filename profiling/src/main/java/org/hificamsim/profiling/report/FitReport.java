@@ -23,8 +23,8 @@ public final class FitReport {
   private final List<Trials> trials;
   private final Path folder;
   private final HtmlPage page;
-  private final Figures figures;
-  private final Tables tables;
+  private final ReportFigures figures;
+  private final ThesisTables tables;
   private final OwnTables own;
   private final HeldOut heldOut;
   private final Remarks remarks;
@@ -32,12 +32,12 @@ public final class FitReport {
   private FitReport(
       FitResult result, List<Trials> trials, PipReading pip, Path folder, String title) {
     this.trials = trials;
-    this.heldOut = new HeldOut(pip);
+    this.heldOut = HeldOut.of(pip);
     this.result = result;
     this.folder = folder;
     this.page = new HtmlPage(title);
-    this.figures = new Figures(result);
-    this.tables = new Tables(result);
+    this.figures = new ReportFigures(result);
+    this.tables = new ThesisTables(result);
     this.own = new OwnTables(result);
     this.remarks = new Remarks(result, heldOut);
   }
@@ -129,14 +129,14 @@ public final class FitReport {
 
   private void ladder() throws IOException {
     page.heading("The fidelity ladder");
-    Map<String, List<Ladder.Step>> ladders = new LinkedHashMap<>();
+    Map<String, List<FidelityLadder.Step>> ladders = new LinkedHashMap<>();
     for (String detector : result.detectors()) {
-      ladders.put(detector, Ladder.of(result, detector, PublishedTables.nanoseconds()));
+      ladders.put(detector, FidelityLadder.of(result, detector, PublishedTables.nanoseconds()));
     }
-    own.ladder(page, ladders);
+    OwnTables.ladder(page, ladders);
     String first = Advice.first(result).detector();
     page.paragraph(remarks.ladder(ladders.get(first), first));
-    byte[] png = Figures.ladder(ladders.get(first), first);
+    byte[] png = ReportFigures.ladder(ladders.get(first), first);
     picture("ladder.png", png);
     page.figure(png, "The fidelity ladder: what each step costs and buys.");
   }
@@ -150,7 +150,7 @@ public final class FitReport {
   private void claims() throws IOException {
     Claims claims = new Claims(result);
     page.heading("What chapters 4 to 6 say, judged on these photos");
-    tables.claims(page, claims.all());
+    ThesisTables.claims(page, claims.all());
     page.paragraph(
         "Shares are R2, reproduced when at most 0.05 away. The photos are not the thesis's, which"
             + " are not published.");

@@ -2,6 +2,7 @@ package org.hificamsim.profiling.report;
 
 import java.util.Base64;
 import java.util.List;
+import org.hificamsim.profiling.dataset.TableLayout;
 
 /** A page of headings, paragraphs, tables and pictures; every text is escaped. */
 final class HtmlPage {
@@ -34,10 +35,10 @@ img { max-width: 100%; border: 1px solid #eee }
     return this;
   }
 
-  HtmlPage table(List<String> columns, List<List<String>> rows) {
+  <R> HtmlPage table(TableLayout<R> layout, List<R> rows) {
     body.append("<table>\n");
-    row("th", columns);
-    rows.forEach(row -> row("td", row));
+    row("th", layout.names());
+    rows.forEach(row -> row("td", layout.cells(row)));
     body.append("</table>\n");
     return this;
   }

@@ -1,12 +1,17 @@
 package org.hificamsim.profiling.report;
 
-import java.util.ArrayList;
+import static org.hificamsim.profiling.report.CellText.fixed;
+import static org.hificamsim.profiling.report.CellText.significant;
+import static org.hificamsim.profiling.report.CellText.span;
+
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.CrossValidation;
-import org.hificamsim.profiling.fit.DetectorFit;
-import org.hificamsim.profiling.fit.DetectorShapes;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
@@ -23,75 +28,56 @@ final class OwnTables {
     this.result = result;
   }
 
+  /** Something of a detector's. */
+  private record Row<T>(String detector, T of) {}
+
   /** What to take. */
   void recommendations(HtmlPage page) {
-    List<List<String>> rows = new ArrayList<>();
-    for (Recommendation one : Recommendation.all(result)) {
-      Decisions decisions = Decisions.of(result, one.detector());
-      one.model()
-          .ifPresent(
-              model ->
-                  rows.add(
-                      List.of(
-                          one.detector(),
-                          model.name(),
-                          model.fit().chosen().shape(),
-                          Cells.fixed(one.r2(), 3),
-                          Cells.fixed(model.fit().chosen().unseen().rmse(), 4),
-                          Cells.fixed(model.fit().scatter().between(), 4),
-                          Cells.fixed(model.fit().scatter().within(), 4),
-                          Cells.fixed(accuracy(decisions, model), 3))));
-    }
     page.table(
-        List.of(
-            "detector",
-            "take",
-            "g",
-            "R2, unseen",
-            "RMSE, unseen",
-            "SD between objects",
-            "SD within",
-            "detect or not, unseen"),
-        rows);
+        new TableLayout<FittedModel>()
+            .with("detector", FittedModel::detector)
+            .with("take", FittedModel::name)
+            .with("g", model -> model.chosen().shape())
+            .with("R2, unseen", model -> fixed(model.chosen().unseen().r2(), 3))
+            .with("RMSE, unseen", model -> fixed(model.chosen().unseen().rmse(), 4))
+            .with("SD between objects", model -> fixed(model.fit().scatter().between(), 4))
+            .with("SD within", model -> fixed(model.fit().scatter().within(), 4))
+            .with("detect or not, unseen", model -> fixed(accuracy(model), 3)),
+        Recommendation.all(result).stream().flatMap(one -> one.model().stream()).toList());
   }
 
   /** Every shape of g on measured PIP. */
   void shapes(HtmlPage page) {
-    List<String> columns =
-        new ArrayList<>(List.of("detector", "g", "R2", "R2, unseen", "RMSE, unseen", "", "curve"));
-    List<List<String>> rows = new ArrayList<>();
-    for (String detector : result.detectors()) {
-      DetectorFit fit = result.model(detector, FitResult.GROUND_TRUTH);
-      for (String name : DetectorShapes.names()) {
-        ShapeFit shape = fit.shape(name);
-        rows.add(
-            List.of(
-                detector,
-                name,
-                Cells.fixed(shape.scores().r2(), 3),
-                Cells.fixed(shape.unseen().r2(), 3),
-                Cells.fixed(shape.unseen().rmse(), 4),
-                shape.equals(fit.chosen()) ? "chosen" : "",
-                Curves.equation(shape.g())));
-      }
-    }
-    page.table(columns, rows);
+    Function<String, Stream<Row<ShapeFit>>> ofDetector =
+        detector ->
+            result.model(detector, FitResult.GROUND_TRUTH).shapes().stream()
+                .map(shape -> new Row<>(detector, shape));
+    page.table(
+        new TableLayout<Row<ShapeFit>>()
+            .with("detector", Row::detector)
+            .with("g", row -> row.of().shape())
+            .with("R2", row -> fixed(row.of().scores().r2(), 3))
+            .with("R2, unseen", row -> fixed(row.of().unseen().r2(), 3))
+            .with("RMSE, unseen", row -> fixed(row.of().unseen().rmse(), 4))
+            .with("", row -> row.of().equals(onMeasuredPip(row.detector())) ? "chosen" : "")
+            .with("curve", row -> Equations.equation(row.of().g())),
+        result.detectors().stream().flatMap(ofDetector).toList());
+  }
+
+  private ShapeFit onMeasuredPip(String detector) {
+    return result.model(detector, FitResult.GROUND_TRUTH).chosen();
   }
 
   /** Whether the confidence of each detector rises at all. */
   void slopes(HtmlPage page) {
     page.table(
-        List.of("detector", "slope on PIP", "95% interval", "rises"),
+        new TableLayout<Row<RisingSlope>>()
+            .with("detector", Row::detector)
+            .with("slope on PIP", row -> significant(row.of().slope()))
+            .with("95% interval", row -> span(row.of().low(), row.of().high()))
+            .with("rises", row -> rises(row.of())),
         result.detectors().stream()
-            .map(
-                detector -> {
-                  var slope = result.model(detector, FitResult.GROUND_TRUTH).slope();
-                  return List.of(
-                      detector,
-                      Cells.significant(slope.slope()),
-                      Cells.span(slope.low(), slope.high()),
-                      rises(slope));
-                })
+            .map(d -> new Row<>(d, result.model(d, FitResult.GROUND_TRUTH).slope()))
             .toList());
   }
 
@@ -105,108 +91,74 @@ final class OwnTables {
 
   /** Every f. */
   void features(HtmlPage page) {
-    List<List<String>> rows = new ArrayList<>();
-    for (FeatureResult f : result.features()) {
-      rows.add(
-          List.of(
-              f.name(),
-              Cells.fixed(f.scores().r2(), 3),
-              Cells.fixed(f.validation().r2(), 3),
-              unseen(f.objects()),
-              unseen(f.lenses()),
-              Cells.fixed(f.scores().rmse(), 3),
-              f.fit().equation()));
-    }
     page.table(
-        List.of(
-            "f",
-            "R2",
-            "unseen photos",
-            "unseen objects",
-            "unseen lenses",
-            "RMSE, -log10(PIP)",
-            "equation"),
-        rows);
+        new TableLayout<FeatureResult>()
+            .with("f", FeatureResult::name)
+            .with("R2", f -> fixed(f.scores().r2(), 3))
+            .with("unseen photos", f -> fixed(f.validation().r2(), 3))
+            .with("unseen objects", f -> unseen(f.objects()))
+            .with("unseen lenses", f -> unseen(f.lenses()))
+            .with("RMSE, -log10(PIP)", f -> fixed(f.scores().rmse(), 3))
+            .with("equation", f -> f.fit().equation()),
+        result.features());
+  }
+
+  private static String unseen(Optional<CrossValidation> validation) {
+    return fixed(validation.map(CrossValidation::r2).orElse(Double.NaN), 3);
   }
 
   /** Every model g(f). */
   void models(HtmlPage page) {
-    List<List<String>> rows = new ArrayList<>();
-    for (FittedModel model : FittedModel.all(result)) {
-      if (!model.onMeasuredPip()) {
-        rows.add(model(model));
-      }
-    }
     page.table(
-        List.of("model", "g", "R2", "R2, unseen", "line's R2, unseen", "detect or not, unseen", ""),
-        rows);
+        new TableLayout<FittedModel>()
+            .with("model", FittedModel::name)
+            .with("g", model -> model.chosen().shape())
+            .with("R2", model -> fixed(model.chosen().scores().r2(), 3))
+            .with("R2, unseen", model -> fixed(model.chosen().unseen().r2(), 3))
+            .with("line's R2, unseen", model -> fixed(model.fit().shape("line").unseen().r2(), 3))
+            .with("detect or not, unseen", model -> fixed(accuracy(model), 3))
+            .with("", model -> model.fit().refused() ? "refused" : ""),
+        FittedModel.all(result).stream().filter(model -> !model.onMeasuredPip()).toList());
   }
 
-  private List<String> model(FittedModel model) {
-    ShapeFit chosen = model.fit().chosen();
-    return List.of(
-        model.name(),
-        chosen.shape(),
-        Cells.fixed(chosen.scores().r2(), 3),
-        Cells.fixed(chosen.unseen().r2(), 3),
-        Cells.fixed(model.fit().shape("line").unseen().r2(), 3),
-        Cells.fixed(accuracy(Decisions.of(result, model.detector()), model), 3),
-        model.fit().refused() ? "refused" : "");
+  private double accuracy(FittedModel model) {
+    return DetectionAccuracy.of(result, model.detector())
+        .accuracy(result.confidences(model.detector()), model.chosen().predicted());
   }
 
   /** What each object adds to the confidence. */
   void objects(HtmlPage page) {
-    List<String> columns = new ArrayList<>(List.of("object", "size, m", "photos"));
-    result.detectors().forEach(detector -> columns.add(detector + " above g"));
-    List<String> names =
-        result.measurements().stream().map(Measurement::object).distinct().toList();
-    page.table(columns, names.stream().map(this::object).toList());
+    TableLayout<List<Measurement>> layout =
+        new TableLayout<List<Measurement>>()
+            .with("object", photos -> photos.get(0).object())
+            .with("size, m", photos -> significant(photos.get(0).size()))
+            .with("photos", List::size);
+    for (String detector : result.detectors()) {
+      layout.with(detector + " above g", photos -> fixed(above(photos, detector), 3));
+    }
+    page.table(layout, List.copyOf(result.byObject().values()));
   }
 
-  private List<String> object(String name) {
-    List<Measurement> own =
-        result.measurements().stream().filter(m -> m.object().equals(name)).toList();
-    List<String> row =
-        new ArrayList<>(
-            List.of(name, Cells.significant(own.get(0).size()), String.valueOf(own.size())));
-    for (String detector : result.detectors()) {
-      ShapeFit g = result.model(detector, FitResult.GROUND_TRUTH).chosen();
-      double above =
-          own.stream()
-              .mapToDouble(m -> m.confidence(detector) - g.g().confidence(m.pip()))
-              .average()
-              .orElseThrow();
-      row.add(Cells.fixed(above, 3));
-    }
-    return row;
+  private double above(List<Measurement> photos, String detector) {
+    ShapeFit g = onMeasuredPip(detector);
+    return photos.stream()
+        .mapToDouble(photo -> photo.confidence(detector) - g.g().confidence(photo.pip()))
+        .average()
+        .orElseThrow();
   }
 
   /** The ladder, with every detector. */
-  void ladder(HtmlPage page, Map<String, List<Ladder.Step>> ladders) {
-    List<String> columns = new ArrayList<>(List.of("model"));
-    ladders.keySet().forEach(d -> columns.addAll(List.of(d + " R2, unseen", d + " detect or not")));
-    columns.add("ns, shipped model");
-    List<List<String>> rows = new ArrayList<>();
-    for (int i = 0; i < Ladder.MODELS.size(); i++) {
-      List<String> row = new ArrayList<>(List.of(Ladder.MODELS.get(i)));
-      double nanoseconds = Double.NaN;
-      for (List<Ladder.Step> steps : ladders.values()) {
-        row.add(Cells.fixed(steps.get(i).unseen().r2(), 3));
-        row.add(Cells.fixed(steps.get(i).accuracy(), 3));
-        nanoseconds = steps.get(i).nanoseconds();
-      }
-      row.add(Cells.significant(nanoseconds));
-      rows.add(row);
-    }
-    page.table(columns, rows);
-  }
-
-  private double accuracy(Decisions decisions, FittedModel model) {
-    return decisions.accuracy(
-        result.confidences(model.detector()), model.fit().chosen().predicted());
-  }
-
-  private static String unseen(Optional<CrossValidation> validation) {
-    return Cells.fixed(validation.map(CrossValidation::r2).orElse(Double.NaN), 3);
+  static void ladder(HtmlPage page, Map<String, List<FidelityLadder.Step>> ladders) {
+    TableLayout<Integer> layout =
+        new TableLayout<Integer>().with("model", FidelityLadder.MODELS::get);
+    ladders.forEach(
+        (detector, steps) ->
+            layout
+                .with(detector + " R2, unseen", i -> fixed(steps.get(i).unseen().r2(), 3))
+                .with(detector + " detect or not", i -> fixed(steps.get(i).accuracy(), 3)));
+    List<FidelityLadder.Step> any = ladders.values().iterator().next();
+    page.table(
+        layout.with("ns, shipped model", i -> significant(any.get(i).nanoseconds())),
+        IntStream.range(0, FidelityLadder.MODELS.size()).boxed().toList());
   }
 }

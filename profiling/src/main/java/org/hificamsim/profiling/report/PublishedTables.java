@@ -17,9 +17,9 @@ final class PublishedTables {
 
   private PublishedTables() {}
 
-  /** Table 4.1. */
-  static List<Map<String, String>> variables() {
-    return rows("table-4.1.csv");
+  /** A row of Table 4.1. */
+  static Map<String, String> variable(String id) {
+    return find("table-4.1.csv", Map.of("variable", id));
   }
 
   /** Table 4.2 and its like in thesis 4.5: how well each f fits. */

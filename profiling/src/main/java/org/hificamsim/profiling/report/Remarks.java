@@ -72,7 +72,7 @@ final class Remarks {
             said(
                 "%s: slope %s, published %.2f, which lies %s your interval.",
                 detector,
-                Cells.interval(line.slope()),
+                CellText.interval(line.slope()),
                 slope,
                 inside(line.slope(), slope) ? "in" : "outside"));
       }
@@ -169,15 +169,16 @@ final class Remarks {
   }
 
   /** On the ladder. */
-  String ladder(List<Ladder.Step> steps, String detector) {
-    Optional<Ladder.Step> best =
+  String ladder(List<FidelityLadder.Step> steps, String detector) {
+    Optional<FidelityLadder.Step> best =
         steps.stream()
             .filter(s -> Double.isFinite(s.unseen().r2()))
             .max(Comparator.comparingDouble(s -> s.unseen().r2()));
     return best.map(step -> ladder(steps, step, detector)).orElse("") + TIMES;
   }
 
-  private static String ladder(List<Ladder.Step> steps, Ladder.Step best, String detector) {
+  private static String ladder(
+      List<FidelityLadder.Step> steps, FidelityLadder.Step best, String detector) {
     List<String> near =
         steps.stream()
             .filter(s -> !s.equals(best) && s.unseen().r2() > best.unseen().r2() - NOTABLE_R2)

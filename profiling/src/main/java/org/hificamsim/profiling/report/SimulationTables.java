@@ -1,15 +1,18 @@
 package org.hificamsim.profiling.report;
 
+import static org.hificamsim.profiling.report.CellText.fixed;
+import static org.hificamsim.profiling.report.CellText.significant;
+
 import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.function.Predicate;
+import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.trial.Covered;
 import org.hificamsim.profiling.trial.Trial;
 import org.hificamsim.profiling.trial.TrialRun;
 import org.hificamsim.profiling.trial.Trials;
 
-/** What the simulator detects with the recommended models, beside what was measured. */
+/** What the simulator detects with the recommended models, compared with what was measured. */
 final class SimulationTables {
   static final String PHOTOS =
       "Each photo is set up again in the simulator: one camera with its lens, one target of its"
@@ -36,126 +39,95 @@ final class SimulationTables {
 
   void photos(HtmlPage page) {
     page.table(
-        List.of(
-            "model",
-            "threshold",
-            "photos detect",
-            "simulator detects",
-            "agree",
-            "worst object",
-            "missed",
-            "invented",
-            "balanced accuracy"),
-        all.stream().map(SimulationTables::photos).toList());
+        new TableLayout<Trials>()
+            .with("model", one -> one.model().name())
+            .with("threshold", one -> fixed(one.threshold(), 4))
+            .with("photos detect", one -> share(one.photos(), Trial::measured))
+            .with("simulator detects", one -> share(one.photos(), Trial::simulated))
+            .with("agree", one -> share(one.photos(), Trial::agrees))
+            .with("worst object", one -> percent(one.leastOfObject()))
+            .with("missed", one -> share(one.photos(), Trial::missed))
+            .with("invented", one -> share(one.photos(), Trial::invented))
+            .with("balanced accuracy", one -> fixed(one.balanced(), 3)),
+        all);
   }
 
-  private static List<String> photos(Trials one) {
-    return List.of(
-        one.model().name(),
-        Cells.fixed(one.threshold(), 4),
-        percent(one.share(Trial::measured)),
-        percent(one.share(Trial::simulated)),
-        percent(one.share(Trial::agrees)),
-        percent(one.leastOfObject()),
-        percent(one.share(Trial::missed)),
-        percent(one.share(Trial::invented)),
-        Cells.fixed(one.balanced(), 3));
-  }
+  /** Coverage by photos and by the simulator, with one rule of detection. */
+  private record SceneRow(String model, String rule, Covered photos, Covered simulator) {}
 
   void scenes(HtmlPage page) {
-    List<List<String>> rows = new ArrayList<>();
+    List<SceneRow> rows = new ArrayList<>();
     for (Trials one : all) {
-      rows.add(row(one, "threshold", one.measured(), one.simulated()));
-      one.byChance().ifPresent(by -> rows.add(row(one, "chance", one.measuredByChance(), by)));
+      String model = one.model().name();
+      rows.add(new SceneRow(model, "threshold", one.measured(), one.simulated()));
+      one.byChance()
+          .ifPresent(by -> rows.add(new SceneRow(model, "chance", one.measuredByChance(), by)));
     }
     page.table(
-        List.of(
-            "model",
-            "by",
-            "k of 1 or more: photos",
-            "simulator",
-            "k of 2 or more: photos",
-            "simulator",
-            "mean k: photos",
-            "simulator"),
+        new TableLayout<SceneRow>()
+            .with("model", SceneRow::model)
+            .with("by", SceneRow::rule)
+            .with("k of 1 or more: photos", row -> percent(row.photos.once()))
+            .with("simulator", row -> percent(row.simulator.once()))
+            .with("k of 2 or more: photos", row -> percent(row.photos.more()))
+            .with("simulator", row -> percent(row.simulator.more()))
+            .with("mean k: photos", row -> fixed(row.photos.meanK(), 2))
+            .with("simulator", row -> fixed(row.simulator.meanK(), 2)),
         rows);
   }
 
-  private static List<String> row(Trials one, String rule, Covered photos, Covered simulator) {
-    return List.of(
-        one.model().name(),
-        rule,
-        percent(photos.once()),
-        percent(simulator.once()),
-        percent(photos.more()),
-        percent(simulator.more()),
-        Cells.fixed(photos.meanK(), 2),
-        Cells.fixed(simulator.meanK(), 2));
-  }
+  /** The photos of a band of distances. */
+  private record BandRow(String model, double from, double to, List<Trial> photos) {
+    static BandRow of(Trials trials, double from, double to) {
+      return new BandRow(
+          trials.model().name(),
+          from,
+          to,
+          trials.photos().stream()
+              .filter(one -> one.photo().distance() >= from && one.photo().distance() <= to)
+              .toList());
+    }
 
-  /** Agreement by distance, model after model: beside each other they would not fit the page. */
-  void distances(HtmlPage page) {
-    List<Band> bands = bands();
-    page.table(
-        List.of(
-            "model",
-            "distance, m",
-            "photos",
-            "photos detect",
-            "simulator detects",
-            "agree",
-            "missed",
-            "invented"),
-        all.stream()
-            .flatMap(one -> bands.stream().map(band -> row(one.model().name(), band, band.of(one))))
-            .toList());
-  }
-
-  /** From which to which distance. */
-  private record Band(double from, double to) {
-    List<Trial> of(Trials trials) {
-      return trials.photos().stream()
-          .filter(one -> one.photo().distance() >= from && one.photo().distance() <= to)
-          .toList();
+    String distance() {
+      return from == to ? significant(from) : significant(from) + " to " + significant(to);
     }
   }
 
-  /** Each distance, or bands of several where there are many. */
-  private List<Band> bands() {
+  /** Agreement by distance, or by bands of several where there are many; model after model. */
+  void distances(HtmlPage page) {
     List<Double> distances =
         all.get(0).photos().stream()
             .map(one -> one.photo().distance())
             .distinct()
-            .sorted(Comparator.naturalOrder())
+            .sorted()
             .toList();
     int bands = Math.min(BANDS, distances.size());
-    List<Band> found = new ArrayList<>();
-    for (int i = 0; i < bands; i++) {
-      int first = i * distances.size() / bands;
-      int last = (i + 1) * distances.size() / bands - 1;
-      found.add(new Band(distances.get(first), distances.get(last)));
+    List<BandRow> rows = new ArrayList<>();
+    for (Trials one : all) {
+      for (int band = 0; band < bands; band++) {
+        int first = band * distances.size() / bands;
+        int last = (band + 1) * distances.size() / bands - 1;
+        rows.add(BandRow.of(one, distances.get(first), distances.get(last)));
+      }
     }
-    return found;
+    page.table(
+        new TableLayout<BandRow>()
+            .with("model", BandRow::model)
+            .with("distance, m", BandRow::distance)
+            .with("photos", row -> row.photos.size())
+            .with("photos detect", row -> share(row.photos, Trial::measured))
+            .with("simulator detects", row -> share(row.photos, Trial::simulated))
+            .with("agree", row -> share(row.photos, Trial::agrees))
+            .with("missed", row -> share(row.photos, Trial::missed))
+            .with("invented", row -> share(row.photos, Trial::invented)),
+        rows);
   }
 
-  private static List<String> row(String model, Band band, List<Trial> photos) {
-    String from = Cells.significant(band.from());
-    return List.of(
-        model,
-        band.from() == band.to() ? from : from + " to " + Cells.significant(band.to()),
-        String.valueOf(photos.size()),
-        percent(share(photos, Trial::measured)),
-        percent(share(photos, Trial::simulated)),
-        percent(share(photos, Trial::agrees)),
-        percent(share(photos, Trial::missed)),
-        percent(share(photos, Trial::invented)));
-  }
-
-  private static double share(List<Trial> trials, Predicate<Trial> what) {
-    return (double) trials.stream().filter(what).count() / trials.size();
+  private static String share(List<Trial> trials, Predicate<Trial> what) {
+    return percent(Trials.share(trials, what));
   }
 
   private static String percent(double share) {
-    return Cells.fixed(100 * share, 0) + " %";
+    return fixed(100 * share, 0) + " %";
   }
 }

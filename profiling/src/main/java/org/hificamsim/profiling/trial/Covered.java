@@ -1,5 +1,8 @@
 package org.hificamsim.profiling.trial;
 
+import java.util.List;
+import java.util.function.ToDoubleFunction;
+
 /**
  * By how many cameras targets are covered, in the mean over many of them.
  *
@@ -8,26 +11,18 @@ package org.hificamsim.profiling.trial;
  * @param meanK the number of cameras that cover a target
  */
 public record Covered(double once, double more, double meanK) {
-  /** Adds up scenes. */
-  static final class Sum {
-    private double once;
-    private double more;
-    private double k;
-    private int scenes;
+  /** One target. */
+  static Covered by(long cameras) {
+    return new Covered(cameras >= 1 ? 1 : 0, cameras >= 2 ? 1 : 0, cameras);
+  }
 
-    void add(double chanceOfOne, double chanceOfMore, double cameras) {
-      once += chanceOfOne;
-      more += chanceOfMore;
-      k += cameras;
-      scenes++;
-    }
+  /** The mean over many. */
+  static Covered mean(List<Covered> all) {
+    return new Covered(
+        mean(all, Covered::once), mean(all, Covered::more), mean(all, Covered::meanK));
+  }
 
-    void add(long cameras) {
-      add(cameras >= 1 ? 1 : 0, cameras >= 2 ? 1 : 0, (double) cameras);
-    }
-
-    Covered mean() {
-      return new Covered(once / scenes, more / scenes, k / scenes);
-    }
+  private static double mean(List<Covered> all, ToDoubleFunction<Covered> part) {
+    return all.stream().mapToDouble(part).average().orElseThrow();
   }
 }

@@ -5,11 +5,15 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.SplittableRandom;
+import java.util.function.Function;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Groups;
@@ -42,7 +46,7 @@ public final class TrialRun {
         result.measurements().stream().mapToDouble(Measurement::distance).max().orElseThrow();
     Groups unseen = result.unseen();
     for (int group = 0; group < unseen.count(); group++) {
-      models.add(new UnseenModel(model.without(group), threshold));
+      models.add(new UnseenModel(model.without(group)));
       for (int row : unseen.rows().get(group)) {
         groups.put(result.measurements().get(row), group);
       }
@@ -62,32 +66,30 @@ public final class TrialRun {
   }
 
   private Trials trials() {
-    Covered.Sum measured = new Covered.Sum();
-    Covered.Sum simulated = new Covered.Sum();
-    Covered.Sum measuredByChance = new Covered.Sum();
-    Covered.Sum expected = new Covered.Sum();
-    double error = 0;
     List<List<Measurement>> objects = objects();
     SplittableRandom random = new SplittableRandom(0);
+    List<SceneResult> scenes = new ArrayList<>();
     for (int i = 0; i < SCENES; i++) {
-      Scene scene = Scene.drawn(objects.get(random.nextInt(objects.size())), CAMERAS, random);
-      Outcome outcome = outcome(scene);
-      measured.add(outcome.measured());
-      simulated.add(outcome.simulated());
-      measuredByChance.add(outcome.measuredByChance());
-      expected.add(outcome.once(), outcome.more(), outcome.meanK());
-      error += Math.abs(outcome.measured() - outcome.simulated());
+      List<Measurement> object = objects.get(random.nextInt(objects.size()));
+      scenes.add(asked(Scene.drawn(object, CAMERAS, random)));
     }
     return new Trials(
         model,
         threshold,
         result.measurements().stream().map(this::trial).toList(),
         SCENES,
-        measured.mean(),
-        simulated.mean(),
-        error / SCENES,
-        measuredByChance.mean(),
-        model.detection("trial").scatter().map(any -> expected.mean()));
+        mean(scenes, scene -> Covered.by(scene.measured)),
+        mean(scenes, scene -> Covered.by(scene.simulated)),
+        scenes.stream()
+            .mapToDouble(scene -> Math.abs(scene.measured - scene.simulated))
+            .average()
+            .orElseThrow(),
+        mean(scenes, scene -> Covered.by(scene.measuredByChance)),
+        model.detection("trial").scatter().map(any -> mean(scenes, SceneResult::expected)));
+  }
+
+  private static Covered mean(List<SceneResult> scenes, Function<SceneResult, Covered> part) {
+    return Covered.mean(scenes.stream().map(part).toList());
   }
 
   /** Photos that a scene may show together: of one object, and unseen by one model. */
@@ -103,47 +105,81 @@ public final class TrialRun {
   }
 
   private Trial trial(Measurement photo) {
-    Outcome outcome = outcome(Scene.of(photo));
+    SceneResult alone = asked(Scene.of(photo));
     return new Trial(
         photo,
-        outcome.measured() > 0,
-        outcome.simulated() > 0,
-        outcome.measuredByChance() > 0,
-        outcome.once());
+        alone.measured > 0,
+        alone.simulated > 0,
+        alone.measuredByChance > 0,
+        alone.expected.once());
   }
 
-  /** What photos and simulator say of a scene; NaN by chance where the model has no scatter. */
-  private record Outcome(
-      long measured,
-      long simulated,
-      long measuredByChance,
-      double once,
-      double more,
-      double meanK) {}
+  /**
+   * By how many cameras a scene's target is covered.
+   *
+   * @param measured as the photos say
+   * @param simulated as the simulator says
+   * @param measuredByChance as the photos say by the threshold of {@code --detect chance}
+   * @param expected as the simulator says by that rule; NaN where the model has no scatter
+   */
+  private record SceneResult(
+      long measured, long simulated, long measuredByChance, Covered expected) {}
 
-  private Outcome outcome(Scene scene) {
+  private SceneResult asked(Scene scene) {
     UnseenModel unseen = models.get(groups.get(scene.photos().get(0)));
     unseen.begin();
     Scenario scenario = scene.scenario(result.camera(), farthest);
-    long simulated = Simulator.coverage(scenario, unseen.certain()).detections();
+    long simulated = Simulator.coverage(scenario, unseen.certain).detections();
     long measured = reaching(scene, threshold);
-    if (unseen.chance().isEmpty()) {
-      return new Outcome(measured, simulated, 0, Double.NaN, Double.NaN, Double.NaN);
+    if (unseen.chance.isEmpty()) {
+      return new SceneResult(
+          measured, simulated, 0, new Covered(Double.NaN, Double.NaN, Double.NaN));
     }
-    Detection chance = unseen.chance().get();
-    StepCoverage expected = Simulator.coverage(scenario, chance);
-    return new Outcome(
-        measured,
-        simulated,
-        reaching(scene, chance.threshold()),
-        expected.expected().chanceOfOne(0),
-        expected.expected().chanceOfMore(0),
-        expected.expected().meanK());
+    StepCoverage coverage = Simulator.coverage(scenario, unseen.chance.get());
+    Covered expected =
+        new Covered(
+            coverage.expected().chanceOfOne(0),
+            coverage.expected().chanceOfMore(0),
+            coverage.expected().meanK());
+    return new SceneResult(
+        measured, simulated, reaching(scene, unseen.chance.get().threshold()), expected);
   }
 
   private long reaching(Scene scene, double confidence) {
     return scene.photos().stream()
         .filter(photo -> photo.confidence(model.detector()) >= confidence)
         .count();
+  }
+
+  /**
+   * A model that has not seen some photos, as the simulator uses it. A {@link Detection} remembers
+   * a table for each size and zoom level; where every photo has its own, that is too much to keep.
+   */
+  private static final class UnseenModel {
+    private static final int MAX_USES = 256;
+
+    private final HiFiDetection model;
+    private int uses;
+
+    /** By the threshold. */
+    private Detection certain;
+
+    /** By chance; empty where the model has no scatter. */
+    private Optional<Detection> chance;
+
+    UnseenModel(HiFiDetection model) {
+      this.model = model;
+    }
+
+    /** Begins another scene. */
+    void begin() {
+      if (uses++ % MAX_USES == 0) {
+        certain = new Detection(model, model.defaultThreshold());
+        chance =
+            model
+                .scatter()
+                .map(any -> Detection.by(DetectionRule.parse("chance"), model.name(), model));
+      }
+    }
   }
 }

@@ -1,9 +1,14 @@
 package org.hificamsim.profiling.trial;
 
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.profiling.dataset.CsvRows;
+import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.FittedModel;
 
@@ -30,19 +35,26 @@ public record Trials(
     double error,
     Covered measuredByChance,
     Optional<Covered> byChance) {
+  /** The name of the table of all photos. */
+  public static final String FILE = "simulation.csv";
+
   /** The share of the photos of which something holds. */
   public double share(Predicate<Trial> what) {
+    return share(photos, what);
+  }
+
+  /** The share of some photos of which something holds. */
+  public static double share(List<Trial> photos, Predicate<Trial> what) {
     return (double) photos.stream().filter(what).count() / photos.size();
   }
 
   /** The mean of the shares of the detected and of the undetected on which both agree. */
   public double balanced() {
-    return (within(Trial::measured) + within(one -> !one.measured())) / 2;
+    return (agreeing(Trial::measured) + agreeing(one -> !one.measured())) / 2;
   }
 
-  private double within(Predicate<Trial> kind) {
-    long all = photos.stream().filter(kind).count();
-    return (double) photos.stream().filter(kind).filter(Trial::agrees).count() / all;
+  private double agreeing(Predicate<Trial> kind) {
+    return share(photos.stream().filter(kind).toList(), Trial::agrees);
   }
 
   /** The share of one object's photos on which both agree, where it is least. */
@@ -50,14 +62,9 @@ public record Trials(
     return photos.stream()
         .map(one -> one.photo().object())
         .distinct()
-        .mapToDouble(this::ofObject)
+        .mapToDouble(object -> agreeing(one -> one.photo().object().equals(object)))
         .min()
         .orElseThrow();
-  }
-
-  private double ofObject(String object) {
-    List<Trial> own = photos.stream().filter(one -> one.photo().object().equals(object)).toList();
-    return (double) own.stream().filter(Trial::agrees).count() / own.size();
   }
 
   /** One sentence. */
@@ -84,5 +91,33 @@ public record Trials(
                         100 * by.once(),
                         100 * measuredByChance.once()))
             .orElse(""));
+  }
+
+  /** A row of {@code simulation.csv}: a photo, as it was measured and as it is simulated. */
+  private record Row(Trials of, Trial trial) {}
+
+  private static final TableLayout<Row> COLUMNS =
+      new TableLayout<Row>()
+          .with("detector", row -> row.of.model.detector())
+          .with("model", row -> row.of.model.name())
+          .with("image", row -> CsvRows.quoted(row.trial.photo().image()))
+          .with("object", row -> CsvRows.quoted(row.trial.photo().object()))
+          .with("size_m", row -> row.trial.photo().size())
+          .with("distance_m", row -> row.trial.photo().distance())
+          .with("focal_length_m", row -> row.trial.photo().focalLength())
+          .with("confidence", row -> row.trial.photo().confidence(row.of.model.detector()))
+          .with("threshold", row -> row.of.threshold)
+          .with("detected", row -> row.trial.measured() ? 1 : 0)
+          .with("simulated", row -> row.trial.simulated() ? 1 : 0)
+          .with("chance", row -> Double.isNaN(row.trial.chance()) ? "" : row.trial.chance());
+
+  /** Writes every photo into a folder's {@code simulation.csv}. */
+  public static void write(Path folder, List<Trials> all) throws IOException {
+    new OutputFile(folder.resolve(FILE))
+        .write(
+            COLUMNS.csv(
+                all.stream()
+                    .flatMap(one -> one.photos.stream().map(trial -> new Row(one, trial)))
+                    .toList()));
   }
 }

@@ -78,7 +78,7 @@ class DetectorShapesTest {
   void equalSharesOfTheImageHaveOneConfidence() {
     double[] pip = {0.01, 0.02, 0.02, 0.03, 0.05, 0.04};
     double[] confidence = {0.3, 0.1, 0.7, 0.2, 0.9, 0.95};
-    DetectorModel g = DetectorShapes.of("isotonic").fit(pip, confidence);
+    DetectorModel g = DetectorShape.of("isotonic").fit(pip, confidence);
     assertEquals(0.3, g.confidence(0.01), 1e-12);
     assertEquals(1.0 / 3, g.confidence(0.02), 1e-12);
     assertEquals(1.0 / 3, g.confidence(0.03), 1e-12);
@@ -90,7 +90,7 @@ class DetectorShapesTest {
   @ValueSource(strings = {"saturating-exponential", "hill", "logistic", "isotonic"})
   void fallingConfidencesMakeNoFallingModel(String shape) {
     double[] falling = Arrays.stream(CONFIDENCE).map(c -> 0.6 - c).toArray();
-    DetectorModel g = DetectorShapes.of(shape).fit(PIP, falling);
+    DetectorModel g = DetectorShape.of(shape).fit(PIP, falling);
     double before = g.confidence(0);
     for (double pip = 1e-4; pip <= 1; pip *= 1.1) {
       assertTrue(g.confidence(pip) >= before, shape + " at " + pip);
@@ -104,22 +104,22 @@ class DetectorShapesTest {
     double[] same = new double[CONFIDENCE.length];
     Arrays.fill(same, 0.05);
     double mean = Arrays.stream(CONFIDENCE).average().orElseThrow();
-    DetectorModel g = DetectorShapes.of(shape).fit(same, CONFIDENCE);
+    DetectorModel g = DetectorShape.of(shape).fit(same, CONFIDENCE);
     assertEquals(mean, g.confidence(0.05), 1e-3, shape);
   }
 
   @Test
   void unknownShapeIsRefusedWithTheKnownOnes() {
-    InputException refused = assertThrows(InputException.class, () -> DetectorShapes.of("spline"));
+    InputException refused = assertThrows(InputException.class, () -> DetectorShape.of("spline"));
     assertTrue(refused.getMessage().contains("'spline'"), refused.getMessage());
     assertTrue(refused.getMessage().contains("line, logistic"), refused.getMessage());
     assertEquals(
         List.of("line", "logistic", "saturating-exponential", "hill", "isotonic"),
-        DetectorShapes.names());
+        DetectorShape.names());
   }
 
   private static DetectorModel fit(String shape) {
-    return DetectorShapes.of(shape).fit(PIP, CONFIDENCE);
+    return DetectorShape.of(shape).fit(PIP, CONFIDENCE);
   }
 
   private static double squaredError(DetectorModel g) {

@@ -6,19 +6,28 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
-import org.hificamsim.hifi.detector.DetectorModel;
+import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 
 /** What is left out is not seen; objects count, not rows; noise is no detector. */
 class HonestValidationTest {
   private static final FitSettings QUICK =
-      new FitSettings(5, 0, new SymbolicSettings(50, 2, 0.001, 0), SupportVectorSettings.THESIS);
+      new FitSettings(
+          5,
+          0,
+          new SymbolicSettings(50, 2, 0.001, 0, 1),
+          SupportVectorSettings.THESIS,
+          Optional.empty(),
+          Map.of());
 
   /** The first shape that is refused would be the one that sees what it is judged by. */
   @Test
@@ -27,23 +36,15 @@ class HonestValidationTest {
     Groups objects = Groups.byObject(rows);
     assertEquals(8, objects.count());
     List<Set<Double>> seen = new ArrayList<>();
-    DetectorRegression spy =
-        new DetectorRegression() {
-          @Override
-          public String name() {
-            return "spy";
-          }
-
-          @Override
-          public DetectorModel fit(double[] pip, double[] y) {
-            seen.add(Arrays.stream(y).boxed().collect(Collectors.toSet()));
-            return new org.hificamsim.hifi.detector.DetectorLine(0, seen.size());
-          }
-        };
+    DetectorShape spy =
+        new DetectorShape(
+            "spy",
+            (pip, y) -> {
+              seen.add(Arrays.stream(y).boxed().collect(Collectors.toSet()));
+              return new DetectorLine(0, seen.size());
+            });
     double[] y = IntStream.range(0, rows.size()).asDoubleStream().toArray();
-    double[][] same = new double[8][];
-    Arrays.fill(same, y);
-    ShapeFit fit = ShapeFit.of(spy, y, same, y, objects);
+    ShapeFit fit = ShapeFit.of(spy, y, Collections.nCopies(8, y), y, objects);
     assertEquals(rows.size(), seen.get(0).size(), "the first fit is of all");
     for (int group = 0; group < 8; group++) {
       for (int row : objects.rows().get(group)) {

@@ -8,6 +8,7 @@ import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
+import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 
 class LeastSquaresRegressionsTest {
@@ -18,9 +19,9 @@ class LeastSquaresRegressionsTest {
     int covered = 0;
     double[] truth = {5, -2.0, 0.2, -18.82};
     for (int seed = 0; seed < 50; seed++) {
-      List<Observation> data =
+      List<Measurement> data =
           Synthetic.of((q, d, z) -> -18.82 * z - 2 * q + 0.2 * d + 5, NOISE, seed);
-      FittedFeature fit = new LinearRegression().fit(data);
+      FittedFeature fit = FeatureRegressions.linear().fit(data);
       LinearAbstraction f = (LinearAbstraction) fit.f();
       assertEquals(-18.82, f.z(), 1.5);
       assertEquals(-2, f.q(), 0.25);
@@ -36,21 +37,21 @@ class LeastSquaresRegressionsTest {
 
   @Test
   void standardErrorIsTheNoiseOverTheSpread() {
-    List<Observation> data = Synthetic.of((q, d, z) -> 0.2 * d + 5, NOISE, 1);
-    Coefficient d = new LinearRegression().fit(data).coefficients().get(2);
+    List<Measurement> data = Synthetic.of((q, d, z) -> 0.2 * d + 5, NOISE, 1);
+    Coefficient d = FeatureRegressions.linear().fit(data).coefficients().get(2);
     // 480 distances 1 to 10: the sum of squares about their mean is 48 * 82.5.
     assertEquals(NOISE / Math.sqrt(48 * 82.5), d.error(), 0.0004);
   }
 
   @Test
   void powerRegressionRecoversExponents() {
-    List<Observation> data =
+    List<Measurement> data =
         Synthetic.of(
             (q, d, z) ->
                 -(Math.log10(80) + 1.8 * Math.log10(z) + 1.9 * Math.log10(q)) + 2.1 * Math.log10(d),
             0.1,
             3);
-    PowerLawAbstraction f = (PowerLawAbstraction) new PowerRegression().fit(data).f();
+    PowerLawAbstraction f = (PowerLawAbstraction) FeatureRegressions.power().fit(data).f();
     assertEquals(1.8, f.a(), 0.05);
     assertEquals(1.9, f.b(), 0.05);
     assertEquals(2.1, f.e(), 0.05);
@@ -62,14 +63,14 @@ class LeastSquaresRegressionsTest {
     Synthetic.Law law =
         (q, d, z) ->
             -(Math.log10(3000) + 2 * Math.log10(z) + 2 * Math.log10(q)) + 1.9 * Math.log10(d);
-    List<Observation> all = Synthetic.of(law, 0.05, 3);
-    List<Observation> object = all.stream().filter(o -> o.size() == 0.3).toList();
-    PowerLawAbstraction one = (PowerLawAbstraction) new PowerRegression().fit(object).f();
+    List<Measurement> all = Synthetic.of(law, 0.05, 3);
+    List<Measurement> object = all.stream().filter(o -> o.size() == 0.3).toList();
+    PowerLawAbstraction one = (PowerLawAbstraction) FeatureRegressions.power().fit(object).f();
     assertEquals(2, one.b());
     assertEquals(2, one.a(), 0.1);
     assertEquals(1.9, one.e(), 0.1);
-    List<Observation> lens = all.stream().filter(o -> o.focalLength() == 0.05).toList();
-    PowerLawAbstraction fixed = (PowerLawAbstraction) new PowerRegression().fit(lens).f();
+    List<Measurement> lens = all.stream().filter(o -> o.focalLength() == 0.05).toList();
+    PowerLawAbstraction fixed = (PowerLawAbstraction) FeatureRegressions.power().fit(lens).f();
     assertEquals(2, fixed.a());
     assertEquals(2, fixed.b(), 0.1);
     // At another size and another focal length both are right, which nobody measured.
@@ -80,22 +81,22 @@ class LeastSquaresRegressionsTest {
 
   @Test
   void everyRegressionFitsOneObjectAndOneLens() {
-    List<Observation> all = Synthetic.of((q, d, z) -> 4 - 2 * q + 0.2 * d - 15 * z, 0.05, 3);
-    for (List<Observation> rows :
+    List<Measurement> all = Synthetic.of((q, d, z) -> 4 - 2 * q + 0.2 * d - 15 * z, 0.05, 3);
+    for (List<Measurement> rows :
         List.of(
             all.stream().filter(o -> o.size() == 0.3).toList(),
             all.stream().filter(o -> o.focalLength() == 0.05).toList())) {
       for (FeatureRegression regression :
           List.of(
-              new LinearRegression(),
-              new LinearSupportVectors(SupportVectorSettings.THESIS),
-              new RbfSupportVectors(SupportVectorSettings.THESIS))) {
+              FeatureRegressions.linear(),
+              SupportVectors.linear(SupportVectorSettings.THESIS),
+              SupportVectors.rbf(SupportVectorSettings.THESIS))) {
         FittedFeature fit = regression.fit(rows);
-        double[] observed = rows.stream().mapToDouble(Observation::response).toArray();
+        double[] observed = rows.stream().mapToDouble(Measurement::response).toArray();
         double[] predicted = rows.stream().mapToDouble(fit::response).toArray();
         // svr-lin weighs z by metres, and so hardly at all, as the thesis's does.
         double least = regression.name().equals("svr-lin") ? 0.5 : 0.9;
-        assertTrue(Scores.of(observed, predicted).r2() > least, regression.name());
+        assertTrue(FitScores.of(observed, predicted).r2() > least, regression.name());
       }
     }
   }
@@ -124,12 +125,12 @@ class LeastSquaresRegressionsTest {
 
   @Test
   void dataThatDetermineNothingAreRefused() {
-    List<Observation> same = java.util.Collections.nCopies(20, new Observation(0.3, 5, 0.05, 0.01));
+    List<Measurement> same = java.util.Collections.nCopies(20, Synthetic.photo(0.3, 5, 0.05, 0.01));
     for (FeatureRegression regression :
         List.of(
-            new LinearRegression(),
-            new PowerRegression(),
-            new RbfSupportVectors(SupportVectorSettings.THESIS))) {
+            FeatureRegressions.linear(),
+            FeatureRegressions.power(),
+            SupportVectors.rbf(SupportVectorSettings.THESIS))) {
       InputException refused =
           assertThrows(InputException.class, () -> regression.fit(same), regression.name());
       assertTrue(refused.getMessage().contains("expected"), refused.getMessage());

@@ -16,6 +16,7 @@ import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.hifi.optics.Optics;
+import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import smile.regression.KernelMachine;
@@ -26,32 +27,31 @@ class SupportVectorsTest {
   @TempDir Path folder;
 
   /** A row of the golden file: the data, and LIBSVM's predictions. */
-  private record Golden(Observation row, double linear, double rbf) {}
+  private record Golden(Measurement row, double linear, double rbf) {}
 
   @Test
   void linearMachineAgreesWithLibsvm() throws IOException {
     List<Golden> golden = golden();
-    FittedFeature fit = new LinearSupportVectors(TIGHT).fit(rows(golden));
+    FittedFeature fit = SupportVectors.linear(TIGHT).fit(rows(golden));
     golden.forEach(g -> assertEquals(g.linear(), fit.response(g.row()), 2e-4));
   }
 
   @Test
   void rbfMachineAgreesWithLibsvm() throws IOException {
     List<Golden> golden = golden();
-    FittedFeature fit = new RbfSupportVectors(TIGHT).fit(rows(golden));
+    FittedFeature fit = SupportVectors.rbf(TIGHT).fit(rows(golden));
     golden.forEach(g -> assertEquals(g.rbf(), fit.response(g.row()), 2e-4));
   }
 
   @Test
   void modelFileGivesWhatSmileGives() throws IOException {
-    List<Observation> rows = rows(golden());
-    RbfSupportVectors regression = new RbfSupportVectors(SupportVectorSettings.THESIS);
-    KernelMachine<double[]> machine = regression.machine(rows);
-    double[][] scaled = RbfSupportVectors.scaled(rows);
+    List<Measurement> rows = rows(golden());
+    KernelMachine<double[]> machine = SupportVectors.rbfMachine(rows, SupportVectorSettings.THESIS);
+    double[][] scaled = SupportVectors.scaled(rows);
     HiFiDetection model =
         new HiFiDetection(
             "m",
-            RbfSupportVectors.abstraction(rows, machine),
+            SupportVectors.abstraction(rows, machine),
             new DetectorLine(0.5, 0.02),
             new Optics(0.0224, 0.085),
             0.05,
@@ -59,7 +59,7 @@ class SupportVectorsTest {
     ModelFiles.write(model, folder.resolve("m.json"));
     SvrRbfAbstraction read = (SvrRbfAbstraction) ModelFiles.read(folder.resolve("m.json")).f();
     for (int i = 0; i < scaled.length; i++) {
-      Observation o = rows.get(i);
+      Measurement o = rows.get(i);
       assertEquals(
           machine.predict(scaled[i]),
           read.negativeLogPip(o.size(), o.distance(), o.focalLength()),
@@ -69,9 +69,9 @@ class SupportVectorsTest {
 
   @Test
   void linearMachineRecoversALineThatItsPenaltyAllows() {
-    List<Observation> data = Synthetic.of((q, d, z) -> -2 * q + 0.2 * d + 3, 0.05, 5);
+    List<Measurement> data = Synthetic.of((q, d, z) -> -2 * q + 0.2 * d + 3, 0.05, 5);
     LinearAbstraction f =
-        (LinearAbstraction) new LinearSupportVectors(SupportVectorSettings.THESIS).fit(data).f();
+        (LinearAbstraction) SupportVectors.linear(SupportVectorSettings.THESIS).fit(data).f();
     assertEquals(-2, f.q(), 0.1);
     assertEquals(0.2, f.d(), 0.01);
     assertEquals(3, f.intercept(), 0.1);
@@ -79,19 +79,20 @@ class SupportVectorsTest {
 
   @Test
   void rbfMachineFollowsABendThatALineCannot() {
-    List<Observation> data =
+    List<Measurement> data =
         Synthetic.of((q, d, z) -> 3 - 2 * Math.log10(z * q / d / 0.02), 0.05, 6);
-    double line = r2(new LinearRegression(), data);
-    double rbf = r2(new RbfSupportVectors(SupportVectorSettings.THESIS), data);
+    double line = r2(FeatureRegressions.linear(), data);
+    double rbf = r2(SupportVectors.rbf(SupportVectorSettings.THESIS), data);
     assertTrue(rbf > 0.97, "rbf " + rbf);
     assertTrue(rbf > line + 0.03, "rbf " + rbf + ", line " + line);
   }
 
-  private static double r2(FeatureRegression regression, List<Observation> data) {
-    return CrossValidation.of(regression, data, 5, 0).mean();
+  private static double r2(FeatureRegression regression, List<Measurement> data) {
+    Groups folds = Groups.folds(data.size(), 5, 0);
+    return FeatureResult.all(List.of(regression), data, folds, 1).get(0).validation().mean();
   }
 
-  private static List<Observation> rows(List<Golden> golden) {
+  private static List<Measurement> rows(List<Golden> golden) {
     return golden.stream().map(Golden::row).toList();
   }
 
@@ -109,7 +110,7 @@ class SupportVectorsTest {
                   v[i] = Double.parseDouble(cells[i]);
                 }
                 double pip = StrictMath.pow(10, -v[3]);
-                rows.add(new Golden(new Observation(v[0], v[1], v[2], pip), v[4], v[5]));
+                rows.add(new Golden(Synthetic.photo(v[0], v[1], v[2], pip), v[4], v[5]));
               });
       assertEquals(240, rows.size());
       return rows;

@@ -6,26 +6,27 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.hifi.feature.Expression;
+import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 
 class SymbolicRegressionTest {
-  private static final SymbolicSettings SMALL = new SymbolicSettings(500, 25, 0.001, 4);
+  private static final SymbolicSettings SMALL = new SymbolicSettings(500, 25, 0.001, 4, 1);
 
   @Test
   void findsALawOfItsOwnOperations() {
-    List<Observation> data = Synthetic.of((q, d, z) -> d * q + d / 2, 0.02, 2);
+    List<Measurement> data = Synthetic.of((q, d, z) -> d * q + d / 2, 0.02, 2);
     FittedFeature fit = new SymbolicRegression(SMALL).fit(data);
-    double[] observed = data.stream().mapToDouble(Observation::response).toArray();
+    double[] observed = data.stream().mapToDouble(Measurement::response).toArray();
     double[] predicted = data.stream().mapToDouble(fit::response).toArray();
-    assertTrue(Scores.of(observed, predicted).r2() > 0.99, fit.equation());
+    assertTrue(FitScores.of(observed, predicted).r2() > 0.99, fit.equation());
     assertTrue(fit.equation().length() < 200, fit.equation());
   }
 
   @Test
   void isTheSameForTheSameSeedAlone() {
-    List<Observation> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z, 0.1, 2);
-    SymbolicSettings few = new SymbolicSettings(100, 5, 0.001, 4);
-    SymbolicSettings other = new SymbolicSettings(100, 5, 0.001, 5);
+    List<Measurement> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z, 0.1, 2);
+    SymbolicSettings few = new SymbolicSettings(100, 5, 0.001, 4, 1);
+    SymbolicSettings other = new SymbolicSettings(100, 5, 0.001, 5, 1);
     String first = new SymbolicRegression(few).fit(data).equation();
     assertEquals(first, new SymbolicRegression(few).fit(data).equation());
     assertTrue(!first.equals(new SymbolicRegression(other).fit(data).equation()));
@@ -34,7 +35,7 @@ class SymbolicRegressionTest {
   /** A pinhole camera's law, which no short formula of + - * / is. */
   @Test
   void restartsMakeSeedsMatterLess() {
-    List<Observation> data =
+    List<Measurement> data =
         Synthetic.of(
             (q, d, z) -> 2 * (Math.log10(d) - Math.log10(z) - Math.log10(q)) - 3.5, 0.05, 2);
     double[] once = new double[6];
@@ -50,10 +51,10 @@ class SymbolicRegressionTest {
         Arrays.toString(once) + " " + Arrays.toString(often));
   }
 
-  private static double r2(List<Observation> data, SymbolicSettings settings) {
+  private static double r2(List<Measurement> data, SymbolicSettings settings) {
     FittedFeature fit = new SymbolicRegression(settings).fit(data);
-    double[] observed = data.stream().mapToDouble(Observation::response).toArray();
-    return Scores.of(observed, data.stream().mapToDouble(fit::response).toArray()).r2();
+    double[] observed = data.stream().mapToDouble(Measurement::response).toArray();
+    return FitScores.of(observed, data.stream().mapToDouble(fit::response).toArray()).r2();
   }
 
   private static double min(double[] values) {
@@ -66,7 +67,7 @@ class SymbolicRegressionTest {
 
   @Test
   void costlyNodesMakeShortFormulas() {
-    List<Observation> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z - 2 * q, 0.1, 2);
+    List<Measurement> data = Synthetic.of((q, d, z) -> d * 0.2 - 10 * z - 2 * q, 0.1, 2);
     int free = length(data, 0);
     int costly = length(data, 0.1);
     assertTrue(costly < free, costly + " against " + free);
@@ -101,8 +102,8 @@ class SymbolicRegressionTest {
     assertEquals("1/0", Formula.Operation.of('/', one, new Formula.Constant(0)).text());
   }
 
-  private static int length(List<Observation> data, double parsimony) {
-    SymbolicSettings settings = new SymbolicSettings(300, 15, parsimony, 4);
+  private static int length(List<Measurement> data, double parsimony) {
+    SymbolicSettings settings = new SymbolicSettings(300, 15, parsimony, 4, 1);
     return new SymbolicRegression(settings).fit(data).equation().length();
   }
 }

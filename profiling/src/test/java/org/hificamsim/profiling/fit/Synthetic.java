@@ -2,7 +2,9 @@ package org.hificamsim.profiling.fit;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
+import org.hificamsim.profiling.measure.Measurement;
 
 /** Observations of a known law with known noise. */
 final class Synthetic {
@@ -17,17 +19,22 @@ final class Synthetic {
   }
 
   /** 480 observations of a law with normal noise of this standard deviation. */
-  static List<Observation> of(Law law, double noise, long seed) {
+  static List<Measurement> of(Law law, double noise, long seed) {
     Random random = new Random(seed);
-    List<Observation> observations = new ArrayList<>();
+    List<Measurement> observations = new ArrayList<>();
     for (double q : SIZES) {
       for (double z : LENGTHS) {
         for (int d = 1; d <= 10; d++) {
           double y = law.response(q, d, z) + noise * random.nextGaussian();
-          observations.add(new Observation(q, d, z, Math.pow(10, -y)));
+          observations.add(photo(q, d, z, Math.pow(10, -y)));
         }
       }
     }
     return observations;
+  }
+
+  /** A photo of which no confidences are known. */
+  static Measurement photo(double size, double distance, double focalLength, double pip) {
+    return new Measurement("photo", "object", size, distance, focalLength, pip, Map.of());
   }
 }

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.Stream;
 import org.hificamsim.core.Reference;
@@ -24,8 +25,8 @@ import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.CamSimConfidence;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
+import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Fitting;
-import org.hificamsim.profiling.fit.ModelFolder;
 import org.hificamsim.profiling.fit.Photos;
 import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
@@ -40,7 +41,13 @@ import org.junit.jupiter.api.io.TempDir;
 /** What is fitted, written and told of 160 made-up photos. */
 class FitReportTest {
   private static final FitSettings SETTINGS =
-      new FitSettings(5, 0, new SymbolicSettings(100, 5, 0.001, 0), SupportVectorSettings.THESIS);
+      new FitSettings(
+          5,
+          0,
+          new SymbolicSettings(100, 5, 0.001, 0, 1),
+          SupportVectorSettings.THESIS,
+          Optional.empty(),
+          Map.of());
 
   @TempDir static Path folder;
   private static FitResult result;
@@ -48,7 +55,7 @@ class FitReportTest {
   @BeforeAll
   static void fitAndWrite() throws IOException {
     result = new Fitting(SETTINGS).fit(new PhotoCamera(0.0224, 0.015, 1296, 864), photos(), 2);
-    assertEquals(36, new ModelFolder(folder.resolve("models"), "mine").write(result));
+    assertEquals(36, FittedModel.writeAll(result, folder.resolve("models"), "mine"));
     FitReport.write(result, TrialRun.all(result, 2), PipReading.SILHOUETTE, "test & trial", folder);
   }
 
@@ -138,8 +145,8 @@ class FitReportTest {
 
   @Test
   void intervalThatIsNotKnownIsADash() {
-    assertEquals("-", Cells.span(Double.NaN, Double.NaN));
-    assertEquals("-1.00 to 2.50", Cells.span(-1, 2.5));
+    assertEquals("-", CellText.span(Double.NaN, Double.NaN));
+    assertEquals("-1.00 to 2.50", CellText.span(-1, 2.5));
   }
 
   @Test
@@ -154,9 +161,9 @@ class FitReportTest {
   void everyFOfTheTableIsInFigure61AndInTheLadder() {
     for (String f : List.of("pinhole", "power", "lin", "svr-lin", "sr", "svr-rbf")) {
       assertTrue(result.features().stream().anyMatch(one -> one.name().equals(f)), f);
-      assertTrue(Ladder.MODELS.contains(f), f);
+      assertTrue(FidelityLadder.MODELS.contains(f), f);
     }
-    byte[] png = new Figures(result).combinations();
+    byte[] png = new ReportFigures(result).combinations();
     // Six f of three detectors, three charts a row: six rows.
     int height = java.nio.ByteBuffer.wrap(png, 20, 4).getInt();
     assertEquals(6 * 340, height);
@@ -164,17 +171,25 @@ class FitReportTest {
 
   @Test
   void zeroHasNoSignAndOnePhotoIsOne() {
-    assertEquals("0.000", Cells.fixed(-1e-9, 3));
-    assertEquals("-0.001", Cells.fixed(-1e-3, 3));
-    assertEquals("0", Cells.fixed(-0.0, 0));
+    assertEquals("0.000", CellText.fixed(-1e-9, 3));
+    assertEquals("-0.001", CellText.fixed(-1e-3, 3));
+    assertEquals("0", CellText.fixed(-0.0, 0));
     assertEquals("1 photo", org.hificamsim.profiling.fit.Counted.of(1, "photo"));
     assertEquals("0 lenses", org.hificamsim.profiling.fit.Counted.of(0, "lens"));
+  }
+
+  @Test
+  void aFigureIsTheSameWhateverWasDrawnBeforeIt() {
+    ReportFigures figures = new ReportFigures(result);
+    byte[] residuals = figures.residuals(List.of("lin"));
+    figures.transformation();
+    assertArrayEquals(residuals, figures.residuals(List.of("lin")));
   }
 
   /** By hand: 3 detected, of which 2 are told; 2 not, of which 1 is. */
   @Test
   void decisionsAreJudgedAlikeForBothKinds() {
-    Decisions decisions = new Decisions(0.5);
+    DetectionAccuracy decisions = new DetectionAccuracy(0.5);
     double[] measured = {0.9, 0.5, 0.7, 0.1, 0.2};
     double[] predicted = {0.6, 0.4, 0.5, 0.9, 0.1};
     assertEquals((2.0 / 3 + 1.0 / 2) / 2, decisions.accuracy(measured, predicted), 1e-15);
@@ -208,7 +223,7 @@ class FitReportTest {
     Path page = Files.createDirectories(folder.resolve("noise"));
     Path earlier = Files.createDirectories(page.resolve("models")).resolve("noise-lin.json");
     Files.writeString(earlier, "of an earlier fit");
-    assertEquals(0, new ModelFolder(page.resolve("models"), "mine").write(own));
+    assertEquals(0, FittedModel.writeAll(own, page.resolve("models"), "mine"));
     assertFalse(Files.exists(earlier), "a refused model keeps no file");
     FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "noise", page);
     String text = Files.readString(page.resolve("report.html"));
@@ -223,7 +238,7 @@ class FitReportTest {
     Path page = Files.createDirectories(folder.resolve("one"));
     FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "one", page);
     assertTrue(Files.readString(page.resolve("report.html")).contains("10 photos of 1 object."));
-    assertTrue(new ModelFolder(page.resolve("models"), "mine").write(own) >= 8);
+    assertTrue(FittedModel.writeAll(own, page.resolve("models"), "mine") >= 8);
     assertTrue(Files.exists(page.resolve("models/orb-pinhole.json")));
   }
 
@@ -254,7 +269,8 @@ class FitReportTest {
   @Test
   void fitsTheSameOnAnyNumberOfThreads() {
     FitResult again = new Fitting(SETTINGS).fit(result.camera(), result.measurements(), 1);
-    assertEquals(result.lines(), again.lines());
+    assertEquals(result.line("orb", "sr"), again.line("orb", "sr"));
+    assertEquals(result.feature("sr").fit(), again.feature("sr").fit());
   }
 
   @Test
@@ -270,8 +286,8 @@ class FitReportTest {
 
   @Test
   void ladderStartsAtNothingAndFindsTheLaw() {
-    List<Ladder.Step> steps = Ladder.of(result, "orb", Map.of("lin", 2.0));
-    assertEquals(Ladder.MODELS, steps.stream().map(Ladder.Step::model).toList());
+    List<FidelityLadder.Step> steps = FidelityLadder.of(result, "orb", Map.of("lin", 2.0));
+    assertEquals(FidelityLadder.MODELS, steps.stream().map(FidelityLadder.Step::model).toList());
     assertTrue(steps.get(0).unseen().r2() <= 0, "the mean of the others explains nothing");
     assertEquals(0.5, steps.get(0).accuracy(), "and guesses");
     assertTrue(steps.get(2).unseen().r2() > 0.9);
@@ -282,15 +298,15 @@ class FitReportTest {
 
   @Test
   void heldOutPhotosDoNotFollowThePinhole() {
-    HeldOut heldOut = new HeldOut(PipReading.RECTANGLE);
+    HeldOut heldOut = HeldOut.of(PipReading.RECTANGLE);
     assertEquals(6, heldOut.photos().size());
     assertEquals(1.316, heldOut.exponent(), 0.001);
   }
 
   @Test
   void theBallIsCountedAsThePhotosAre() throws IOException {
-    HeldOut rectangles = new HeldOut(PipReading.RECTANGLE);
-    HeldOut silhouettes = new HeldOut(PipReading.SILHOUETTE);
+    HeldOut rectangles = HeldOut.of(PipReading.RECTANGLE);
+    HeldOut silhouettes = HeldOut.of(PipReading.SILHOUETTE);
     assertEquals(
         2904.0 * 2850 / (5184 * 3456), rectangles.photos().get(0).pip(), 1e-15, "as published");
     for (int i = 0; i < rectangles.photos().size(); i++) {

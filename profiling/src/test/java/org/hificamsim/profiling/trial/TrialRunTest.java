@@ -87,10 +87,10 @@ class TrialRunTest {
   @Test
   void everyPhotoIsARowAndAsManyThreadsAsThereAreChangeNothing() throws IOException {
     FitResult result = fit(curve().scatter(0.1, 0.05).take(2));
-    TrialsFile.write(folder, TrialRun.all(result, 1));
-    String one = Files.readString(folder.resolve(TrialsFile.NAME));
-    TrialsFile.write(folder, TrialRun.all(result, 2));
-    assertEquals(one, Files.readString(folder.resolve(TrialsFile.NAME)));
+    Trials.write(folder, TrialRun.all(result, 1));
+    String one = Files.readString(folder.resolve(Trials.FILE));
+    Trials.write(folder, TrialRun.all(result, 2));
+    assertEquals(one, Files.readString(folder.resolve(Trials.FILE)));
     assertEquals(1 + result.measurements().size(), one.lines().count());
     assertTrue(
         one.startsWith(
@@ -128,7 +128,7 @@ class TrialRunTest {
         new FitSettings(
             5,
             0,
-            new SymbolicSettings(50, 1, 0.001, 0),
+            new SymbolicSettings(50, 1, 0.001, 0, 1),
             SupportVectorSettings.THESIS,
             Optional.of("saturating-exponential"),
             Map.of("d", THRESHOLD));

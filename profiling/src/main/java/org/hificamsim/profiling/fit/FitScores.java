@@ -10,9 +10,9 @@ import java.util.Arrays;
  * @param rmse root of the mean squared error
  * @param sse sum of squared errors
  */
-public record Scores(double mse, double r2, double rmse, double sse) {
+public record FitScores(double mse, double r2, double rmse, double sse) {
   /** The scores of predictions. */
-  public static Scores of(double[] observed, double[] predicted) {
+  public static FitScores of(double[] observed, double[] predicted) {
     double mean = 0;
     for (double value : observed) {
       mean += value / observed.length;
@@ -26,7 +26,7 @@ public record Scores(double mse, double r2, double rmse, double sse) {
     }
     double mse = errors / observed.length;
     double r2 = vary(observed) ? 1 - errors / total : Double.NaN;
-    return new Scores(mse, r2, Math.sqrt(mse), errors);
+    return new FitScores(mse, r2, Math.sqrt(mse), errors);
   }
 
   /** Whether values differ; a mean of equal ones may be rounded, so that their spread is not 0. */

@@ -5,10 +5,10 @@ import java.util.Map;
 import org.hificamsim.profiling.fit.Coefficient;
 
 /** Numbers and published texts as the cells of tables. */
-final class Cells {
+final class CellText {
   private static final String NONE = "-";
 
-  private Cells() {}
+  private CellText() {}
 
   /** A number with this many digits behind the point. */
   static String fixed(double value, int digits) {

@@ -10,7 +10,7 @@ import org.hificamsim.profiling.fit.ShapeFit;
  *
  * @param threshold confidence from which a photo counts as detected
  */
-record Decisions(double threshold) {
+record DetectionAccuracy(double threshold) {
   /** The rate of false alarms that the threshold is for, as in {@code --detect chance}. */
   static final double FALSE_ALARMS = 0.05;
 
@@ -18,15 +18,15 @@ record Decisions(double threshold) {
    * By the detector's own threshold, else by the one that {@code --detect chance} would take: g at
    * 0, and the scatter about g.
    */
-  static Decisions of(FitResult result, String detector) {
+  static DetectionAccuracy of(FitResult result, String detector) {
     Double own = result.thresholds().get(detector);
-    return own == null ? byChance(result, detector) : new Decisions(own);
+    return own == null ? byChance(result, detector) : new DetectionAccuracy(own);
   }
 
-  private static Decisions byChance(FitResult result, String detector) {
+  private static DetectionAccuracy byChance(FitResult result, String detector) {
     ShapeFit g = result.model(detector, FitResult.GROUND_TRUTH).chosen();
     Scatter scatter = new Scatter(g.g().confidence(0), g.unseen().rmse());
-    return new Decisions(scatter.threshold(FALSE_ALARMS));
+    return new DetectionAccuracy(scatter.threshold(FALSE_ALARMS));
   }
 
   /** The share of the photos that are detected. */

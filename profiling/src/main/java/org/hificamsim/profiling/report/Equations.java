@@ -9,8 +9,8 @@ import org.hificamsim.hifi.detector.LogisticCurve;
 import org.hificamsim.hifi.detector.SaturatingExponential;
 
 /** Detector models as equations. */
-final class Curves {
-  private Curves() {}
+final class Equations {
+  private Equations() {}
 
   /** The equation, with PIP as p. */
   static String equation(DetectorModel g) {

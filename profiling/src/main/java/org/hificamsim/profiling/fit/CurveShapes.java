@@ -1,0 +1,136 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.function.DoubleUnaryOperator;
+import org.apache.commons.math3.stat.descriptive.rank.Percentile;
+import org.apache.commons.math3.stat.regression.SimpleRegression;
+import org.hificamsim.hifi.detector.HillCurve;
+import org.hificamsim.hifi.detector.LogisticCurve;
+import org.hificamsim.hifi.detector.SaturatingExponential;
+import org.hificamsim.profiling.fit.CurveFit.Bounded;
+
+/** The curves that are fitted by least squares: their parameters, derivatives and starts. */
+final class CurveShapes {
+  private static final Bounded RISES = new Bounded(1e-6, 1e4);
+  private static final Bounded EXPONENTS = new Bounded(0.1, 20);
+  private static final double[] LOGISTIC_STARTS = {0.3, 1, 3};
+  private static final double[] HILL_STARTS = {0.7, 1, 2, 4};
+  private static final double[] PERCENTS = {5, 20, 35, 50, 65, 80, 95};
+  private static final double SMALLEST = 1e-9;
+
+  private CurveShapes() {}
+
+  /** The logistic curve in log PIP: half and exponent. */
+  static LogisticCurve logistic(double[] pip, double[] confidence) {
+    List<double[]> starts = new ArrayList<>();
+    for (double half : shares(pip)) {
+      for (double exponent : LOGISTIC_STARTS) {
+        starts.add(new double[] {half, exponent});
+        starts.add(new double[] {100 * half, exponent});
+      }
+    }
+    Bounded halves = new Bounded(bounds(pip).least(), 1e4 * bounds(pip).most());
+    double[] found =
+        new CurveFit(
+                (p, at, gradient) -> gained(p, at[0], at[1], 1, gradient, 0),
+                List.of(halves, EXPONENTS),
+                pip,
+                confidence)
+            .from(starts);
+    return new LogisticCurve(found[0], found[1]);
+  }
+
+  /** {@code floor + rise (1 - exp(-PIP / scale))}, rise and scale above 0. */
+  static SaturatingExponential saturating(double[] pip, double[] confidence) {
+    List<double[]> starts = new ArrayList<>();
+    for (double scale : shares(pip)) {
+      double[] linear = floorAndRise(pip, confidence, p -> -StrictMath.expm1(-p / scale));
+      starts.add(new double[] {linear[0], linear[1], scale});
+    }
+    double[] found =
+        new CurveFit(
+                CurveShapes::saturatingHeight,
+                Arrays.asList(null, RISES, bounds(pip)),
+                pip,
+                confidence)
+            .from(starts);
+    return new SaturatingExponential(found[0], found[1], found[2]);
+  }
+
+  private static double saturatingHeight(double pip, double[] at, double[] gradient) {
+    double left = StrictMath.exp(-pip / at[2]);
+    gradient[0] = 1;
+    gradient[1] = 1 - left;
+    gradient[2] = -at[1] * left * pip / (at[2] * at[2]);
+    return at[0] + at[1] * (1 - left);
+  }
+
+  /** Hill's curve: floor, rise, half and exponent, all but the floor above 0. */
+  static HillCurve hill(double[] pip, double[] confidence) {
+    List<double[]> starts = new ArrayList<>();
+    for (double half : shares(pip)) {
+      for (double exponent : HILL_STARTS) {
+        double[] linear = floorAndRise(pip, confidence, p -> gained(p, half, exponent));
+        starts.add(new double[] {linear[0], linear[1], half, exponent});
+      }
+    }
+    List<Bounded> bounds = Arrays.asList(null, RISES, bounds(pip), EXPONENTS);
+    double[] found = new CurveFit(CurveShapes::hillHeight, bounds, pip, confidence).from(starts);
+    return new HillCurve(found[0], found[1], found[2], found[3]);
+  }
+
+  private static double hillHeight(double pip, double[] at, double[] gradient) {
+    double gained = gained(pip, at[2], at[3], at[1], gradient, 2);
+    gradient[0] = 1;
+    gradient[1] = gained;
+    return at[0] + at[1] * gained;
+  }
+
+  /**
+   * The share that is gained at a PIP, and in {@code gradient} from {@code first} on what the
+   * height changes by half and exponent.
+   */
+  private static double gained(
+      double pip, double half, double exponent, double rise, double[] gradient, int first) {
+    double gained = gained(pip, half, exponent);
+    double steepness = rise * gained * (1 - gained);
+    gradient[first] = -steepness * exponent / half;
+    gradient[first + 1] = pip > 0 ? steepness * StrictMath.log(pip / half) : 0;
+    return gained;
+  }
+
+  private static double gained(double pip, double half, double exponent) {
+    return 1 / (1 + StrictMath.pow(half / pip, exponent));
+  }
+
+  /** Shares of the image at which something may happen: percentiles of those that are above 0. */
+  private static double[] shares(double[] pip) {
+    double[] positive = Arrays.stream(pip).filter(p -> p > SMALLEST).toArray();
+    if (positive.length == 0) {
+      return new double[] {0.5};
+    }
+    Percentile percentile = new Percentile();
+    percentile.setData(positive);
+    return Arrays.stream(PERCENTS).map(percentile::evaluate).toArray();
+  }
+
+  /** A share may lie a hundred times beyond what was seen. */
+  private static Bounded bounds(double[] pip) {
+    double[] shares = shares(pip);
+    return new Bounded(shares[0] / 100, 100 * Math.max(shares[shares.length - 1], shares[0]));
+  }
+
+  /** The best floor and rise for a curve from 0 to 1; the rise is kept above 0. */
+  private static double[] floorAndRise(double[] pip, double[] y, DoubleUnaryOperator unit) {
+    SimpleRegression line = new SimpleRegression();
+    for (int i = 0; i < y.length; i++) {
+      line.addData(unit.applyAsDouble(pip[i]), y[i]);
+    }
+    double rise = line.getSlope();
+    return rise > RISES.least() && rise < RISES.most()
+        ? new double[] {line.getIntercept(), rise}
+        : new double[] {Arrays.stream(y).average().orElse(0), 2 * RISES.least()};
+  }
+}

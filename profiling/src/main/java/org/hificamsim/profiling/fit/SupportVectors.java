@@ -1,0 +1,139 @@
+package org.hificamsim.profiling.fit;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.hifi.feature.LinearAbstraction;
+import org.hificamsim.hifi.feature.SvrRbfAbstraction;
+import org.hificamsim.hifi.feature.SvrRbfAbstraction.Range;
+import org.hificamsim.profiling.measure.Measurement;
+import smile.base.svm.SVR;
+import smile.math.kernel.GaussianKernel;
+import smile.math.kernel.LinearKernel;
+import smile.math.kernel.MercerKernel;
+import smile.regression.KernelMachine;
+
+/** Epsilon support vector regressions of {@code -log10(PIP)} (thesis 4.5.3), by Smile. */
+final class SupportVectors {
+  private static final List<String> VARIABLES = List.of("q", "d", "z");
+  private static final double GAMMA = 1.0 / VARIABLES.size();
+
+  /** So wide that the kernel does not see the variable: there is nothing to learn about it. */
+  private static final Range NO_EFFECT = new Range(0, 1000);
+
+  private SupportVectors() {}
+
+  /**
+   * With a linear kernel on q, d and z in metres, as the magnitude of Eq 4.11's coefficients shows
+   * it was used: flatness then costs z most, whose metres are few.
+   */
+  static FeatureRegression linear(SupportVectorSettings settings) {
+    return new FeatureRegression("svr-lin", photos -> line(photos, settings));
+  }
+
+  private static FittedFeature line(List<Measurement> photos, SupportVectorSettings settings) {
+    KernelMachine<double[]> machine =
+        fit(new LinearKernel(), Measurement.predictors(photos), photos, settings);
+    double[] weights = new double[VARIABLES.size()];
+    for (int i = 0; i < machine.instances().length; i++) {
+      for (int j = 0; j < weights.length; j++) {
+        weights[j] += machine.weights()[i] * machine.instances()[i][j];
+      }
+    }
+    LinearAbstraction f =
+        new LinearAbstraction(weights[2], weights[0], weights[1], machine.intercept());
+    return new FittedFeature(
+        f,
+        FeatureRegressions.equation(f),
+        List.of(
+            Coefficient.plain("intercept", f.intercept()),
+            Coefficient.plain("q", f.q()),
+            Coefficient.plain("d", f.d()),
+            Coefficient.plain("z", f.z())));
+  }
+
+  /**
+   * With a radial basis function kernel (Eq 4.10) on q, d and z scaled to [0, 1], gamma being 1
+   * over the number of variables.
+   */
+  static FeatureRegression rbf(SupportVectorSettings settings) {
+    return new FeatureRegression(
+        "svr-rbf", photos -> fitted(photos, abstraction(photos, rbfMachine(photos, settings))));
+  }
+
+  private static FittedFeature fitted(List<Measurement> photos, SvrRbfAbstraction f) {
+    String equation =
+        String.format(
+            Locale.ROOT,
+            "no closed form: %d support vectors of %d rows, gamma %.4g",
+            f.support().length,
+            photos.size(),
+            f.gamma());
+    return new FittedFeature(f, equation, List.of());
+  }
+
+  /** Smile's own machine on the scaled variables. */
+  static KernelMachine<double[]> rbfMachine(
+      List<Measurement> photos, SupportVectorSettings settings) {
+    double[][] x = scaled(photos);
+    if (LeastSquares.varying(x, VARIABLES.size()).length == 0) {
+      throw LeastSquares.undetermined(x.length, VARIABLES, null);
+    }
+    return fit(new GaussianKernel(StrictMath.sqrt(1 / (2 * GAMMA))), x, photos, settings);
+  }
+
+  private static KernelMachine<double[]> fit(
+      MercerKernel<double[]> kernel,
+      double[][] x,
+      List<Measurement> photos,
+      SupportVectorSettings settings) {
+    if (x.length < 2) {
+      throw new InputException("support vectors need 2 rows or more, not " + x.length);
+    }
+    return new SVR<>(kernel, settings.epsilon(), settings.penalty(), settings.tolerance())
+        .fit(x, Measurement.responses(photos));
+  }
+
+  /** The scaled predictors of every photo. */
+  static double[][] scaled(List<Measurement> photos) {
+    Range q = range(photos, Measurement::size);
+    Range d = range(photos, Measurement::distance);
+    Range z = range(photos, Measurement::focalLength);
+    return photos.stream()
+        .map(o -> new double[] {q.scale(o.size()), d.scale(o.distance()), z.scale(o.focalLength())})
+        .toArray(double[][]::new);
+  }
+
+  /** The machine as a model that needs no library; each support vector is found by its place. */
+  static SvrRbfAbstraction abstraction(List<Measurement> photos, KernelMachine<double[]> machine) {
+    double[][] x = scaled(photos);
+    double[][] support = new double[machine.instances().length][];
+    for (int i = 0; i < support.length; i++) {
+      double[] vector = machine.instances()[i];
+      Measurement photo =
+          photos.get(
+              IntStream.range(0, x.length)
+                  .filter(row -> Arrays.equals(x[row], vector))
+                  .findFirst()
+                  .orElseThrow());
+      support[i] =
+          new double[] {photo.size(), photo.distance(), photo.focalLength(), machine.weights()[i]};
+    }
+    return new SvrRbfAbstraction(
+        GAMMA,
+        machine.intercept(),
+        range(photos, Measurement::size),
+        range(photos, Measurement::distance),
+        range(photos, Measurement::focalLength),
+        support);
+  }
+
+  private static Range range(List<Measurement> photos, ToDoubleFunction<Measurement> variable) {
+    double least = photos.stream().mapToDouble(variable).min().orElseThrow();
+    double most = photos.stream().mapToDouble(variable).max().orElseThrow();
+    return most == least ? NO_EFFECT : new Range(least, most);
+  }
+}

@@ -1,0 +1,190 @@
+package org.hificamsim.profiling.report;
+
+import static org.hificamsim.profiling.report.CellText.beside;
+import static org.hificamsim.profiling.report.CellText.fixed;
+import static org.hificamsim.profiling.report.CellText.interval;
+import static org.hificamsim.profiling.report.CellText.published;
+import static org.hificamsim.profiling.report.CellText.significant;
+import static org.hificamsim.profiling.report.CellText.span;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.hificamsim.profiling.dataset.TableLayout;
+import org.hificamsim.profiling.fit.Coefficient;
+import org.hificamsim.profiling.fit.FeatureResult;
+import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.fit.LineFit;
+import org.hificamsim.profiling.measure.PipReading;
+
+/** The thesis's tables: yours, and in brackets what is published. */
+final class ThesisTables {
+  private final FitResult result;
+
+  ThesisTables(FitResult result) {
+    this.result = result;
+  }
+
+  /** A variable, what was measured of it and what is published. */
+  private record VariableRow(String name, Moments moments, Map<String, String> published) {}
+
+  /** Table 4.1. */
+  void variables(HtmlPage page) {
+    page.table(
+        new TableLayout<VariableRow>()
+            .with("variable", VariableRow::name)
+            .with("mean", row -> beside(row.moments.mean(), 3, row.published, "mean"))
+            .with("SD", row -> beside(row.moments.sd(), 3, row.published, "sd"))
+            .with("min", row -> beside(row.moments.min(), 5, row.published, "min"))
+            .with("max", row -> beside(row.moments.max(), 3, row.published, "max"))
+            .with("skewness", row -> beside(row.moments.skewness(), 2, row.published, "skewness")),
+        Variable.of(result).stream()
+            .map(
+                one ->
+                    new VariableRow(
+                        one.name(), Moments.of(one.values()), PublishedTables.variable(one.id())))
+            .toList());
+  }
+
+  /** Table 4.2, with every f. */
+  void features(HtmlPage page) {
+    page.table(
+        new TableLayout<FeatureResult>()
+            .with("f", FeatureResult::name)
+            .with("MSE", f -> beside(f.scores().mse(), 3, theirs(f), "mse"))
+            .with("R2", f -> beside(f.scores().r2(), 3, theirs(f), "r2_best"))
+            .with("RMSE", f -> fixed(f.scores().rmse(), 3))
+            .with("SSE", f -> fixed(f.scores().sse(), 2))
+            .with("R2 of folds", ThesisTables::folds)
+            .with("yours", f -> f.fit().equation())
+            .with("published equation", f -> published(theirs(f), "equation")),
+        result.features());
+  }
+
+  private static Map<String, String> theirs(FeatureResult f) {
+    return PublishedTables.feature(f.name());
+  }
+
+  private static String folds(FeatureResult f) {
+    String yours = fixed(f.validation().mean(), 3) + " +- " + fixed(f.validation().deviation(), 3);
+    Map<String, String> theirs = theirs(f);
+    return theirs.isEmpty()
+        ? yours
+        : yours + " (" + theirs.get("r2_cv_mean") + " +- " + theirs.get("r2_cv_sd") + ")";
+  }
+
+  private record CoefficientRow(String f, Coefficient of) {}
+
+  /** Coefficients with standard errors and intervals. */
+  void coefficients(HtmlPage page) {
+    page.table(
+        new TableLayout<CoefficientRow>()
+            .with("f", CoefficientRow::f)
+            .with("coefficient", row -> row.of.name())
+            .with("value", row -> significant(row.of.value()))
+            .with("standard error", row -> significant(row.of.error()))
+            .with("95% interval", row -> span(row.of.low(), row.of.high())),
+        result.features().stream()
+            .flatMap(f -> f.fit().coefficients().stream().map(c -> new CoefficientRow(f.name(), c)))
+            .toList());
+  }
+
+  /** A line fitted to a detector's confidences, and the published one. */
+  private record LineRow(String name, LineFit fit, Map<String, String> published) {}
+
+  /** Eqs 5.2 to 5.4. */
+  void detectors(HtmlPage page) {
+    lines(
+        page,
+        "detector",
+        result.detectors().stream()
+            .map(
+                detector ->
+                    new LineRow(
+                        detector,
+                        result.line(detector, FitResult.GROUND_TRUTH),
+                        PublishedTables.groundTruthLine(detector))));
+  }
+
+  /** Table 6.1, with every f. */
+  void combinations(HtmlPage page) {
+    lines(
+        page,
+        "model",
+        result.detectors().stream()
+            .flatMap(
+                detector -> result.features().stream().map(f -> combination(detector, f.name()))));
+  }
+
+  private LineRow combination(String detector, String f) {
+    return new LineRow(
+        detector + "-" + f, result.line(detector, f), PublishedTables.line(detector, f));
+  }
+
+  /** Table 6.2. */
+  void camSim(HtmlPage page) {
+    lines(
+        page,
+        "model",
+        result.detectors().stream()
+            .map(
+                detector ->
+                    new LineRow(
+                        detector + "-CamSim",
+                        result.line(detector, FitResult.CAMSIM),
+                        PublishedTables.camSimLine(detector))));
+  }
+
+  private static void lines(HtmlPage page, String first, Stream<LineRow> rows) {
+    page.table(
+        new TableLayout<LineRow>()
+            .with(first, LineRow::name)
+            .with("R2", row -> beside(row.fit.r2(), 3, row.published, "r2"))
+            .with("RMSE", row -> beside(row.fit.rmse(), 4, row.published, "rmse"))
+            .with("SSE", row -> beside(row.fit.sse(), 2, row.published, "sse"))
+            .with("slope [95%]", row -> interval(row.fit.slope()))
+            .with("published", row -> published(row.published, "slope"))
+            .with("intercept [95%]", row -> interval(row.fit.intercept()))
+            .with("published", row -> published(row.published, "intercept")),
+        rows.toList());
+  }
+
+  /** What is said of the ball: the cells of its photos, as an f predicts them or as measured. */
+  private record BallRow(String f, String rmse, String bias, List<Double> pips) {}
+
+  /** Figure 3.7's photos and what every f says of them. */
+  void ball(HtmlPage page, HeldOut heldOut) {
+    TableLayout<BallRow> layout =
+        new TableLayout<BallRow>()
+            .with("f", BallRow::f)
+            .with("RMSE", BallRow::rmse)
+            .with("bias", BallRow::bias);
+    List<BallRow> rows = new ArrayList<>();
+    String shape = heldOut.reading() == PipReading.RECTANGLE ? "rectangle" : "disc";
+    rows.add(new BallRow("measured PIP, the ball's " + shape, "", "", heldOut.pips()));
+    for (int i = 0; i < heldOut.photos().size(); i++) {
+      int photo = i;
+      layout.with(
+          Math.round(heldOut.photos().get(i).focalLength() * 1000) + " mm",
+          row -> fixed(row.pips.get(photo), 4));
+    }
+    for (HeldOut.Check check : heldOut.checks(result)) {
+      rows.add(
+          new BallRow(check.f(), fixed(check.rmse(), 3), fixed(check.bias(), 3), check.pips()));
+    }
+    page.table(layout, rows);
+  }
+
+  /** What chapters 4 to 6 say, judged. */
+  static void claims(HtmlPage page, List<Claim> claims) {
+    page.table(
+        new TableLayout<Claim>()
+            .with("statement", Claim::text)
+            .with("source", Claim::source)
+            .with("published", Claim::published)
+            .with("yours", Claim::yours)
+            .with("verdict", Claim::verdict),
+        claims);
+  }
+}
