@@ -29,28 +29,21 @@ final class JudgementTable {
           cell.published().proportion(),
           cell.ours().text("%.3f"),
           Double.isNaN(cell.standard()) ? "" : String.format(Locale.ROOT, "%.2f", cell.standard()),
-          FitRole.of(cell).label(),
+          cell.role().label(),
           cell.verdict().label());
     }
     out.println();
     for (Statement statement : judgement.statements()) {
       out.printf(
           "%-15s %-8s %s%n",
-          statement.verdict().label(), FitRole.of(statement).label(), statement.text());
+          statement.verdict().label(), statement.role().label(), statement.text());
     }
     out.println();
     for (FitRole role : FitRole.values()) {
       out.printf("%-15s %s%n", role.label(), judgement.score(role));
     }
     for (Verdict verdict : Verdict.values()) {
-      out.printf(
-          Locale.ROOT,
-          "%-15s %d of %d cells, %d of %d statements%n",
-          verdict.label(),
-          judgement.cellsWith(verdict),
-          judgement.cells().size(),
-          judgement.statementsWith(verdict),
-          judgement.statements().size());
+      out.printf("%-15s %s%n", verdict.label(), judgement.score(verdict));
     }
   }
 }

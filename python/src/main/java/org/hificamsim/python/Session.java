@@ -2,6 +2,7 @@ package org.hificamsim.python;
 
 import java.nio.ByteBuffer;
 import java.util.List;
+import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.world.World;
@@ -27,11 +28,11 @@ public final class Session implements AutoCloseable {
     return open(request, ByteBuffer::allocateDirect);
   }
 
-  static Session open(String request, Worlds.Memory memory) {
+  static Session open(String request, IntFunction<ByteBuffer> memory) {
     return new Session(Request.parse(request), memory);
   }
 
-  private Session(Request request, Worlds.Memory memory) {
+  private Session(Request request, IntFunction<ByteBuffer> memory) {
     Catalogue catalogue = Catalogue.load();
     long seed = request.asked().seed();
     settings = request.worldSettings(catalogue);

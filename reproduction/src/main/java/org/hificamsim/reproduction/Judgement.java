@@ -1,8 +1,8 @@
 package org.hificamsim.reproduction;
 
+import java.util.Collections;
 import java.util.List;
-import java.util.Locale;
-import java.util.stream.Stream;
+import java.util.function.Predicate;
 
 /**
  * The judged cells of Table 8.1 and statements of the text.
@@ -11,44 +11,26 @@ import java.util.stream.Stream;
  */
 public record Judgement(
     List<Table81.Cell> cells, List<Statement> statements, List<Adapting> adapting) {
-  /** How many cells have a verdict. */
-  public long cellsWith(Verdict verdict) {
-    return count(cells.stream().map(Table81.Cell::verdict), verdict);
-  }
-
-  /** How many statements have a verdict. */
-  public long statementsWith(Verdict verdict) {
-    return count(statements.stream().map(Statement::verdict), verdict);
+  /** How many cells and statements have a verdict. */
+  public String score(Verdict verdict) {
+    return score(one -> true, verdict);
   }
 
   /** How many cells and statements of a role there are, and how many of them are reproduced. */
   public String score(FitRole role) {
-    List<Verdict> ofCells = verdictsOfCells(role);
-    List<Verdict> ofStatements = verdictsOfStatements(role);
-    return String.format(
-        Locale.ROOT,
-        "%d of %d cells, %d of %d statements reproduced",
-        count(ofCells.stream(), Verdict.REPRODUCED),
-        ofCells.size(),
-        count(ofStatements.stream(), Verdict.REPRODUCED),
-        ofStatements.size());
+    return score(one -> one.role() == role, Verdict.REPRODUCED) + " reproduced";
   }
 
-  private List<Verdict> verdictsOfCells(FitRole role) {
-    return cells.stream()
-        .filter(cell -> FitRole.of(cell) == role)
-        .map(Table81.Cell::verdict)
-        .toList();
+  private String score(Predicate<Judged> which, Verdict verdict) {
+    return share(cells, which, verdict)
+        + " cells, "
+        + share(statements, which, verdict)
+        + " statements";
   }
 
-  private List<Verdict> verdictsOfStatements(FitRole role) {
-    return statements.stream()
-        .filter(statement -> FitRole.of(statement) == role)
-        .map(Statement::verdict)
-        .toList();
-  }
-
-  private static long count(Stream<Verdict> verdicts, Verdict verdict) {
-    return verdicts.filter(one -> one == verdict).count();
+  private static String share(
+      List<? extends Judged> all, Predicate<Judged> which, Verdict verdict) {
+    List<Verdict> verdicts = all.stream().filter(which).map(Judged::verdict).toList();
+    return Collections.frequency(verdicts, verdict) + " of " + verdicts.size();
   }
 }

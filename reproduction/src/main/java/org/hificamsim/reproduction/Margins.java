@@ -2,7 +2,6 @@ package org.hificamsim.reproduction;
 
 import java.util.Arrays;
 import java.util.List;
-import java.util.function.Function;
 import org.hificamsim.reproduction.Statement.Margin;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
@@ -35,14 +34,14 @@ final class Margins {
 
   /** How much higher one policy's k_min is than another's, in each of the six scenarios. */
   List<Margin> inAllSix(String better, String worse) {
-    return six(
-        scenario ->
-            more(scenario, hifi(scenario, better), hifi(scenario, worse), Metric.MEAN_K_MIN));
+    return inAllSix(better, worse, Metric.MEAN_K_MIN);
   }
 
-  /** One margin for each of the six scenarios. */
-  static List<Margin> six(Function<String, Margin> margin) {
-    return Layout.SCENARIOS.stream().map(margin).toList();
+  /** What one policy has more of a figure than another, in each of the six scenarios. */
+  List<Margin> inAllSix(String more, String less, Metric metric) {
+    return Layout.SCENARIOS.stream()
+        .map(scenario -> more(scenario, hifi(scenario, more), hifi(scenario, less), metric))
+        .toList();
   }
 
   /** What the distance between a proportion and the published one leaves of 0.05. */

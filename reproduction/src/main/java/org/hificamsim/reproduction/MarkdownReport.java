@@ -49,7 +49,7 @@ final class MarkdownReport {
           number(cell.exploreAny()),
           number(cell.origin()),
           number(cell.standard()),
-          FitRole.of(cell).label());
+          cell.role().label());
     }
     line("");
     line("%s", PROOF);
@@ -71,12 +71,12 @@ final class MarkdownReport {
     for (Table81.Cell cell : judgement.cells()) {
       line(
           "| %s | %s | %.2f | %.2f | %s | %s |",
-          Reason.id(cell),
-          FitRole.of(cell).label(),
+          cell.id(),
+          cell.role().label(),
           cell.published().proportion(),
           cell.ours().mean(),
           cell.verdict().label(),
-          Reason.of(cell));
+          cell.reason());
     }
     line("");
     line("| statement | source | role | verdict | why |");
@@ -86,9 +86,9 @@ final class MarkdownReport {
           "| %s | %s | %s | %s | %s |",
           statement.text(),
           statement.source(),
-          FitRole.of(statement).label(),
+          statement.role().label(),
           statement.verdict().label(),
-          Reason.of(statement));
+          statement.reason());
     }
   }
 

@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
-import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.Column;
@@ -16,20 +15,6 @@ public final class ReproductionFiles {
   private static final String ROLE =
       "`fitted`: the defaults were chosen for it (a statement: the hi-fi column implies it, at"
           + " least in part); `held out`: they were not";
-
-  /** A cell of the table or a statement of the text, judged. */
-  record Judged(
-      String kind,
-      String id,
-      String source,
-      String claim,
-      double published,
-      Estimate value,
-      int checks,
-      int held,
-      Verdict verdict,
-      String why,
-      FitRole role) {}
 
   /** A row per scenario and model. */
   public static final Table<Adapting> ADAPTING =
@@ -106,17 +91,20 @@ public final class ReproductionFiles {
                           + " hi-fi",
                       Table81.Cell::standard)
                   .later(),
-              Column.<Table81.Cell>ofText("role", ROLE, cell -> FitRole.of(cell).label()).later());
+              Column.<Table81.Cell>ofText("role", ROLE, cell -> cell.role().label()).later());
 
   /** A row per cell and per statement of the text. */
   public static final Table<Judged> VERDICTS =
       Table.<Judged>of("verdicts.csv")
           .with(
-              Column.ofText("kind", "`cell` or `statement`", Judged::kind),
+              Column.ofText(
+                  "kind",
+                  "`cell` or `statement`",
+                  one -> one instanceof Statement ? "statement" : "cell"),
               Column.ofText("id", "its name", Judged::id),
               Column.ofText("source", "the thesis's section, table or figure", Judged::source),
-              Column.ofText("claim", "what it says", Judged::claim),
-              Column.ofDouble("published", "share", "cells only", Judged::published))
+              Column.ofText("claim", "what it says", Judged::text),
+              Column.ofDouble("published", "share", "cells only", ReproductionFiles::published))
           .with(
               Column.ofEstimate(
                   "value",
@@ -128,9 +116,9 @@ public final class ReproductionFiles {
           .with(
               Column.ofInt("checks", "", "how many margins there are", Judged::checks),
               Column.ofInt("checks_held", "", "how many of them are above 0", Judged::held),
-              Column.ofText("verdict", "as above", one -> one.verdict.label()),
-              Column.ofText("why", "the reason for it", Judged::why),
-              Column.<Judged>ofText("role", ROLE, one -> one.role.label()).later());
+              Column.ofText("verdict", "as above", one -> one.verdict().label()),
+              Column.ofText("why", "the reason for it", Judged::reason),
+              Column.<Judged>ofText("role", ROLE, one -> one.role().label()).later());
 
   private ReproductionFiles() {}
 
@@ -144,7 +132,8 @@ public final class ReproductionFiles {
     Judgement judgement = judge(cases);
     ADAPTING.write(folder, judgement.adapting().stream());
     CELLS.write(folder, judgement.cells().stream());
-    VERDICTS.write(folder, judged(judgement));
+    VERDICTS.write(
+        folder, Stream.concat(judgement.cells().stream(), judgement.statements().stream()));
     MarkdownReport.write(folder, judgement);
     new ReproductionFigures(cases).write(folder);
     return judgement;
@@ -157,39 +146,7 @@ public final class ReproductionFiles {
     return new Judgement(new Table81(cases).cells(), statements, Adapting.of(cases));
   }
 
-  private static Stream<Judged> judged(Judgement judgement) {
-    return Stream.concat(
-        judgement.cells().stream().map(ReproductionFiles::judged),
-        judgement.statements().stream().map(ReproductionFiles::judged));
-  }
-
-  private static Judged judged(Table81.Cell cell) {
-    return new Judged(
-        "cell",
-        Reason.id(cell),
-        "Table 8.1",
-        "proportion of the optimum",
-        cell.published().proportion(),
-        cell.ours(),
-        1,
-        cell.verdict() == Verdict.REPRODUCED ? 1 : 0,
-        cell.verdict(),
-        Reason.of(cell),
-        FitRole.of(cell));
-  }
-
-  private static Judged judged(Statement statement) {
-    return new Judged(
-        "statement",
-        statement.id(),
-        statement.source(),
-        statement.text(),
-        Double.NaN,
-        statement.weakest().value(),
-        statement.margins().size(),
-        (int) statement.held(),
-        statement.verdict(),
-        Reason.of(statement),
-        FitRole.of(statement));
+  private static double published(Judged one) {
+    return one instanceof Table81.Cell cell ? cell.published().proportion() : Double.NaN;
   }
 }

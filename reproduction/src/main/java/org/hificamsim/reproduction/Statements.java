@@ -166,13 +166,7 @@ public final class Statements {
         id,
         "7.4.5",
         "QB-SARSA converges considerably faster than SARSA in all scenarios.",
-        Margins.six(
-            scenario ->
-                more(
-                    scenario,
-                    margins.hifi(scenario, SARSA + options),
-                    margins.hifi(scenario, QB_SARSA + options),
-                    Metric.SETTLING_STEPS)),
+        margins.inAllSix(SARSA + options, QB_SARSA + options, Metric.SETTLING_STEPS),
         "steps until within 90% of the final level; " + remark);
   }
 
@@ -190,13 +184,7 @@ public final class Statements {
         id,
         "7.5, Figure 7.9",
         "QB-SARSA leaves fewer targets uncovered than SARSA in all scenarios.",
-        Margins.six(
-            scenario ->
-                more(
-                    scenario,
-                    margins.hifi(scenario, SARSA + options),
-                    margins.hifi(scenario, QB_SARSA + options),
-                    Metric.COVERED_0)),
+        margins.inAllSix(SARSA + options, QB_SARSA + options, Metric.COVERED_0),
         remark);
   }
 

@@ -33,10 +33,69 @@ public final class Table81 {
       double at45,
       double exploreAny,
       double origin,
-      double standard) {
+      double standard)
+      implements Judged {
     /** Ours less the published. */
     public double difference() {
       return ours.mean() - published.proportion();
+    }
+
+    @Override
+    public String id() {
+      return String.join(
+          "/", published.layout().label(), published.policy(), published.hifi() ? "hifi" : "camsim");
+    }
+
+    @Override
+    public String source() {
+      return "Table 8.1";
+    }
+
+    @Override
+    public String text() {
+      return "proportion of the optimum";
+    }
+
+    @Override
+    public Estimate value() {
+      return ours;
+    }
+
+    @Override
+    public int checks() {
+      return 1;
+    }
+
+    @Override
+    public int held() {
+      return verdict == Verdict.REPRODUCED ? 1 : 0;
+    }
+
+    @Override
+    public FitRole role() {
+      return published.hifi() ? FitRole.FITTED : FitRole.HELD_OUT;
+    }
+
+    @Override
+    public String reason() {
+      String off = Judged.format("off by %+.2f", difference());
+      if (verdict != Verdict.NOT_REPRODUCED) {
+        return off;
+      }
+      return published.hifi()
+          ? off + "; state, discount and reward of SARSA, and the targets, are not published"
+          : off + camSim();
+    }
+
+    private String camSim() {
+      String formula =
+          published.policy().equals(ReproductionPlans.ZOOM_OUT)
+              ? "CamSim's formula, Eq 6.2, depends on the zoom alone and can give 0 or 1 here"
+              : Judged.format("CamSim's formula, Eq 6.2, gives %.2f", standard);
+      return Judged.format(
+          "; %s; its threshold is not published; camsim-range at 0.45 over the hi-fi optimum is"
+              + " %.2f",
+          formula, at45);
     }
   }
 
@@ -46,21 +105,26 @@ public final class Table81 {
   }
 
   private Cell cell(PublishedCell published) {
-    Estimate ours = ratio(published).estimate();
+    Layout layout = published.layout();
+    String policy = published.policy();
+    boolean greedy = policy.equals(ReproductionPlans.EPSILON_GREEDY);
+    boolean cluster = layout == Layout.CLUSTER;
+    Estimate ours = ratio(layout.scenarios(), published.detection(), policy).estimate();
     return new Cell(
         published,
         ours,
         Verdict.of(ours, published.proportion()),
-        overHifi(published, ReproductionPlans.CAMSIM),
-        overHifi(published, ReproductionPlans.CAMSIM_45),
-        exploreAny(published),
-        origin(published),
-        standard(published));
-  }
-
-  /** The ratio of a cell. */
-  Ratio ratio(PublishedCell cell) {
-    return ratio(cell.layout().scenarios(), cell.detection(), cell.policy());
+        published.hifi() ? Double.NaN : overHifi(published, ReproductionPlans.CAMSIM),
+        published.hifi() ? Double.NaN : overHifi(published, ReproductionPlans.CAMSIM_45),
+        greedy
+            ? mean(layout.scenarios(), published.detection(), ReproductionPlans.ANY)
+            : Double.NaN,
+        cluster
+            ? mean(List.of(layout.random(), ReproductionPlans.ORIGIN), published.detection(), policy)
+            : Double.NaN,
+        published.hifi()
+            ? Double.NaN
+            : mean(layout.scenarios(), ReproductionPlans.STANDARD, policy));
   }
 
   /** The ratio of a policy over some scenarios. */
@@ -68,43 +132,17 @@ public final class Table81 {
     return Ratio.of(find(scenarios, detection, policy));
   }
 
+  private double mean(List<String> scenarios, String detection, String policy) {
+    return ratio(scenarios, detection, policy).estimate().mean();
+  }
+
   private double overHifi(PublishedCell cell, String detection) {
-    if (cell.hifi()) {
-      return Double.NaN;
-    }
     List<String> scenarios = cell.layout().scenarios();
     return Ratio.over(
             find(scenarios, detection, cell.policy()),
             find(scenarios, ReproductionPlans.HIFI, ReproductionPlans.OPTIMAL))
         .estimate()
         .mean();
-  }
-
-  private double exploreAny(PublishedCell cell) {
-    return cell.policy().equals(ReproductionPlans.EPSILON_GREEDY)
-        ? ratio(cell.layout().scenarios(), cell.detection(), ReproductionPlans.ANY)
-            .estimate()
-            .mean()
-        : Double.NaN;
-  }
-
-  private double origin(PublishedCell cell) {
-    return cell.layout() == Layout.CLUSTER
-        ? ratio(
-                List.of(cell.layout().random(), ReproductionPlans.ORIGIN),
-                cell.detection(),
-                cell.policy())
-            .estimate()
-            .mean()
-        : Double.NaN;
-  }
-
-  private double standard(PublishedCell cell) {
-    return cell.hifi()
-        ? Double.NaN
-        : ratio(cell.layout().scenarios(), ReproductionPlans.STANDARD, cell.policy())
-            .estimate()
-            .mean();
   }
 
   private List<CaseResult> find(List<String> scenarios, String detection, String policy) {

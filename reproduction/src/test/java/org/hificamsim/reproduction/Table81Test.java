@@ -75,7 +75,7 @@ class Table81Test {
   @Test
   void theHiFiColumnIsFittedAndCamSimsHeldOut() {
     for (Table81.Cell cell : cells()) {
-      assertEquals(cell.published().hifi() ? FitRole.FITTED : FitRole.HELD_OUT, FitRole.of(cell));
+      assertEquals(cell.published().hifi() ? FitRole.FITTED : FitRole.HELD_OUT, cell.role());
     }
   }
 
@@ -84,8 +84,8 @@ class Table81Test {
     for (Table81.Cell cell : cells()) {
       assertEquals(
           !cell.published().hifi() && cell.verdict() == Verdict.NOT_REPRODUCED,
-          Reason.of(cell).contains("Eq 6.2"),
-          Reason.of(cell));
+          cell.reason().contains("Eq 6.2"),
+          cell.reason());
     }
   }
 

@@ -5,6 +5,7 @@ import java.nio.FloatBuffer;
 import java.nio.IntBuffer;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.IntFunction;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
@@ -39,9 +40,9 @@ public final class Worlds implements AutoCloseable {
   private final float[][] state; // of each worker
   private final float[][] observed; // likewise
   private final SeenPairs[] pairs; // likewise
-  private final Workers.Share stepping = this::stepShare;
-  private final Workers.Share resetting = this::resetShare;
-  private final Workers.Share telling = this::stateShare;
+  private final Workers.Share stepping = shared(this::step);
+  private final Workers.Share resetting = shared(this::reset);
+  private final Workers.Share telling = shared(this::writeState);
   private long seed;
   private boolean restarted;
 
@@ -50,19 +51,30 @@ public final class Worlds implements AutoCloseable {
    *
    * @param count 1 or more
    * @param threads that share the worlds, 1 or more
+   * @param memory makes the shared block, of so many bytes
    */
   public static Worlds of(
-      WorldSettings settings, int count, int threads, long seed, Memory memory) {
+      WorldSettings settings, int count, int threads, long seed, IntFunction<ByteBuffer> memory) {
     check("worlds", count);
     check("threads", threads);
     return new Worlds(settings, count, Math.min(threads, count), seed, memory);
   }
 
-  /** Where the shared block of memory comes from. */
+  /** What is done to each world. */
   @FunctionalInterface
-  public interface Memory {
-    /** A buffer of that many bytes. */
-    ByteBuffer of(int bytes);
+  private interface Work {
+    /** Does it to the i-th world in one of the workers. */
+    void on(int i, int worker);
+  }
+
+  /** Each worker's share of some work: the worlds of its own. Made once, so that no step allocates. */
+  private Workers.Share shared(Work work) {
+    return worker -> {
+      int end = workers.first(worker + 1, worlds.length);
+      for (int i = workers.first(worker, worlds.length); i < end; i++) {
+        work.on(i, worker);
+      }
+    };
   }
 
   private static void check(String what, int number) {
@@ -71,14 +83,14 @@ public final class Worlds implements AutoCloseable {
     }
   }
 
-  private Worlds(WorldSettings settings, int count, int threads, long seed, Memory source) {
+  private Worlds(WorldSettings settings, int count, int threads, long seed, IntFunction<ByteBuffer> source) {
     this.settings = settings;
     this.seed = seed;
     worlds = new OneWorld[count];
     Arrays.setAll(worlds, i -> new OneWorld(settings, seed + i, worlds[0]));
     NetworkView network = worlds[0].network();
     block = Block.of(count, worlds[0], settings);
-    memory = source.of(block.bytes());
+    memory = source.apply(block.bytes());
     actions = block.part(memory, "actions").asIntBuffer();
     observations = block.part(memory, "observations").asFloatBuffer();
     finals = block.part(memory, "finals").asFloatBuffer();
@@ -147,17 +159,14 @@ public final class Worlds implements AutoCloseable {
     workers.run(resetting);
   }
 
-  private void resetShare(int worker) {
-    int end = workers.first(worker + 1, worlds.length);
-    for (int i = workers.first(worker, worlds.length); i < end; i++) {
-      if (restarted) {
-        worlds[i].reset(seed + i);
-      } else {
-        worlds[i].next();
-      }
-      observe(i, observations, worker);
-      writeMasks(i);
+  private void reset(int i, int worker) {
+    if (restarted) {
+      worlds[i].reset(seed + i);
+    } else {
+      worlds[i].next();
     }
+    observe(i, observations, worker);
+    writeMasks(i);
   }
 
   /**
@@ -168,13 +177,6 @@ public final class Worlds implements AutoCloseable {
   public void step() {
     checkActions();
     workers.run(stepping);
-  }
-
-  private void stepShare(int worker) {
-    int end = workers.first(worker + 1, worlds.length);
-    for (int i = workers.first(worker, worlds.length); i < end; i++) {
-      step(i, worker);
-    }
   }
 
   private void step(int i, int worker) {
@@ -246,13 +248,10 @@ public final class Worlds implements AutoCloseable {
     workers.run(telling);
   }
 
-  private void stateShare(int worker) {
-    int end = workers.first(worker + 1, worlds.length);
-    for (int i = workers.first(worker, worlds.length); i < end; i++) {
-      observations.get(i * observed[worker].length, observed[worker]);
-      worlds[i].writeState(observed[worker], state[worker]);
-      states.put(i * state[worker].length, state[worker]);
-    }
+  private void writeState(int i, int worker) {
+    observations.get(i * observed[worker].length, observed[worker]);
+    worlds[i].writeState(observed[worker], state[worker]);
+    states.put(i * state[worker].length, state[worker]);
   }
 
   /** Ends the threads. */

@@ -1,2 +1,0 @@
-/** The experiment of docs/camsim-network.md. */
-package org.hificamsim.reproduction.network;
