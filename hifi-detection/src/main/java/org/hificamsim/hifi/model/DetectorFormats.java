@@ -1,8 +1,6 @@
 package org.hificamsim.hifi.model;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.util.List;
-import java.util.function.Function;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.detector.HillCurve;
@@ -17,51 +15,23 @@ final class DetectorFormats {
   private static final double LARGEST = 1e9;
   private static final int MAX_KNOTS = 100_000;
 
-  /** How one type is spelt: the text of its property {@code type}, its class, and its reader. */
-  private record Format(
-      String type, Class<? extends DetectorModel> of, Function<JsonObject, DetectorModel> reader) {}
-
-  private static final List<Format> ALL =
-      List.of(
-          new Format("line", DetectorLine.class, DetectorFormats::line),
-          new Format(
-              "saturating-exponential", SaturatingExponential.class, DetectorFormats::saturating),
-          new Format("hill", HillCurve.class, DetectorFormats::hill),
-          new Format("logistic", LogisticCurve.class, DetectorFormats::logistic),
-          new Format("isotonic", IsotonicCurve.class, DetectorFormats::isotonic));
+  private static final FormatTable<DetectorModel> ALL =
+      new FormatTable<DetectorModel>()
+          .add("line", DetectorLine.class, DetectorFormats::line)
+          .add("saturating-exponential", SaturatingExponential.class, DetectorFormats::saturating)
+          .add("hill", HillCurve.class, DetectorFormats::hill)
+          .add("logistic", LogisticCurve.class, DetectorFormats::logistic)
+          .add("isotonic", IsotonicCurve.class, DetectorFormats::isotonic);
 
   private DetectorFormats() {}
 
   static DetectorModel read(JsonObject json) {
-    String type = json.text("type", ALL.stream().map(Format::type).toList());
-    return ALL.stream()
-        .filter(one -> one.type().equals(type))
-        .findFirst()
-        .orElseThrow()
-        .reader()
-        .apply(json);
+    return ALL.read(json);
   }
 
   /** The properties of a model; in the oldest version, whose lines have no type, without it. */
   static ObjectNode json(DetectorModel g, int version) {
-    ObjectNode json = ModelWriter.MAPPER.createObjectNode();
-    if (version > ModelFormat.LINES_ALONE) {
-      json.put("type", type(g));
-    }
-    return json.setAll(ModelWriter.MAPPER.<ObjectNode>valueToTree(g));
-  }
-
-  private static String type(DetectorModel g) {
-    return ALL.stream()
-        .filter(one -> one.of().isInstance(g))
-        .map(Format::type)
-        .findFirst()
-        .orElseThrow(
-            () ->
-                new IllegalArgumentException(
-                    "no file format for "
-                        + g.getClass().getName()
-                        + ", expected a line in DetectorFormats"));
+    return version > ModelFormat.LINES_ALONE ? ALL.json(g) : FormatTable.properties(g);
   }
 
   static DetectorLine line(JsonObject json) {

@@ -1,10 +1,6 @@
 package org.hificamsim.hifi.model;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.util.List;
-import java.util.Optional;
-import java.util.function.Function;
-import java.util.function.Predicate;
 import org.hificamsim.hifi.feature.Expression;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.feature.LinearAbstraction;
@@ -20,52 +16,22 @@ final class FeatureFormats {
   private static final double MAX_EXPONENT = 20;
   private static final double MAX_SENSOR = 1;
 
-  /**
-   * How one type is spelt.
-   *
-   * @param type the text of its property {@code type}
-   * @param of the class, whose properties Jackson writes
-   * @param reader makes one from these properties; those that it does not ask for are refused
-   */
-  private record Format(
-      String type,
-      Class<? extends FeatureAbstraction> of,
-      Function<JsonObject, FeatureAbstraction> reader) {}
-
-  private static final List<Format> ALL =
-      List.of(
-          new Format("linear", LinearAbstraction.class, FeatureFormats::linear),
-          new Format("symbolic", SymbolicAbstraction.class, FeatureFormats::symbolic),
-          new Format("power", PowerLawAbstraction.class, FeatureFormats::power),
-          new Format("pinhole", PinholeAbstraction.class, FeatureFormats::pinhole),
-          new Format("svr-rbf", SvrRbfAbstraction.class, SvrRbfFormat::read));
+  private static final FormatTable<FeatureAbstraction> ALL =
+      new FormatTable<FeatureAbstraction>()
+          .add("linear", LinearAbstraction.class, FeatureFormats::linear)
+          .add("symbolic", SymbolicAbstraction.class, FeatureFormats::symbolic)
+          .add("power", PowerLawAbstraction.class, FeatureFormats::power)
+          .add("pinhole", PinholeAbstraction.class, FeatureFormats::pinhole)
+          .add("svr-rbf", SvrRbfAbstraction.class, SvrRbfFormat::read);
 
   private FeatureFormats() {}
 
   static FeatureAbstraction read(JsonObject f) {
-    return f.whole(FeatureFormats::feature);
-  }
-
-  private static FeatureAbstraction feature(JsonObject json) {
-    String type = json.text("type", ALL.stream().map(Format::type).toList());
-    return format(one -> one.type().equals(type)).orElseThrow().reader().apply(json);
+    return f.whole(ALL::read);
   }
 
   static ObjectNode json(FeatureAbstraction f) {
-    Format format =
-        format(one -> one.of().isInstance(f))
-            .orElseThrow(
-                () ->
-                    new IllegalArgumentException(
-                        "no file format for "
-                            + f.getClass().getName()
-                            + ", expected a line in FeatureFormats"));
-    ObjectNode json = ModelWriter.MAPPER.createObjectNode().put("type", format.type());
-    return json.setAll(ModelWriter.MAPPER.<ObjectNode>valueToTree(f));
-  }
-
-  private static Optional<Format> format(Predicate<Format> wanted) {
-    return ALL.stream().filter(wanted).findFirst();
+    return ALL.json(f);
   }
 
   static LinearAbstraction linear(JsonObject json) {
