@@ -62,7 +62,8 @@ final class OpticsOptions {
         pixels
             .map(text -> OptionalInt.of(NumberOption.integer("pixels", text, 1, MAX_PIXELS)))
             .orElseGet(OptionalInt::empty),
-        NumberOption.rising("hfov", angles, Double.MIN_VALUE, Math.floor(used.widest()), "angles", "8;15;25;40;58"),
+        NumberOption.rising(
+            "hfov", angles, Double.MIN_VALUE, Math.floor(used.widest()), "angles", "8;15;25;40;58"),
         OptionalDouble.empty(),
         pan.map(OpticsOptions::pans).orElse(List.of(0.0)),
         OptionalDouble.empty(),

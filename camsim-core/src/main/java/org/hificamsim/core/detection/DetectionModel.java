@@ -33,8 +33,8 @@ public interface DetectionModel {
   }
 
   /**
-   * Whether {@link #confidence} depends on {@code offAxis}; such a model is asked for each target in
-   * view.
+   * Whether {@link #confidence} depends on {@code offAxis}; such a model is asked for each target
+   * in view.
    */
   default boolean dependsOnBearing() {
     return false;

@@ -11,30 +11,33 @@ public enum OpticsLaw {
   /**
    * The camera's own opening angle at every level, and the radii of the zoom list, or its range.
    */
-  ROUND(0, false, (angles, reach) -> List.of()),
+  ROUND(0, false) {
+    @Override
+    public List<Double> radii(List<Double> angles, double reach) {
+      return List.of();
+    }
+  },
   /** The sector's area is the same at every level: reach times sqrt(narrowest angle / angle). */
-  CONSTANT_AREA(
-      180,
-      true,
-      (angles, reach) ->
-          angles.stream().map(angle -> reach * Math.sqrt(angles.get(0) / angle)).toList()),
+  CONSTANT_AREA(180, true) {
+    @Override
+    public List<Double> radii(List<Double> angles, double reach) {
+      return angles.stream().map(angle -> reach * Math.sqrt(angles.get(0) / angle)).toList();
+    }
+  },
   /** A lens: it reaches as far as the detection model does, or as the optics say. */
-  PINHOLE(
-      Math.nextDown(180.0), false, (angles, reach) -> Collections.nCopies(angles.size(), reach));
-
-  /** How far each level reaches. */
-  private interface Radii {
-    List<Double> of(List<Double> angles, double reach);
-  }
+  PINHOLE(Math.nextDown(180.0), false) {
+    @Override
+    public List<Double> radii(List<Double> angles, double reach) {
+      return Collections.nCopies(angles.size(), reach);
+    }
+  };
 
   private final double widest;
   private final boolean needsReach;
-  private final Radii radii;
 
-  OpticsLaw(double widest, boolean needsReach, Radii radii) {
+  OpticsLaw(double widest, boolean needsReach) {
     this.widest = widest;
     this.needsReach = needsReach;
-    this.radii = radii;
   }
 
   /** Whether each level has an angle of view of its own, as lenses have. */
@@ -58,7 +61,5 @@ public enum OpticsLaw {
    * @param angles of view, degrees, from the narrowest
    * @param reach of the optics, metres
    */
-  public List<Double> radii(List<Double> angles, double reach) {
-    return radii.of(angles, reach);
-  }
+  public abstract List<Double> radii(List<Double> angles, double reach);
 }

@@ -199,6 +199,13 @@ class ModelFilesTest {
   private static HiFiDetection named(String name, FeatureAbstraction f) {
     Provenance remarks = Provenance.UNKNOWN.with("zebra", "1").with("ant", "2").with("monkey", "3");
     return new HiFiDetection(
-        name, f, new DetectorLine(0.5, 0.03), new Optics(0.0224, 0.085), 0.05, OptionalDouble.empty(), Optional.empty(), remarks);
+        name,
+        f,
+        new DetectorLine(0.5, 0.03),
+        new Optics(0.0224, 0.085),
+        0.05,
+        OptionalDouble.empty(),
+        Optional.empty(),
+        remarks);
   }
 }
