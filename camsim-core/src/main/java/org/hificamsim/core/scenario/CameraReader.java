@@ -76,7 +76,7 @@ final class CameraReader {
 
   /** A camera with a lens needs none: it has its reach, or 0 for one without an end. */
   private static double range(Attributes attributes, Optional<OpticsSpec> optics) {
-    return optics.filter(one -> one.law() != OpticsLaw.ROUND).isEmpty() || attributes.has("range")
+    return optics.filter(one -> one.law().hasAngles()).isEmpty() || attributes.has("range")
         ? attributes.number("range", Range.LENGTH)
         : optics.get().reach().orElse(0);
   }

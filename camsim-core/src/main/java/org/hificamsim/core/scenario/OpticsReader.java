@@ -91,12 +91,12 @@ final class OpticsReader {
 
   /** Rising; from focal lengths and the sensor's width by Eq 3.1 where the file gives those. */
   private static List<Double> angles(OpticsLaw law, Attributes attributes) {
-    if (law == OpticsLaw.ROUND) {
+    if (!law.hasAngles()) {
       attributes.refuse("hfov", "none with law=\"round\", whose levels are the zoom list's radii");
       attributes.refuse("focal_length", "none with law=\"round\"");
       return List.of();
     }
-    Range range = law == OpticsLaw.PINHOLE ? BELOW_180 : UP_TO_180;
+    Range range = law.widest() < 180 ? BELOW_180 : UP_TO_180;
     if (!attributes.has("focal_length")) {
       return new NumberList(attributes, "hfov", range).sorted();
     }
@@ -110,13 +110,11 @@ final class OpticsReader {
   }
 
   private static OptionalDouble reach(OpticsLaw law, Attributes attributes) {
-    return switch (law) {
-      case ROUND -> {
-        attributes.refuse("reach", "none with law=\"round\", whose levels have their radii");
-        yield OptionalDouble.empty();
-      }
-      case CONSTANT_AREA -> OptionalDouble.of(attributes.number("reach", Range.POSITIVE_LENGTH));
-      case PINHOLE -> attributes.optionalNumber("reach", Range.POSITIVE_LENGTH);
-    };
+    if (!law.hasAngles()) {
+      attributes.refuse("reach", "none with law=\"round\", whose levels have their radii");
+    }
+    return law.needsReach()
+        ? OptionalDouble.of(attributes.number("reach", Range.POSITIVE_LENGTH))
+        : attributes.optionalNumber("reach", Range.POSITIVE_LENGTH);
   }
 }
