@@ -35,10 +35,10 @@ public final class VisibleRegion {
   /** By sector: where what is met in it begins; one more is the end of the last. */
   final int[] ends;
 
-  /** What is met, see {@link Sweep}. */
+  /** What is met, see {@link RegionSweep}. */
   final int[] met;
 
-  private VisibleRegion(Pieces pieces, double x, double y, Sweep sweep) {
+  private VisibleRegion(Pieces pieces, double x, double y, RegionSweep sweep) {
     this.pieces = pieces;
     this.atX = x;
     this.atY = y;
@@ -62,7 +62,7 @@ public final class VisibleRegion {
    */
   public static VisibleRegion of(Obstacles obstacles, double x, double y, double reach) {
     Pieces pieces = obstacles.pieces();
-    return new VisibleRegion(pieces, x, y, new Sweep(obstacles, x, y, reach));
+    return new VisibleRegion(pieces, x, y, new RegionSweep(obstacles, x, y, reach));
   }
 
   /** As {@link Obstacles#transmittance} from the standpoint to a point. */
@@ -98,7 +98,7 @@ public final class VisibleRegion {
     double product = 1;
     int counted = -1;
     for (int i = ends[sector]; i < ends[sector + 1] && product > 0; i++) {
-      int obstacle = pieces.obstacle[Sweep.piece(met[i])];
+      int obstacle = pieces.obstacle[RegionSweep.piece(met[i])];
       if (obstacle != counted && touches(met[i], x, y)) {
         product *= pieces.transmittance[obstacle];
         counted = obstacle;
@@ -109,7 +109,7 @@ public final class VisibleRegion {
 
   private boolean passes(int sector, double x, double y) {
     for (int i = ends[sector]; i < ends[sector + 1]; i++) {
-      if (pieces.solid(Sweep.piece(met[i])) && touches(met[i], x, y)) {
+      if (pieces.solid(RegionSweep.piece(met[i])) && touches(met[i], x, y)) {
         return false;
       }
     }
@@ -117,7 +117,7 @@ public final class VisibleRegion {
   }
 
   private boolean touches(int met, double x, double y) {
-    return Sweep.atStandpoint(met) || pieces.touches(met, atX, atY, x, y);
+    return RegionSweep.atStandpoint(met) || pieces.touches(met, atX, atY, x, y);
   }
 
   /**

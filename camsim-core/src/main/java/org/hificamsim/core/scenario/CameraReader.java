@@ -65,7 +65,7 @@ final class CameraReader {
 
   /** A camera with a lens needs no angle, which is then its widest, and no range. */
   private static CameraSpec withView(CameraSpec camera, Attributes<CameraSpec> attributes) {
-    Optional<OpticsSpec> lens = camera.optics().filter(one -> one.law() != OpticsLaw.ROUND);
+    Optional<OpticsSpec> lens = camera.optics().filter(one -> one.law().hasAngles());
     if (lens.isEmpty()) {
       attributes.require(CameraSpec.VIEWING_ANGLE);
       attributes.require(CameraSpec.RANGE);

@@ -47,16 +47,17 @@ final class OpticsReader {
 
   private static void checkLaw(Attributes<OpticsSpec> attributes) {
     OpticsLaw law = attributes.get(OpticsSpec.LAW);
-    if (law == OpticsLaw.ROUND) {
+    if (!law.hasAngles()) {
       String none = "none with law=\"round\"";
       attributes.refuse(ANGLES_OF_VIEW, none + ", whose levels are the zoom list's radii");
       attributes.refuse(FOCAL_LENGTHS, none);
       attributes.refuse(REACH, none + ", whose levels have their radii");
       return;
     }
-    if (law == OpticsLaw.PINHOLE) {
+    if (law.widest() < 180) {
       attributes.narrow(ANGLES_OF_VIEW, Type.numbers(Range.BELOW_180));
-    } else {
+    }
+    if (law.needsReach()) {
       attributes.require(REACH);
     }
     if (attributes.has(FOCAL_LENGTHS)) {

@@ -27,9 +27,9 @@ public final class Visibility {
   private final boolean asInCamSim;
   private final boolean certain;
   private final Luck luck;
-  private final Map<Level, LevelSight> levels = new ConcurrentHashMap<>();
+  private final Map<Kind, LevelSight> levels = new ConcurrentHashMap<>();
 
-  private record Level(ZoomLevel zoom, double size) {}
+  private record Kind(ZoomLevel zoom, double size) {}
 
   private Visibility(Detection detection, boolean asInCamSim, long seed) {
     this.detection = detection;
@@ -81,7 +81,7 @@ public final class Visibility {
    */
   public LevelSight at(ZoomLevel zoom, double size) {
     return levels.computeIfAbsent(
-        new Level(zoom, size), level -> new LevelSight(detection, asInCamSim, zoom, size));
+        new Kind(zoom, size), kind -> new LevelSight(detection, asInCamSim, zoom, size));
   }
 
   /**

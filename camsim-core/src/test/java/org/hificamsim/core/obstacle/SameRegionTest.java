@@ -28,7 +28,7 @@ class SameRegionTest {
       RandomPlace place = new RandomPlace(seed);
       Obstacles obstacles = place.obstacles(10, false);
       Point at = place.point();
-      Sweep sweep = new Sweep(obstacles, at.x(), at.y(), reach);
+      RegionSweep sweep = new RegionSweep(obstacles, at.x(), at.y(), reach);
       counts[0] += sweep.met().length;
       float[] limits = sweep.limits();
       for (int i = 0; i < limits.length; i += VisibleRegion.LIMITS) {

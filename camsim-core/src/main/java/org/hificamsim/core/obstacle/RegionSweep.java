@@ -7,7 +7,7 @@ import java.util.Arrays;
  * near it can be there, and whether it hides what is behind. Bounds are on the safe side of
  * rounding: what they do not decide, the exact test does.
  */
-final class Sweep {
+final class RegionSweep {
   private static final int MIN_SECTORS = 16;
   private static final int MAX_SECTORS = 128;
 
@@ -26,7 +26,7 @@ final class Sweep {
   private int[] notePiece = new int[256];
   private float[] noteNear = new float[256];
 
-  Sweep(Obstacles obstacles, double x, double y, double reach) {
+  RegionSweep(Obstacles obstacles, double x, double y, double reach) {
     this.obstacles = obstacles;
     this.pieces = obstacles.pieces();
     this.reachSquare = Math.nextUp(reach * reach * (1 + 1e-9));
