@@ -173,6 +173,7 @@ class ActionValuesTest {
             (proxy, method, arguments) ->
                 switch (method.getName()) {
                   case "cameras", "pans" -> 1;
+                  case "viewAt" -> views - 1;
                   case "views", "zooms" -> views;
                   case "targets" -> targets;
                   default -> throw new UnsupportedOperationException(method.getName());
