@@ -65,7 +65,7 @@ public final class LevelSight {
 
   /** Whether this is the level's, for targets of a size. */
   public boolean isOf(ZoomLevel level, double targetSize) {
-    return zoom == level && size == targetSize;
+    return zoom.equals(level) && size == targetSize;
   }
 
   /** Whether distance and angle alone decide where nothing stands in between. */
