@@ -21,7 +21,7 @@ public final class LevelSight {
   /** A cosine nearer to 0 is one of an angle between 0 and pi: rounding takes less than 1e-14. */
   private static final double BETWEEN = 1 - 1e-9;
 
-  /** Far more than what rounding does to a cosine. */
+  /** Far more than what rounding does to a cosine, or to a square. */
   private static final double MARGIN = 1e-9;
 
   private final Detection detection;
@@ -33,6 +33,8 @@ public final class LevelSight {
   private final boolean byDistance;
   private final boolean allRound;
   private final double cosine; // of half the opening angle
+  private final double outside; // squared cosine with its sign, below which a point is outside
+  private final double inside; // the same, above which it is inside
   private final DetectedDistances distances; // at which a target may be detected
   private final boolean single; // one interval, from 0 on
   private final double farthest; // squared, as in the distances; below 0 where there are none
@@ -49,6 +51,8 @@ public final class LevelSight {
     this.byDistance = certain && !model.dependsOnBearing();
     this.allRound = zoom.allRound();
     this.cosine = Math.cos(zoom.viewingAngle() / 2);
+    this.outside = signedSquare(cosine - MARGIN);
+    this.inside = signedSquare(cosine + MARGIN);
     this.distances =
         byDistance
             ? detection.distances(size, zoom)
@@ -57,6 +61,11 @@ public final class LevelSight {
     this.single = intervals == 1 && distances.from(0) == 0;
     this.farthest = intervals == 0 ? -1 : distances.to(intervals - 1);
     this.chances = byDistance || model.dependsOnBearing() ? null : detection.chances(size, zoom);
+  }
+
+  /** Whether this is the level's, for targets of a size. */
+  public boolean isOf(ZoomLevel level, double targetSize) {
+    return zoom.equals(level) && size == targetSize;
   }
 
   /** Whether distance and angle alone decide where nothing stands in between. */
@@ -97,15 +106,27 @@ public final class LevelSight {
     return single ? squared <= farthest : distances.contains(squared);
   }
 
-  /** Whether a point is within the opening angle; CamSim compares angles, not their cosines. */
+  /** Whether a point is within the opening angle. */
   public boolean isInAngle(Pose camera, double x, double y) {
     if (allRound || !asInCamSim) {
       return allRound || camera.isInSector(cosine, x, y);
     }
-    double its = camera.cosine(x, y);
-    return Math.abs(its - cosine) < MARGIN
-        ? camera.offAxis(x, y) < zoom.viewingAngle() / 2
-        : its > cosine && its <= 1;
+    return isInCamSimsAngle(camera, x, y);
+  }
+
+  /** CamSim compares angles; squares tell most of them without a root or an arc cosine. */
+  private boolean isInCamSimsAngle(Pose camera, double x, double y) {
+    double squared = camera.squaredDistance(x, y);
+    double signed = signedSquare(camera.along(x, y));
+    if (signed < outside * squared) {
+      return false;
+    }
+    boolean surely = signed > inside * squared && signed < BETWEEN * squared;
+    return surely || camera.offAxis(x, y) < zoom.viewingAngle() / 2;
+  }
+
+  private static double signedSquare(double value) {
+    return value * Math.abs(value);
   }
 
   /** Whether a target is in reach and angle, where it may be detected. */

@@ -61,6 +61,6 @@ public record Pose(double x, double y, double heading, double headingX, double h
    * own position, or where rounding takes the cosine past 1.
    */
   public double offAxis(double atX, double atY) {
-    return StrictMath.acos(cosine(atX, atY));
+    return ArcCosine.of(cosine(atX, atY));
   }
 }

@@ -24,6 +24,7 @@ public final class Sightings {
   private final double[][] confidence; // by camera and target
   private final int[][] visible; // by camera, in order
   private final int[] visibleCount;
+  private final LevelSight[] sights; // by camera
   private final int[] seen;
   private final boolean[] kept;
 
@@ -38,6 +39,7 @@ public final class Sightings {
     visible = new int[cameras.count()][targets.count()];
     visibleCount = new int[cameras.count()];
     kept = new boolean[targets.count()];
+    sights = new LevelSight[cameras.count()];
     seen = new int[targets.count()];
   }
 
@@ -111,15 +113,10 @@ public final class Sightings {
 
   private int find(
       long step, int camera, Pose pose, ZoomLevel zoom, int start, int end, int before) {
-    LevelSight sight = null;
-    double size = Double.NaN;
     int count = before;
     for (int i = start; i < end; i++) {
       int target = places.point(i);
-      if (targets.size(target) != size) {
-        size = targets.size(target);
-        sight = visibility.at(zoom, size);
-      }
+      LevelSight sight = sight(camera, zoom, targets.size(target));
       if (sight.isInView(pose, places.x(i), places.y(i))) {
         double luck = visibility.luck(step, camera, target);
         double transmittance = lines.transmittance(camera, target);
@@ -130,6 +127,15 @@ public final class Sightings {
       }
     }
     return count;
+  }
+
+  /** Most often the one that the camera looked by before. */
+  private LevelSight sight(int camera, ZoomLevel zoom, double size) {
+    LevelSight last = sights[camera];
+    if (last == null || !last.isOf(zoom, size)) {
+      sights[camera] = visibility.at(zoom, size);
+    }
+    return sights[camera];
   }
 
   /** What a camera saw counts no longer; what is not there stays as it was. */
