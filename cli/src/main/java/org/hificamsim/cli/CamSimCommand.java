@@ -73,7 +73,8 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin private CamSimOptions options;
 
-  @Mixin private final SettingOptions settings =
+  @Mixin
+  private final SettingOptions settings =
       SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY)
           .open(Setting.POLICY);
 

@@ -56,7 +56,8 @@ final class CompareCommand implements Callable<Integer> {
       description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
   private Optional<String> figureWidth;
 
-  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+  @Mixin
+  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Mixin private ScenarioOptions scenarioOptions;
 

@@ -74,6 +74,7 @@ final class Extrapolation {
   }
 
   private static String shown(Span span) {
-    return Numbers.plain(span.least()) + (span.least() == span.most() ? "" : " to " + Numbers.plain(span.most()));
+    return Numbers.plain(span.least())
+        + (span.least() == span.most() ? "" : " to " + Numbers.plain(span.most()));
   }
 }

@@ -71,7 +71,8 @@ final class LadderCommand implements Callable<Integer> {
       description = "Zoom policies to choose from, P:key=value,key=value,Q.")
   private String policies;
 
-  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
+  @Mixin
+  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Mixin private ScenarioOptions scenarioOptions;
 

@@ -37,7 +37,8 @@ final class ViewCommand implements Callable<Integer> {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Mixin private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
+  @Mixin
+  private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
 
   @Mixin private ScenarioOptions scenarioOptions;
 

@@ -33,5 +33,4 @@ record Conventions(ObservationLayout layout, ActionKind actions) {
           "its metadata " + key + " is '" + text + "', expected a whole number", e);
     }
   }
-
 }

@@ -8,9 +8,9 @@ import org.hificamsim.agents.observation.CameraObserver;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
 import org.hificamsim.worlds.Masks;
 import org.hificamsim.worlds.PlayedPolicy;
-import org.hificamsim.core.registry.Options;
 
 /**
  * A policy that was trained elsewhere: {@code onnx:FILE}. Each camera does what the network in the

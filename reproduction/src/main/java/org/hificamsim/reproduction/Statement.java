@@ -12,8 +12,8 @@ import org.hificamsim.runs.Estimate;
  * @param margins by what each must be above 0; 1 or more
  * @param remark what to know about the reading; may be empty
  */
-public record Statement(
-    String id, String source, String text, List<Margin> margins, String remark) implements Judged {
+public record Statement(String id, String source, String text, List<Margin> margins, String remark)
+    implements Judged {
   /** Statements that Table 8.1's hi-fi column implies, at least in part, by their ids. */
   private static final Set<String> IMPLIED =
       Set.of(

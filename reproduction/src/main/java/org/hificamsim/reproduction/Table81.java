@@ -43,7 +43,10 @@ public final class Table81 {
     @Override
     public String id() {
       return String.join(
-          "/", published.layout().label(), published.policy(), published.hifi() ? "hifi" : "camsim");
+          "/",
+          published.layout().label(),
+          published.policy(),
+          published.hifi() ? "hifi" : "camsim");
     }
 
     @Override
@@ -120,7 +123,8 @@ public final class Table81 {
             ? mean(layout.scenarios(), published.detection(), ReproductionPlans.ANY)
             : Double.NaN,
         cluster
-            ? mean(List.of(layout.random(), ReproductionPlans.ORIGIN), published.detection(), policy)
+            ? mean(
+                List.of(layout.random(), ReproductionPlans.ORIGIN), published.detection(), policy)
             : Double.NaN,
         published.hifi()
             ? Double.NaN

@@ -67,7 +67,9 @@ public final class Worlds implements AutoCloseable {
     void on(int i, int worker);
   }
 
-  /** Each worker's share of some work: the worlds of its own. Made once, so that no step allocates. */
+  /**
+   * Each worker's share of some work: the worlds of its own. Made once, so that no step allocates.
+   */
   private Workers.Share shared(Work work) {
     return worker -> {
       int end = workers.first(worker + 1, worlds.length);
@@ -83,7 +85,8 @@ public final class Worlds implements AutoCloseable {
     }
   }
 
-  private Worlds(WorldSettings settings, int count, int threads, long seed, IntFunction<ByteBuffer> source) {
+  private Worlds(
+      WorldSettings settings, int count, int threads, long seed, IntFunction<ByteBuffer> source) {
     this.settings = settings;
     this.seed = seed;
     worlds = new OneWorld[count];

@@ -30,9 +30,7 @@ record RungScores(double[][] score, double[] optimum) {
   }
 
   private static double score(RunPlan plan, ScoredRun run) {
-    return plan.objective().hasOwnFigure()
-        ? run.result().score() / plan.steps()
-        : kMin(plan, run);
+    return plan.objective().hasOwnFigure() ? run.result().score() / plan.steps() : kMin(plan, run);
   }
 
   private static double kMin(RunPlan plan, ScoredRun run) {

@@ -49,7 +49,8 @@ record Fit(ParameterSweep sweep, Variant variant, double hifi, double camsim) {
     return hifi == standard.hifi;
   }
 
-  private static Fit of(ParameterSweep sweep, Variant variant, List<Gap> gaps, Map<String, Gap> defaults) {
+  private static Fit of(
+      ParameterSweep sweep, Variant variant, List<Gap> gaps, Map<String, Gap> defaults) {
     Map<String, Gap> own = new LinkedHashMap<>(defaults);
     gaps.stream()
         .filter(gap -> gap.isOf(sweep) && gap.isAt(variant))

@@ -35,7 +35,8 @@ final class Gaps {
         .toList();
   }
 
-  private Gap gap(ParameterSweep sweep, Variant variant, String name, String policy, List<Layout> layouts) {
+  private Gap gap(
+      ParameterSweep sweep, Variant variant, String name, String policy, List<Layout> layouts) {
     List<Ratio> hifi = ratios(variant, variant.hifi(), policy, layouts);
     List<Ratio> camsim = ratios(variant, variant.camsim(), policy, layouts);
     int seeds = hifi.get(0).performance().length;

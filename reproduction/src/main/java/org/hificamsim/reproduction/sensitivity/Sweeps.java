@@ -82,7 +82,8 @@ public final class Sweeps {
             "reward",
             "reading of Eq 7.5",
             options(TEMPORAL, "reward", "count-change", "count-change", "sign", "literal")),
-        new ParameterSweep("size", "targets' size q, m", sizes(0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.66)),
+        new ParameterSweep(
+            "size", "targets' size q, m", sizes(0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.66)),
         new ParameterSweep(
             "optics",
             "focal length of the narrowest level, m",

@@ -75,8 +75,7 @@ class RungComparisonTest {
   @Test
   void drawnSeedsAreTheSameOnBothRungs() {
     RungScores own = new RungScores(new double[][] {{1, 1}, {0, 0}}, new double[] {1, 1});
-    RungScores top =
-        new RungScores(new double[][] {{0.2, 0.6}, {0.3, 0.9}}, new double[] {1, 1});
+    RungScores top = new RungScores(new double[][] {{0.2, 0.6}, {0.3, 0.9}}, new double[] {1, 1});
     RungComparison comparison = new RungComparison(own, top);
     assertEquals(0.2, comparison.regret(new int[] {0, 1}), 1e-12);
     assertEquals(0.1, comparison.regret(new int[] {0, 0}), 1e-12);
@@ -86,8 +85,7 @@ class RungComparisonTest {
   @Test
   void everyDrawChoosesAnewUnderBothRungs() {
     RungScores own = new RungScores(new double[][] {{1, 0}, {0, 2}}, new double[] {1, 1});
-    RungScores top =
-        new RungScores(new double[][] {{0.2, 0.6}, {0.3, 0.1}}, new double[] {1, 1});
+    RungScores top = new RungScores(new double[][] {{0.2, 0.6}, {0.3, 0.1}}, new double[] {1, 1});
     RungComparison comparison = new RungComparison(own, top);
     assertEquals(0.2, comparison.regret(new int[] {0, 1}), 1e-12);
     assertEquals(0.1, comparison.regret(new int[] {0, 0}), 1e-12);
