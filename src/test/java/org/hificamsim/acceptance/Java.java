@@ -9,8 +9,7 @@ import org.hificamsim.cli.Main;
 /** Runs the command line, or another class, in a process of its own. */
 final class Java {
   /** Options for a JVM that ends soon. */
-  static final List<String> SHORT_LIVED =
-      List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
+  static final List<String> SHORT_LIVED = List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1");
 
   private Java() {}
 

@@ -41,7 +41,10 @@ record Results(Cli cli, Path folder) {
     return new Results(cli, folder);
   }
 
-  /** What is made in a folder of its own; when this process ends, it is closed and the folder deleted. */
+  /**
+   * What is made in a folder of its own; when this process ends, it is closed and the folder
+   * deleted.
+   */
   static <T> T untilTheEnd(String name, Function<Path, T> make, Consumer<T> close) {
     try {
       Path folder = Files.createTempDirectory(name);
