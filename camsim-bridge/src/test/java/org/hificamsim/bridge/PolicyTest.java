@@ -179,7 +179,7 @@ class PolicyTest {
 
   @Test
   void levelsAreFiveUpToEachCamerasOwnRangeWhereNoneAreGiven() {
-    CamSimRun with = CamSimRun.shared("policy=random");
+    CamSimRun with = CamSimRun.shared("policy=random,out=results");
     Map<String, Set<Double>> ranges =
         with.rows("looks.csv").stream()
             .map(Look::of)
@@ -193,7 +193,7 @@ class PolicyTest {
 
   @Test
   void theSeedDecides() {
-    String first = CamSimRun.shared("policy=random").text("looks.csv");
+    String first = CamSimRun.shared("policy=random,out=results").text("looks.csv");
     assertEquals(first, run("again", "policy=random,seed=0").text("looks.csv"));
     assertTrue(!first.equals(run("other", "policy=random,seed=1").text("looks.csv")));
   }
