@@ -49,10 +49,7 @@ class PolicyTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @ValueSource(
-      strings = {
-        "fixed:0;1;2;3;1", "optimal", "ucb1", "qb-sarsa:k=2"
-      })
+  @ValueSource(strings = {"fixed:0;1;2;3;1", "optimal", "ucb1", "qb-sarsa:k=2"})
   void decidesAsInOurOwnEngineWhileCamerasAndObjectsComeAndGo(String policy) throws IOException {
     CamSimRun with =
         run("with", "detection=hifi:orb-power,policy=" + policy + "," + ZOOMS + ",out=results");
@@ -182,7 +179,7 @@ class PolicyTest {
 
   @Test
   void levelsAreFiveUpToEachCamerasOwnRangeWhereNoneAreGiven() {
-    CamSimRun with = CamSimRun.shared("policy=random");
+    CamSimRun with = CamSimRun.shared("policy=random,out=results");
     Map<String, Set<Double>> ranges =
         with.rows("looks.csv").stream()
             .map(Look::of)
@@ -196,7 +193,7 @@ class PolicyTest {
 
   @Test
   void theSeedDecides() {
-    String first = CamSimRun.shared("policy=random").text("looks.csv");
+    String first = CamSimRun.shared("policy=random,out=results").text("looks.csv");
     assertEquals(first, run("again", "policy=random,seed=0").text("looks.csv"));
     assertTrue(!first.equals(run("other", "policy=random,seed=1").text("looks.csv")));
   }
