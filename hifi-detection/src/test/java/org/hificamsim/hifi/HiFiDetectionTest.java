@@ -56,6 +56,7 @@ class HiFiDetectionTest {
   }
 
   private static HiFiDetection model(FeatureAbstraction f, DetectorLine g) {
-    return new HiFiDetection("test", f, g, LAB, 0.5, OptionalDouble.empty(), Optional.empty(), Provenance.UNKNOWN);
+    return new HiFiDetection(
+        "test", f, g, LAB, 0.5, OptionalDouble.empty(), Optional.empty(), Provenance.UNKNOWN);
   }
 }

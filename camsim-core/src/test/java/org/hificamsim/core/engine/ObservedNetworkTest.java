@@ -19,7 +19,6 @@ import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.scenario.ScenarioEvent.ChangeCamera;
 import org.hificamsim.core.scenario.ScenarioEvent.RemoveTarget;
-import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
 import org.junit.jupiter.api.Test;

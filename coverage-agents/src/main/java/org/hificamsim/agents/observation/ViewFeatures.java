@@ -74,7 +74,8 @@ final class ViewFeatures {
     rows[at + 3] = Bounds.signed(Math.sin(network.cameraHeading(camera)));
     rows[at + 4] = Bounds.signed(Math.cos(network.cameraHeading(camera)));
     rows[at + SEEING] = Bounds.signed(network.pan(camera, view) / Math.PI);
-    rows[at + SEEING + 1] = zooms == 1 ? 1 : Bounds.share(network.zoomOf(camera, view) / (zooms - 1.0));
+    rows[at + SEEING + 1] =
+        zooms == 1 ? 1 : Bounds.share(network.zoomOf(camera, view) / (zooms - 1.0));
     rows[at + SEEING + 2] = Bounds.share(angle / (2 * Math.PI));
     System.arraycopy(rows, at + SEEING, rows, at + GOAL, 2);
     fillNeighbours(network, standpoints, nearest, camera, at + ObservationLayout.OWN_SIZE);

@@ -2,7 +2,9 @@ package org.hificamsim.agents.optimal;
 
 import org.hificamsim.core.policy.NetworkView;
 
-/** What each camera could detect, as the problem of a {@link org.hificamsim.agents.search.Solver}. */
+/**
+ * What each camera could detect, as the problem of a {@link org.hificamsim.agents.search.Solver}.
+ */
 interface ConfigurationSets {
   /**
    * Fills the problem with the network as it is now; its cameras are the online ones.

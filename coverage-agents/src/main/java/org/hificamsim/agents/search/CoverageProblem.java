@@ -1,8 +1,8 @@
 package org.hificamsim.agents.search;
 
 /**
- * A coverage problem: each camera chooses one of its detection sets. How good a choice is depends on
- * how many cameras cover each target; an {@link org.hificamsim.core.metrics.Objective} says how.
+ * A coverage problem: each camera chooses one of its detection sets. How good a choice is depends
+ * on how many cameras cover each target; an {@link org.hificamsim.core.metrics.Objective} says how.
  *
  * <p>Cameras, sets and targets are numbered from 0. A camera's sets are listed in its order of
  * preference, which decides between equally good choices; a set may equal, include or be included

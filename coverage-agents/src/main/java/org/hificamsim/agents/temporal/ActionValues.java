@@ -94,7 +94,8 @@ public final class ActionValues {
    * The number of a camera's state, from 0.
    *
    * @param view view in [0, views of the camera)
-   * @param percept what it perceives, from 0: the number of targets detected, or {@link PicturePercept}'s
+   * @param percept what it perceives, from 0: the number of targets detected, or {@link
+   *     PicturePercept}'s
    */
   public int state(int camera, int view, int percept) {
     return reading.state(view, percept, views[camera]);

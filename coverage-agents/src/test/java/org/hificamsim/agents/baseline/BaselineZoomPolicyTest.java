@@ -18,12 +18,16 @@ class BaselineZoomPolicyTest {
 
   @Test
   void zoomOutTakesEachCamerasWidestLevel() {
-    assertArrayEquals(new int[] {4, 2, 0}, levelsAfter(new AheadZoomPolicy("zoom-out", PatrolZoomPolicy.Zoom.WIDEST)));
+    assertArrayEquals(
+        new int[] {4, 2, 0},
+        levelsAfter(new AheadZoomPolicy("zoom-out", PatrolZoomPolicy.Zoom.WIDEST)));
   }
 
   @Test
   void zoomInTakesTheNarrowestLevel() {
-    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST)));
+    assertArrayEquals(
+        new int[] {0, 0, 0},
+        levelsAfter(new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST)));
   }
 
   @Test

@@ -73,7 +73,11 @@ class ViewTranslationTest {
   }
 
   private static NetworkView network(String optics, String one, String other) {
-    return RealWorld.run(world(optics, one, other), new AheadZoomPolicy("zoom-out", PatrolZoomPolicy.Zoom.WIDEST), 1).network();
+    return RealWorld.run(
+            world(optics, one, other),
+            new AheadZoomPolicy("zoom-out", PatrolZoomPolicy.Zoom.WIDEST),
+            1)
+        .network();
   }
 
   private static String world(String optics, String one, String other) {

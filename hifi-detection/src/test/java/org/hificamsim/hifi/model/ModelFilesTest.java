@@ -10,12 +10,12 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.stream.Stream;
-import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
@@ -199,6 +199,13 @@ class ModelFilesTest {
   private static HiFiDetection named(String name, FeatureAbstraction f) {
     Provenance remarks = Provenance.UNKNOWN.with("zebra", "1").with("ant", "2").with("monkey", "3");
     return new HiFiDetection(
-        name, f, new DetectorLine(0.5, 0.03), new Optics(0.0224, 0.085), 0.05, OptionalDouble.empty(), Optional.empty(), remarks);
+        name,
+        f,
+        new DetectorLine(0.5, 0.03),
+        new Optics(0.0224, 0.085),
+        0.05,
+        OptionalDouble.empty(),
+        Optional.empty(),
+        remarks);
   }
 }

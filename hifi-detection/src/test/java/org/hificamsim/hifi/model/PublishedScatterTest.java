@@ -50,7 +50,8 @@ class PublishedScatterTest {
         catalogue.line(name.substring(0, dash), name.substring(dash + 1)).orElseThrow();
     HiFiDetection any = (HiFiDetection) MODELS.create(line);
     HiFiDetection model =
-        new HiFiDetection(name, any.f(), g.g(), any.optics(), 0.5, g.rmse(), Optional.empty(), any.provenance());
+        new HiFiDetection(
+            name, any.f(), g.g(), any.optics(), 0.5, g.rmse(), Optional.empty(), any.provenance());
     assertEquals(atFivePercent, half(model, "0.05"), 0.0006);
     assertEquals(atOnePercent, half(model, "0.01"), 0.0006);
   }

@@ -24,8 +24,7 @@ public final class KMinFigure {
     KMinPanel panel = new KMinPanel("", steps, ceiling(lines.stream().map(Line::means).toList()));
     lines.forEach(line -> panel.raw(line.means(), colors.of(line.label())));
     lines.forEach(line -> panel.smooth(line.label(), line.means(), colors));
-    return new Figure(
-        title, note, colors.legend(), List.of(panel), 1, WIDTH, HEIGHT);
+    return new Figure(title, note, colors.legend(), List.of(panel), 1, WIDTH, HEIGHT);
   }
 
   /** Where a y axis ends that holds all that is drawn of these, and a tenth more. */

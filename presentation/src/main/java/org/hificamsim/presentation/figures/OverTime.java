@@ -20,8 +20,7 @@ public final class OverTime {
     double most = ceiling(cases);
     Map<String, List<CaseResult>> detections = CaseGroups.byDetection(cases);
     List<XYChart> panels = new ArrayList<>();
-    detections.forEach(
-        (name, group) -> panels.add(panel(name, group, colors, most)));
+    detections.forEach((name, group) -> panels.add(panel(name, group, colors, most)));
     return new Figure(
         title, note(cases), colors.legend(), panels, Math.min(3, panels.size()), WIDTH, HEIGHT);
   }

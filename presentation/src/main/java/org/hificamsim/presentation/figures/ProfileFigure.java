@@ -25,8 +25,7 @@ final class ProfileFigure {
     List<CaseResult> shown = cases.stream().filter(one -> !one.isOptimum()).toList();
     PolicyColors colors = OverTime.colors(shown);
     List<XYChart> panels = new ArrayList<>();
-    CaseGroups.byDetection(shown)
-        .forEach((name, group) -> panels.add(panel(name, group, colors)));
+    CaseGroups.byDetection(shown).forEach((name, group) -> panels.add(panel(name, group, colors)));
     return new Figure(
         "Performance profile",
         "Share of all runs whose proportion of the optimum is tau or more; bands: 95% stratified"

@@ -11,8 +11,8 @@ import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Legend;
-import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.Paintable;
+import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.presentation.replay.Setup;
 

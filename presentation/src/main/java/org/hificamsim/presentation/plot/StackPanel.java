@@ -29,8 +29,7 @@ public final class StackPanel extends CategoryChart {
 
   /** Adds a layer on top of the ones before, one value per name. */
   public StackPanel layer(List<Double> values, Color color) {
-    CategorySeries series =
-        addSeries(String.valueOf(getSeriesMap().size()), names, values);
+    CategorySeries series = addSeries(String.valueOf(getSeriesMap().size()), names, values);
     series.setFillColor(color);
     return this;
   }

@@ -188,8 +188,7 @@ public class XyPanel extends XYChart {
   }
 
   private XYSeries add(Curve curve, Marker marker) {
-    XYSeries series =
-        addSeries(String.valueOf(getSeriesMap().size()), curve.x(), curve.y());
+    XYSeries series = addSeries(String.valueOf(getSeriesMap().size()), curve.x(), curve.y());
     series.setMarker(marker);
     return series;
   }

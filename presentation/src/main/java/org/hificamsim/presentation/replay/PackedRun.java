@@ -16,8 +16,8 @@ import java.util.zip.InflaterInputStream;
  * @param frames how many there are
  * @param scale parts of a metre that positions are rounded to
  * @param estimateScale parts of a unit that estimates are rounded to
- * @param data a {@link Series} for the frames' steps, then one for each {@link FrameColumn}; deflated
- *     (zlib), in Base64
+ * @param data a {@link Series} for the frames' steps, then one for each {@link FrameColumn};
+ *     deflated (zlib), in Base64
  */
 public record PackedRun(
     int run,
@@ -34,7 +34,8 @@ public record PackedRun(
   static PackedRun of(Setup setup, RecordedRun recording) {
     Scale place = Scale.of(setup.field());
     Scale estimate = Scale.of(largestEstimate(recording.frames()));
-    List<FrameColumn> columns = FrameColumn.of(setup, place, estimate, !recording.estimated().isEmpty());
+    List<FrameColumn> columns =
+        FrameColumn.of(setup, place, estimate, !recording.estimated().isEmpty());
     return new PackedRun(
         recording.run(),
         recording.seed(),
@@ -60,7 +61,8 @@ public record PackedRun(
    */
   RecordedRun unpack(Setup setup) throws IOException {
     boolean known = !estimated.isEmpty();
-    List<FrameColumn> columns = FrameColumn.of(setup, new Scale(scale), new Scale(estimateScale), known);
+    List<FrameColumn> columns =
+        FrameColumn.of(setup, new Scale(scale), new Scale(estimateScale), known);
     List<Frame> unpacked = new ArrayList<>(frames);
     try (InputStream in =
         new InflaterInputStream(new ByteArrayInputStream(Base64.getDecoder().decode(data)))) {
@@ -93,7 +95,8 @@ public record PackedRun(
         });
   }
 
-  private static void pack(OutputStream out, FrameColumn column, List<Frame> frames) throws IOException {
+  private static void pack(OutputStream out, FrameColumn column, List<Frame> frames)
+      throws IOException {
     long before = 0;
     for (Frame frame : frames) {
       long number = column.pack().applyAsLong(frame);

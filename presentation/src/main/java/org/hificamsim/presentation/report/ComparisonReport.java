@@ -54,7 +54,8 @@ final class ComparisonReport {
   /**
    * The page.
    *
-   * @throws org.hificamsim.core.InputException when a table is missing, broken, or of another comparison than the rest
+   * @throws org.hificamsim.core.InputException when a table is missing, broken, or of another
+   *     comparison than the rest
    */
   static Page of(Path folder) throws IOException {
     ComparisonReport report = new ComparisonReport(folder);

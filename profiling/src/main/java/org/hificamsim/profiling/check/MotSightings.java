@@ -1,9 +1,9 @@
 package org.hificamsim.profiling.check;
 
-import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.hificamsim.tracks.format.MotFile;
 import org.hificamsim.tracks.format.MotRow;

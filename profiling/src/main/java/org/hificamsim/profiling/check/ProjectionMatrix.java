@@ -25,7 +25,8 @@ final class ProjectionMatrix implements Calibration {
   ProjectionMatrix(double[] p, double metres) {
     Vector3D third = new Vector3D(p[8], p[9], p[10]);
     double determinant =
-        new Vector3D(p[0], p[1], p[2]).dotProduct(new Vector3D(p[4], p[5], p[6]).crossProduct(third));
+        new Vector3D(p[0], p[1], p[2])
+            .dotProduct(new Vector3D(p[4], p[5], p[6]).crossProduct(third));
     double size = third.getNorm() * Math.signum(determinant);
     if (!(Math.abs(determinant) > SINGULAR * Math.pow(third.getNorm(), 3))) {
       throw new InputException(
@@ -54,7 +55,9 @@ final class ProjectionMatrix implements Calibration {
   public Pixel project(Vector3D point) {
     double w = along.dotProduct(point) + shift.getZ();
     return w > 0
-        ? new Pixel((across.dotProduct(point) + shift.getX()) / w, (down.dotProduct(point) + shift.getY()) / w)
+        ? new Pixel(
+            (across.dotProduct(point) + shift.getX()) / w,
+            (down.dotProduct(point) + shift.getY()) / w)
         : Pixel.NONE;
   }
 

@@ -35,7 +35,8 @@ enum SizeModel {
 
   /** Over the ground, metres. */
   static double distance(Calibration camera, Vector3D foot) {
-    return Math.hypot(foot.getX() - camera.position().getX(), foot.getY() - camera.position().getY());
+    return Math.hypot(
+        foot.getX() - camera.position().getX(), foot.getY() - camera.position().getY());
   }
 
   /** A metre on the ground, across the line from the camera. */

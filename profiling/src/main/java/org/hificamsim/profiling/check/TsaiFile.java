@@ -1,10 +1,10 @@
 package org.hificamsim.profiling.check;
 
-import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.PlainXml;
 import org.hificamsim.tracks.format.Unit;

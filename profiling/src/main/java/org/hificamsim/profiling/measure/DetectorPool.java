@@ -38,8 +38,7 @@ final class DetectorPool implements AutoCloseable {
     List<Map<String, Double>> all =
         subjects.stream().<Map<String, Double>>map(subject -> new LinkedHashMap<>()).toList();
     List<ConfidenceSource> kept = free.poll();
-    List<ConfidenceSource> detectors =
-        kept != null ? kept : detectors();
+    List<ConfidenceSource> detectors = kept != null ? kept : detectors();
     try (Photograph photo = new Photograph(file)) {
       detectors.forEach(detector -> add(detector, photo, subjects, asked, all));
       return all;

@@ -1,6 +1,5 @@
 package org.hificamsim.profiling.check;
 
-import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -9,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
+import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.Test;
 

@@ -12,18 +12,28 @@ import org.hificamsim.runs.heat.HeatMap.Place;
  */
 @SuppressWarnings("ImmutableEnumChecker") // functions
 public enum HeatFigure {
-  MEAN_K("cameras that would detect there, mean", "no camera, at no step", Unit.CAMERAS,
-      Place::meanK),
-  COVERED("steps with 1 or more cameras", "no camera, at no step", Unit.SHARE,
+  MEAN_K(
+      "cameras that would detect there, mean", "no camera, at no step", Unit.CAMERAS, Place::meanK),
+  COVERED(
+      "steps with 1 or more cameras",
+      "no camera, at no step",
+      Unit.SHARE,
       place -> 1 - place.covered0()),
-  COVERED_K("steps with 2 or more cameras", "never 2 cameras", Unit.SHARE,
-      Place::coveredK),
-  VISITS("targets there, added up over the steps", "", Unit.COUNT,
+  COVERED_K("steps with 2 or more cameras", "never 2 cameras", Unit.SHARE, Place::coveredK),
+  VISITS(
+      "targets there, added up over the steps",
+      "",
+      Unit.COUNT,
       place -> place.visits() == 0 ? Double.NaN : place.visits()),
   VISITS_MEAN_K(
-      "cameras that detected a target there, mean", "no camera, at no visit", Unit.CAMERAS,
+      "cameras that detected a target there, mean",
+      "no camera, at no visit",
+      Unit.CAMERAS,
       Place::visitsMeanK),
-  VISITS_COVERED("visits with 1 or more cameras", "no camera, at no visit", Unit.SHARE,
+  VISITS_COVERED(
+      "visits with 1 or more cameras",
+      "no camera, at no visit",
+      Unit.SHARE,
       place -> 1 - place.visitsCovered0());
 
   private enum Unit {
