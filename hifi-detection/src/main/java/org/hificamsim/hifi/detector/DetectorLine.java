@@ -15,6 +15,11 @@ public record DetectorLine(double slope, double intercept) implements DetectorMo
     return slope * pip + intercept;
   }
 
+  /** The PIP at which the line takes this confidence; not finite for a level line. */
+  public double pip(double confidence) {
+    return (confidence - intercept) / slope;
+  }
+
   @Override
   public String equation() {
     return String.format(Locale.ROOT, "%+.3g p %+.3g", slope, intercept);

@@ -68,8 +68,7 @@ public record PublishedModels(
    */
   public double threshold(DetectorModel g) {
     DetectorLine line = line(reference.detector(), reference.f()).orElseThrow().g();
-    double pip = (reference.threshold() - line.intercept()) / line.slope();
-    return g.equals(line) ? reference.threshold() : g.confidence(pip);
+    return g.equals(line) ? reference.threshold() : g.confidence(line.pip(reference.threshold()));
   }
 
   private static PublishedModels read() {
