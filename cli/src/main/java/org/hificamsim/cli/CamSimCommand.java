@@ -73,11 +73,6 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin private CamSimOptions options;
 
-  @Mixin
-  private final SettingOptions settings =
-      SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY)
-          .open(Setting.POLICY);
-
   @Option(
       names = "--extra-out",
       paramLabel = "FILE",
@@ -100,6 +95,11 @@ final class CamSimCommand implements Callable<Integer> {
   private Optional<Path> forCamSim;
 
   @Mixin private Screen screen;
+
+  @Mixin
+  private final SettingOptions settings =
+      SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY)
+          .open(Setting.POLICY);
 
   @Override
   public Integer call() throws IOException {

@@ -56,14 +56,14 @@ final class CompareCommand implements Callable<Integer> {
       description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
   private Optional<String> figureWidth;
 
-  @Mixin
-  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
-
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
+
+  @Mixin
+  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Override
   public Integer call() throws IOException {

@@ -114,11 +114,11 @@ final class FitCommand implements Callable<Integer> {
   @Option(names = "--penalty", paramLabel = "C", description = "What larger errors cost them.")
   private double penalty;
 
-  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
-
   @Mixin private ThreadsOption threads;
 
   @Spec private CommandSpec spec;
+
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Override
   public Integer call() throws IOException {

@@ -43,9 +43,9 @@ final class GenerateCommand implements Callable<Integer> {
       description = "Square metres for each camera; default: 42.9, as in the cluster scenarios.")
   private Double area;
 
-  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
-
   @Spec private CommandSpec spec;
+
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Override
   public Integer call() throws IOException {

@@ -109,11 +109,11 @@ final class LabCommand implements Callable<Integer> {
       description = "Things in the room behind the object.")
   private int clutter;
 
-  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
-
   @Mixin private ThreadsOption threads;
 
   @Mixin private Screen screen;
+
+  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
 
   @Override
   public Integer call() {

@@ -71,14 +71,14 @@ final class LadderCommand implements Callable<Integer> {
       description = "Zoom policies to choose from, P:key=value,key=value,Q.")
   private String policies;
 
-  @Mixin
-  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
-
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
+
+  @Mixin
+  private final SettingOptions settings = SettingOptions.allBut(Setting.DETECTION, Setting.POLICY);
 
   @Override
   public Integer call() throws IOException {

@@ -18,13 +18,13 @@ import picocli.CommandLine.Mixin;
     name = "reproduce",
     description = "Computes Table 8.1 and Figures 7.3 to 8.1 again, beside what was published.")
 final class ReproduceCommand implements Callable<Integer> {
-  @Mixin
-  private final SettingOptions settings =
-      SettingOptions.of(Setting.STEPS, Setting.REPEAT, Setting.SEED);
-
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
+
+  @Mixin
+  private final SettingOptions settings =
+      SettingOptions.of(Setting.STEPS, Setting.REPEAT, Setting.SEED);
 
   @Override
   public Integer call() throws IOException {

@@ -55,8 +55,6 @@ final class RunCommand implements Callable<Integer> {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Mixin private final SettingOptions settings = SettingOptions.all();
-
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Mixin private ThreadsOption threads;
@@ -106,6 +104,8 @@ final class RunCommand implements Callable<Integer> {
   private boolean json;
 
   @Mixin private Screen screen;
+
+  @Mixin private final SettingOptions settings = SettingOptions.all();
 
   @Override
   public Integer call() throws IOException {

@@ -18,13 +18,13 @@ import picocli.CommandLine.Mixin;
         "Sweeps thresholds, targets, their size, optics, f, g, CamSim's formula and the learners'"
             + " settings around defaults.")
 final class SensitivityCommand implements Callable<Integer> {
-  @Mixin
-  private final SettingOptions settings =
-      SettingOptions.of(Setting.STEPS, Setting.REPEAT, Setting.SEED);
-
   @Mixin private BatchOptions batch;
 
   @Mixin private Screen screen;
+
+  @Mixin
+  private final SettingOptions settings =
+      SettingOptions.of(Setting.STEPS, Setting.REPEAT, Setting.SEED);
 
   @Override
   public Integer call() throws IOException {

@@ -37,9 +37,6 @@ final class ViewCommand implements Callable<Integer> {
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
-  @Mixin
-  private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
-
   @Mixin private ScenarioOptions scenarioOptions;
 
   @Option(
@@ -52,6 +49,9 @@ final class ViewCommand implements Callable<Integer> {
   private boolean noBrowser;
 
   @Spec private CommandSpec spec;
+
+  @Mixin
+  private final SettingOptions settings = SettingOptions.allBut(Setting.STEPS, Setting.REPEAT);
 
   @Override
   public Integer call() throws IOException, InterruptedException {
