@@ -43,7 +43,7 @@ final class ScenarioOptions {
   /** Reads a scenario with what is asked for in its place, and warnings on {@code err}. */
   Scenario read(Path file, Settings asked, Catalogue catalogue, PrintWriter err) {
     Consumer<String> warned = on(err);
-    Scenario scenario = ScenarioReader.read(file, catalogue.movements()::knows, warned);
+    Scenario scenario = ScenarioReader.read(file, catalogue.movements().names()::contains, warned);
     List<String> parts = scenario.networkParts();
     if (!parts.isEmpty()) {
       warned.accept(
