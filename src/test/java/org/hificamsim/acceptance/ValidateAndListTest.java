@@ -247,7 +247,7 @@ class ValidateAndListTest {
         "list detction | unknown command 'detction', expected one of detections, policies,"
             + " scenarios",
         "profile | expected lab, measure, fit",
-        "run --stepz 3 | Unknown option: '--stepz', maybe --steps or --strict",
+        "run --stepz 3 | Unknown option: '--stepz', maybe --strict or --steps",
       })
   void aMisspelledWordIsToldWhatWasMeant(String words, String expected) {
     Cli wrong = Cli.run((Object[]) words.split(" "));
