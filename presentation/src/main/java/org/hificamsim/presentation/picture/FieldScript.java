@@ -163,7 +163,6 @@ final class FieldScript {
 
   private static <T> T in(java.util.function.Function<Context, T> task) {
     try (Context context = Context.enter()) {
-      context.setInterpretedMode(true); // compiling the script takes longer than one picture
       context.setLanguageVersion(Context.VERSION_ES6);
       context.setInterpretedMode(true); // compiling takes longer than even an animation gains
       return task.apply(context);
