@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -21,6 +22,8 @@ import org.junit.jupiter.api.Test;
 /** The map in {@code CONTRIBUTING.md} names what is there, and links lead somewhere. */
 class DocumentationTest {
   private static final Pattern LINK = Pattern.compile("\\]\\((?!https?:)([^)#\\s]+)");
+  private static final Pattern ANCHOR = Pattern.compile("\\]\\((?!https?:)([^)#\\s]*)#([^)\\s]+)");
+  private static final Pattern HEADING = Pattern.compile("(?m)^#+ +(.+)$");
   private static final Pattern CLASS = Pattern.compile("`([A-Z][A-Za-z0-9]*[a-z][A-Za-z0-9]*)`");
   private static final Set<String> NO_CLASSES = Set.of("Impl", "Base");
 
@@ -34,6 +37,25 @@ class DocumentationTest {
               .toList();
       assertEquals(List.of(), missing, document.toString());
     }
+  }
+
+  @Test
+  void everyAnchorIsAHeading() throws IOException {
+    for (Path document : documents()) {
+      for (MatchResult link : found(ANCHOR, document).toList()) {
+        Path target = link.group(1).isEmpty() ? document : document.resolveSibling(link.group(1));
+        assertTrue(
+            anchors(target).contains(link.group(2)), document + " links to #" + link.group(2));
+      }
+    }
+  }
+
+  /** The anchors of a page's headings, as GitHub makes them. */
+  private static Set<String> anchors(Path page) throws IOException {
+    return found(HEADING, page)
+        .map(heading -> heading.group(1).toLowerCase(Locale.ROOT))
+        .map(text -> text.replaceAll("[^\\p{L}\\p{N} _-]", "").replace(' ', '-'))
+        .collect(toSet());
   }
 
   @Test

@@ -33,7 +33,10 @@ import org.hificamsim.worlds.WorldSettings;
  * @param own of environments alone
  */
 record Request(Settings asked, Environment own) {
-  /** Of a run: actions stand in place of a policy, and episodes of repeats. */
+  /**
+   * Settings of a run that environments have: actions take the place of a policy, and episodes that
+   * of repeats. A setting without an effect on episodes has to be left out here.
+   */
   static final Set<Setting> SETTINGS =
       EnumSet.complementOf(EnumSet.of(Setting.POLICY, Setting.REPEAT));
 

@@ -206,7 +206,7 @@ public enum Metric {
 
   /** Whether it says how far the policy's claim to be the best is proven. */
   public boolean isClaim() {
-    return compareTo(UNPROVEN_STEPS) >= 0 && compareTo(SCORE_BOUND) <= 0;
+    return this == UNPROVEN_STEPS || this == PERFORMANCE_BOUND || this == SCORE_BOUND;
   }
 
   /** The value of one run; NaN where there is none. */

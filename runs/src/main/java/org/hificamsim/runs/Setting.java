@@ -114,7 +114,7 @@ public enum Setting {
   /**
    * Where a plan has a setting.
    *
-   * @param of its value, perhaps null; null where the plan itself keeps it
+   * @param of its value, perhaps null; not needed ({@code null}) for what the plan keeps itself
    * @param check of a value that is asked for
    * @param into changes what a scenario file says
    */
@@ -135,14 +135,17 @@ public enum Setting {
     this.meaning = meaning;
   }
 
+  /** A setting of runs alone, such as their number of steps: the plan keeps it. */
   private static Holder own(Check check) {
     return new Holder(null, check, (scenario, text) -> scenario);
   }
 
+  /** A setting that is part of the detection. */
   private static Holder ofPlan(Function<RunPlan, String> of, Check check) {
     return new Holder(of, check, (scenario, text) -> scenario);
   }
 
+  /** A setting that is an attribute of scenarios too, which it overrides. */
   private static <E extends Enum<E>> Holder choice(Class<E> type, Property<Scenario, E> property) {
     return new Holder(
         plan -> Spelling.of(plan.scenario().get(property)),
@@ -170,7 +173,7 @@ public enum Setting {
     return Arrays.stream(values()).filter(one -> one.label().equals(label)).findFirst();
   }
 
-  /** The name in files, of the option and of the argument in Python. */
+  /** The name in files and of the argument in Python; the option has {@code -} for {@code _}. */
   public String label() {
     return name().toLowerCase(Locale.ROOT);
   }

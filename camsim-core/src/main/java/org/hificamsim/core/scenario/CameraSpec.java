@@ -62,7 +62,7 @@ min_zoom, max_zoom, zoom_steps: in files of the coverage study; of no effect
     ELEMENT.ignored("zoom_steps", Type.whole(0));
   }
 
-  /** A camera that an event adds. */
+  /** A camera that an event adds: it has the attributes that are declared above. */
   static final Element<CameraSpec> ADDED =
       ELEMENT.like("event", "A camera comes.", ELEMENT.attributes());
 

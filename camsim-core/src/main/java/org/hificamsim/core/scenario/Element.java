@@ -143,7 +143,7 @@ final class Element<S> {
     return standards.toArray();
   }
 
-  /** Says nothing. */
+  /** The values of an element without any attribute: the defaults. */
   Spec<S> empty() {
     return new Spec<>(this, standards(), Map.of());
   }
@@ -152,12 +152,12 @@ final class Element<S> {
     return type;
   }
 
-  /** What it is read as. */
+  /** Makes the object from its values. */
   S make(Spec<S> said) {
     return make.apply(said);
   }
 
-  /** What it says in place of what it is read as. */
+  /** The values from which an object was made. */
   Spec<S> said(S made) {
     return of.apply(made);
   }

@@ -34,7 +34,10 @@ public final class Property<S, T> {
     return this;
   }
 
-  /** It is not written where it has its default. */
+  /**
+   * It is not written where it has its default: for a new attribute, so that files and run keys of
+   * scenarios without it stay the same.
+   */
   Property<S, T> quiet() {
     quiet = true;
     return this;
@@ -63,6 +66,11 @@ public final class Property<S, T> {
 
   boolean isRequired() {
     return required;
+  }
+
+  @Override
+  public String toString() {
+    return name;
   }
 
   /** What is written for a spec; null for nothing. */

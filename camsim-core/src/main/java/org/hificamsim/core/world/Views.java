@@ -21,6 +21,7 @@ final class Views {
 
   private static final double CLAMPED = MAX_RANGE - MAX_RANGE * 0.2;
 
+  /** All that views depend on: what {@link #make} reads of a camera has to be here. */
   private record Kind(double range, double viewingAngle, Optional<OpticsSpec> optics) {}
 
   private final Scenario scenario;

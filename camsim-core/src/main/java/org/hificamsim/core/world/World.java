@@ -115,7 +115,10 @@ public final class World {
     return sightLines;
   }
 
-  /** How the scenario describes a camera, also one that is yet to be added. */
+  /**
+   * How the scenario describes a camera, also one that is yet to be added; events that change the
+   * camera later do not change this.
+   */
   public CameraSpec cameraSpec(int camera) {
     return participants.camera(camera);
   }
