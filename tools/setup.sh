@@ -115,7 +115,7 @@ tell_libraries() {
 run_gradle() (
     JAVA_HOME=$(build_home)
     GRADLE_USER_HOME=$(gradle_files)
-    GRADLE_OPTS="${GRADLE_OPTS:-} -XX:TieredStopAtLevel=1 -XX:+UseSerialGC" # it mostly waits for what it starts
+    GRADLE_OPTS="-XX:TieredStopAtLevel=1 ${GRADLE_OPTS:-}" # it mostly waits for what it starts
     export JAVA_HOME GRADLE_USER_HOME GRADLE_OPTS
     [ "$installing" = yes ] || set -- --offline "$@"
     cd "$root" && "$gradle" --no-daemon "$@" </dev/null 2>&1

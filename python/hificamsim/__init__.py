@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from .parallel import CameraEnv, env, parallel_env
     from .registry import ids, make, register
     from .results import Results, compare, execute, read_results, run
-    from .tasks import benchmarl_task
     from .torch_envs import torchrl_env
     from .vector import CameraVectorEnv, NetworkEnv, single_env, vector_env
 
@@ -34,7 +33,6 @@ _LATER = {
     "execute": "results",
     "read_results": "results",
     "run": "results",
-    "benchmarl_task": "tasks",
     "torchrl_env": "torch_envs",
     "CameraVectorEnv": "vector",
     "NetworkEnv": "vector",
@@ -76,6 +74,13 @@ def sb3_vec_env(scenario: str | os.PathLike[str], num_envs: int = 1, **settings:
     from .sb3 import CameraVecEnv
 
     return CameraVecEnv(scenario, num_envs, **settings)
+
+
+def benchmarl_task(scenario: str | os.PathLike[str], **settings: Any) -> Any:
+    """A task for BenchMARL's ``Experiment(task=...)``: the TorchRL environment with its masks and its state."""
+    from .tasks import CameraTask
+
+    return CameraTask(scenario, settings)
 
 
 def __getattr__(name: str) -> Any:

@@ -69,8 +69,3 @@ def _only(env: Any, part: str) -> Any:
         if key != part:
             del spec[GROUP, key]
     return spec
-
-
-def benchmarl_task(scenario: str | os.PathLike[str], **settings: Any) -> Any:
-    """A task for BenchMARL's ``Experiment(task=...)``: the TorchRL environment with its masks and its state."""
-    return CameraTask(scenario, settings)

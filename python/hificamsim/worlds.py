@@ -89,6 +89,8 @@ class Worlds:
             threads = (os.cpu_count() or 1) if num_envs >= 16 else 1
         #: What was asked for, by name.
         self.settings = {key: value for key, value in settings.items() if value is not None}
+        if "worlds" in settings:
+            raise InputError("unknown setting 'worlds', expected num_envs")
         own = {"scenario": self.file, "worlds": num_envs, "threads": threads}
         self._backend = open_backend(backend, {**self.settings, **own})
         self._begun = False

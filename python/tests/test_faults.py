@@ -40,6 +40,7 @@ def python(program: str, **environment: str) -> subprocess.CompletedProcess[str]
         ({"targets": -1}, "observed targets is -1, expected 0 to 1000"),
         ({"objective": "best"}, "unknown objective 'best'"),
         ({"policies": "sarsa"}, "unknown setting 'policies', expected one of detection, threshold, "),
+        ({"worlds": 8}, "unknown setting 'worlds', expected num_envs"),
         ({"backend": "cloud"}, "backend is 'cloud', expected 'jvm' or 'process'"),
     ],
 )

@@ -49,7 +49,8 @@ class PolicyTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @ValueSource(strings = {"fixed:0;1;2;3;1", "optimal", "ucb1", "qb-sarsa:k=2"})
+  @ValueSource(
+      strings = {"fixed:0;1;2;3;1", "random", "optimal", "one-hop", "ucb1", "qb-sarsa:k=2"})
   void decidesAsInOurOwnEngineWhileCamerasAndObjectsComeAndGo(String policy) throws IOException {
     CamSimRun with =
         run("with", "detection=hifi:orb-power,policy=" + policy + "," + ZOOMS + ",out=results");

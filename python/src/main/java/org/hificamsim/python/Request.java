@@ -40,6 +40,9 @@ record Request(Settings asked, Environment own) {
   static final Set<Setting> SETTINGS =
       EnumSet.complementOf(EnumSet.of(Setting.POLICY, Setting.REPEAT));
 
+  /** What the Python package says by arguments of its own. */
+  private static final Set<String> ARGUMENTS = Set.of("scenario", "worlds", "threads");
+
   private static final ObjectMapper MAPPER =
       new ObjectMapper().setPropertyNamingStrategy(PropertyNamingStrategies.SNAKE_CASE);
 
@@ -100,7 +103,10 @@ record Request(Settings asked, Environment own) {
   }
 
   private static Stream<String> known(UnrecognizedPropertyException fault) {
-    return fault.getKnownPropertyIds().stream().map(String::valueOf).sorted();
+    return fault.getKnownPropertyIds().stream()
+        .map(String::valueOf)
+        .filter(name -> !ARGUMENTS.contains(name))
+        .sorted();
   }
 
   /** Reads the scenario, and finds everything by its name. */

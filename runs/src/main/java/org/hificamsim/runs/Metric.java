@@ -138,7 +138,7 @@ public enum Metric {
    * How a metric is computed.
    *
    * @param measured of a run alone, NaN where it has no such metric; null where others are needed
-   * @param compared of a run next to its yardsticks; null for a metric of the run alone
+   * @param compared of a run and its reference policies; null for a metric of the run alone
    * @param applies whether a run has the metric: the optimum (true) or another
    */
   private record Source(

@@ -19,7 +19,7 @@ import java.util.List;
  */
 final class SampleStore implements Closeable {
   /** Samples of a block. */
-  static final int BLOCK = 64;
+  static final int BLOCK = 16;
 
   private static final int SAMPLE = 3 * Double.BYTES;
   private static final int FIRST = 4; // samples that are kept before there are more

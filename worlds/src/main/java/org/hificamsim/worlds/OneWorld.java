@@ -158,11 +158,6 @@ final class OneWorld implements StepListener {
     return masks.of(network());
   }
 
-  /** The number of steps of the episode that are done. */
-  int done() {
-    return step;
-  }
-
   /**
    * Writes the state.
    *

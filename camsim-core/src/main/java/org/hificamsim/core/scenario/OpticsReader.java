@@ -41,6 +41,10 @@ final class OpticsReader {
       throw attributes.invalid(
           OpticsSpec.PANS, "at most " + MAX_VIEWS + " views, angles times levels");
     }
+    if (attributes.has(SENSOR_WIDTH) && !attributes.has(FOCAL_LENGTHS)) {
+      warnings.accept(
+          xml.place() + ": sensor_width of <optics> is of no effect without focal_length");
+    }
     attributes.warnOfUnknown(warnings);
     known.put(name, optics);
   }

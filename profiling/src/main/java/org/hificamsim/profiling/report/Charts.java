@@ -27,7 +27,6 @@ public final class Charts {
   public static final Color BLUE = new Color(0x1f, 0x5f, 0xa8);
   public static final Color ORANGE = new Color(0xe6, 0x9f, 0x00);
 
-  static final Color RED = new Color(0xc0, 0x39, 0x2b);
   static final Color DOTS = new Color(0x30, 0x30, 0x30, 0xa0);
 
   private static final int WIDTH = 460;

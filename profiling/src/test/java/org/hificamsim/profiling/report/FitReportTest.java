@@ -201,7 +201,7 @@ class FitReportTest {
   @Test
   void detectorThatTheThesisDoesNotHaveStandsAlone() throws IOException {
     List<Measurement> rows =
-        few().detector("hog", p -> 0.9 * p / (p + 0.01)).scatter(0.02, 0.02).take(1);
+        new Photos().detector("hog", p -> 0.9 * p / (p + 0.01)).scatter(0.02, 0.02).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
     Path page = Files.createDirectories(folder.resolve("hog"));
     FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "people", page);

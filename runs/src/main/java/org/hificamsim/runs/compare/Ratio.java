@@ -14,7 +14,7 @@ import org.hificamsim.runs.ScoredRun;
  * everything in a difference.
  *
  * @param performance the sum over the cases, by seed
- * @param optimum the same of the yardsticks
+ * @param optimum the same of the reference policies
  */
 public record Ratio(double[] performance, double[] optimum) {
   private static final int RESAMPLES = 1000;

@@ -32,7 +32,7 @@ public final class SummaryTables {
 
   private SummaryTables() {}
 
-  /** One row per case, its score compared with the yardsticks. */
+  /** One row per case, its score compared with the reference policies. */
   public static TextTable cases(List<CaseResult> cases) {
     return table(cases, shown(cases, PERFORMANCE, SCORE, PROPORTION, OVER_FIXED), true);
   }

@@ -43,7 +43,7 @@ class ReferencePoliciesTest {
         policies(ReferencePolicies.OPTIMUM_AND_BEST_FIXED, 1_000_000_000, "best-fixed"));
   }
 
-  private static List<String> policies(ReferencePolicies yardsticks, int steps, String... asked) {
+  private static List<String> policies(ReferencePolicies references, int steps, String... asked) {
     Catalogue catalogue = Catalogue.load();
     Scenario scenario = ScenarioReader.read(SHIPPED, name -> true, warning -> {});
     DetectionModel model = catalogue.detection("geometric");
@@ -52,6 +52,6 @@ class ReferencePoliciesTest {
         List.of(asked).stream()
             .map(policy -> new RunPlan(scenario, detection, policy, steps, 0, 2))
             .toList();
-    return yardsticks.with(plans).stream().map(RunPlan::policy).toList();
+    return references.with(plans).stream().map(RunPlan::policy).toList();
   }
 }
