@@ -112,7 +112,10 @@ class PolicyTest {
         proof(with));
   }
 
-  /** More cameras side by side than a search without nodes can do right; one comes later. */
+  /**
+   * More cameras side by side than a search without nodes can do right; one comes later. Objects
+   * are off the borders of sectors and off cameras: CamSim's sectors do not include these.
+   */
   private static String dense() {
     StringBuilder cameras = new StringBuilder();
     StringBuilder objects = new StringBuilder();
@@ -131,7 +134,7 @@ class PolicyTest {
       objects.append(
           String.format(
               Locale.ROOT,
-              "<object features='%d.5' x='%d' y='%d' heading='0' speed='0'/>\n",
+              "<object features='%d.5' x='%d.25' y='%d.125' heading='0' speed='0'/>\n",
               i + 1,
               i * 3 % 11 - 5,
               i * 8 % 13 - 6));
