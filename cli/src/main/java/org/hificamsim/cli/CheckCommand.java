@@ -9,13 +9,11 @@ import java.util.concurrent.Callable;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.check.Body;
 import org.hificamsim.profiling.check.CheckFolder;
 import org.hificamsim.profiling.check.CheckResult;
-import org.hificamsim.profiling.check.CheckSettings;
 import org.hificamsim.profiling.check.ErrorSummary;
-import org.hificamsim.profiling.check.ImageSize;
 import org.hificamsim.profiling.check.RealityCheck;
+import org.hificamsim.profiling.check.Size;
 import org.hificamsim.tracks.format.Unit;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -83,13 +81,14 @@ final class CheckCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     Numbers.within("--assumed-height", height, Double.MIN_NORMAL, MAX);
     Numbers.within("--assumed-width", width, Double.MIN_NORMAL, MAX);
-    Optional<ImageSize> size = image.map(CheckCommand::size);
+    Optional<Size> size = image.map(CheckCommand::size);
     requireLength("--unit", unit);
     calibrationUnit.ifPresent(one -> requireLength("--calibration-unit", one));
-    CheckSettings settings =
-        new CheckSettings(file, unit, calibration, calibrationUnit, size, new Body(height, width));
+    CheckResult.Settings settings =
+        new CheckResult.Settings(
+            file, unit, calibration, calibrationUnit, size, new Size(width, height));
     CheckResult result = CheckResult.of(settings);
-    CheckFolder.write(out, result.check(), result.pixels());
+    CheckFolder.write(out, result);
     print(result);
     return 0;
   }
@@ -101,12 +100,12 @@ final class CheckCommand implements Callable<Integer> {
     }
   }
 
-  private static ImageSize size(String text) {
+  private static Size size(String text) {
     Matcher size = SIZE.matcher(text);
     if (!size.matches() || text.startsWith("0") || text.contains("x0")) {
       throw new InputException("--image is '" + text + "', expected pixels such as 1920x1080");
     }
-    return new ImageSize(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2)));
+    return new Size(Integer.parseInt(size.group(1)), Integer.parseInt(size.group(2)));
   }
 
   private void print(CheckResult result) {

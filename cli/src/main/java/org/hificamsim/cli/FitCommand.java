@@ -22,11 +22,11 @@ import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.fit.SupportVectorSettings;
 import org.hificamsim.profiling.fit.SymbolicSettings;
+import org.hificamsim.profiling.measure.AlarmThreshold;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.OwnConfidences;
 import org.hificamsim.profiling.measure.PipReading;
-import org.hificamsim.profiling.measure.ThresholdsFile;
 import org.hificamsim.profiling.report.FitReport;
 import org.hificamsim.profiling.trial.TrialRun;
 import org.hificamsim.profiling.trial.Trials;
@@ -204,6 +204,6 @@ final class FitCommand implements Callable<Integer> {
         new SymbolicSettings(population, generations, parsimony, seed.settings().seed(), restarts),
         new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
         shape(),
-        ThresholdsFile.read(folder));
+        AlarmThreshold.read(folder));
   }
 }

@@ -13,12 +13,9 @@ import org.hificamsim.core.Place;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.DatasetReading;
-import org.hificamsim.profiling.detector.DescriptorDistance;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.hificamsim.profiling.measure.MatchPictures;
-import org.hificamsim.profiling.measure.MeasureProgress;
-import org.hificamsim.profiling.measure.MeasureResult;
 import org.hificamsim.profiling.measure.MeasureSettings;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.Measurer;
@@ -49,7 +46,7 @@ final class MeasureCommand implements Callable<Integer> {
       names = "--metric",
       paramLabel = "euclidean|hamming",
       description = "Distance between descriptors; hamming is for ORB, the others stay euclidean.")
-  private DescriptorDistance metric;
+  private RatioTest.Metric metric;
 
   @Option(
       names = "--ratio",
@@ -115,9 +112,9 @@ final class MeasureCommand implements Callable<Integer> {
 
   private void measureAll(Dataset dataset, MeasureSettings settings, int count) {
     int photos = dataset.samples().size();
-    MeasureResult outcome;
+    Measurer.Outcome outcome;
     try (Progress progress = screen.progress("", " photos", photos + dataset.negatives().size())) {
-      outcome = new Measurer(dataset, settings).measure(count, watcher(progress));
+      outcome = new Measurer(dataset, settings).measure(count, progress);
     }
     if (outcome.threads() < count) {
       screen
@@ -134,20 +131,6 @@ final class MeasureCommand implements Callable<Integer> {
             outcome.resumed() > 0 ? ", " + outcome.resumed() + " of them by an earlier call" : "",
             OpenCv.version(),
             folder.resolve(MeasurementsFile.NAME));
-  }
-
-  private static MeasureProgress watcher(Progress progress) {
-    return new MeasureProgress() {
-      @Override
-      public void measured() {
-        progress.advance();
-      }
-
-      @Override
-      public void resumed(int photos) {
-        progress.resume(photos);
-      }
-    };
   }
 
   private MeasureSettings settings() {

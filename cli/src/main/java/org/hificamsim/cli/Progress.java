@@ -6,6 +6,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
+import org.hificamsim.profiling.measure.MeasureProgress;
 import org.hificamsim.runs.compare.RunProgress;
 
 /**
@@ -13,7 +14,7 @@ import org.hificamsim.runs.compare.RunProgress;
  * launcher says which by {@code -Dhificamsim.terminal=true}. Quiet for the first seconds, so that
  * short runs show nothing.
  */
-final class Progress implements RunProgress, AutoCloseable {
+final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
   private static final long QUIET = TimeUnit.SECONDS.toNanos(2);
   private static final long BETWEEN_LINES = TimeUnit.SECONDS.toNanos(10);
   private static final long BETWEEN_BARS = TimeUnit.MILLISECONDS.toNanos(10);

@@ -2,6 +2,7 @@ package org.hificamsim.profiling.check;
 
 import java.util.EnumMap;
 import java.util.Map;
+import org.hificamsim.profiling.check.ErrorSummary.Quantity;
 
 /**
  * A sighting and what was predicted of it.
@@ -12,7 +13,7 @@ import java.util.Map;
  */
 record BoxComparison(
     Sighting sighting, double distance, double footError, Map<SizeModel, Size> predicted) {
-  static BoxComparison of(Sighting sighting, Calibration camera, Body body) {
+  static BoxComparison of(Sighting sighting, Calibration camera, Size body) {
     Map<SizeModel, Size> predicted = new EnumMap<>(SizeModel.class);
     for (SizeModel rung : SizeModel.values()) {
       predicted.put(rung, rung.size(camera, sighting.foot(), body));
@@ -29,9 +30,13 @@ record BoxComparison(
     return predicted.values().stream().allMatch(size -> size.area() > 0) && footError >= 0;
   }
 
+  Size predicted(SizeModel rung) {
+    return predicted.get(rung);
+  }
+
   /** The error of a prediction as a share of what was measured; above 0 where it is too large. */
   double error(SizeModel rung, Quantity quantity) {
     double measured = quantity.of(sighting.size());
-    return (quantity.of(predicted.get(rung)) - measured) / measured;
+    return (quantity.of(predicted(rung)) - measured) / measured;
   }
 }

@@ -6,7 +6,7 @@ import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
  * What is known of a real camera: which point of the world is where in its picture. The world is in
  * metres, its ground at z = 0 and its z upwards.
  */
-public interface Calibration {
+interface Calibration {
   /** Where a point is in the picture; {@link Pixel#NONE} behind the camera. */
   Pixel project(Vector3D point);
 
@@ -23,8 +23,22 @@ public interface Calibration {
   default Vector3D ground(Pixel pixel) {
     Vector3D ray = ray(pixel);
     double times = -position().getZ() / ray.getZ();
-    return times > 0
-        ? position().add(ray.scalarMultiply(times))
-        : new Vector3D(Double.NaN, Double.NaN, Double.NaN);
+    return times > 0 ? position().add(ray.scalarMultiply(times)) : Vector3D.NaN;
+  }
+
+  /**
+   * A place in a picture.
+   *
+   * @param u pixels to the right of the picture's left edge
+   * @param v pixels down from its upper edge
+   */
+  record Pixel(double u, double v) {
+    /** Nowhere in any picture. */
+    static final Pixel NONE = new Pixel(Double.NaN, Double.NaN);
+
+    /** How far another place is, pixels. */
+    double distance(Pixel other) {
+      return Math.hypot(u - other.u, v - other.v);
+    }
   }
 }

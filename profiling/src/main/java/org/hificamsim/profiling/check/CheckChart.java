@@ -4,43 +4,39 @@ import java.awt.Color;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.profiling.check.ErrorSummary.Quantity;
 import org.hificamsim.profiling.report.Charts;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.Marker;
 import org.knowm.xchart.style.markers.SeriesMarkers;
 
 /** Errors over distance: a point for each box, and the bias of each band as a line. */
-final class CheckChart {
+record CheckChart(RealityCheck check, Quantity quantity) {
   private static final int MAX_POINTS = 3000;
-
-  private CheckChart() {}
 
   static byte[] png(RealityCheck check) {
     return Charts.png(
-        List.of(chart(check, Quantity.HEIGHT, "box height"), chart(check, Quantity.PIP, "PIP")), 1);
+        List.of(
+            new CheckChart(check, Quantity.HEIGHT).chart("box height"),
+            new CheckChart(check, Quantity.PIP).chart("PIP")),
+        1);
   }
 
-  private static XYChart chart(RealityCheck check, Quantity quantity, String title) {
+  private XYChart chart(String title) {
     XYChart chart =
         Charts.large(
             title + ": predicted against measured, " + check.boxes() + " boxes",
             "distance, m",
             "error, % of the measured");
-    points(chart, check, quantity, SizeModel.FLAT, Charts.BLUE, SeriesMarkers.CIRCLE);
-    points(chart, check, quantity, SizeModel.CALIBRATION, Charts.ORANGE, SeriesMarkers.CROSS);
-    line(chart, check, quantity, SizeModel.FLAT, Charts.BLUE);
-    line(chart, check, quantity, SizeModel.CALIBRATION, Charts.ORANGE);
+    points(chart, SizeModel.FLAT, Charts.BLUE, SeriesMarkers.CIRCLE);
+    points(chart, SizeModel.CALIBRATION, Charts.ORANGE, SeriesMarkers.CROSS);
+    line(chart, SizeModel.FLAT, Charts.BLUE);
+    line(chart, SizeModel.CALIBRATION, Charts.ORANGE);
     chart.getStyler().setLegendVisible(true);
     return chart;
   }
 
-  private static void points(
-      XYChart chart,
-      RealityCheck check,
-      Quantity quantity,
-      SizeModel rung,
-      Color color,
-      Marker marker) {
+  private void points(XYChart chart, SizeModel rung, Color color, Marker marker) {
     int every = 1 + check.boxes() / MAX_POINTS;
     List<BoxComparison> shown =
         IntStream.range(0, check.boxes())
@@ -56,8 +52,7 @@ final class CheckChart {
         marker);
   }
 
-  private static void line(
-      XYChart chart, RealityCheck check, Quantity quantity, SizeModel rung, Color color) {
+  private void line(XYChart chart, SizeModel rung, Color color) {
     List<ErrorSummary> bands =
         check.byDistance().stream()
             .filter(one -> one.rung().equals(Spelling.of(rung)))

@@ -6,87 +6,72 @@ import java.io.Writer;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.profiling.dataset.TableLayout;
 
 /** What a check leaves: a row per box, a row per rung and distance, and a picture. */
 public final class CheckFolder {
   /** The errors, over all and by distance. */
   public static final String REALITY = "reality.csv";
 
-  /** Every box. */
-  public static final String BOXES = "boxes.csv";
-
   /** The errors over distance. */
   public static final String PICTURE = "reality.png";
 
-  private static final String REALITY_COLUMNS =
-      "rung,quantity,distance_from,distance_to,boxes,median_error,error_90,bias\n";
-  private static final String BOX_COLUMNS =
-      "frame,target,x,y,distance,foot_error,height,height_flat,height_calibration,"
-          + "pip,pip_flat,pip_calibration\n";
+  private static final TableLayout<ErrorSummary> SUMMARIES =
+      new TableLayout<ErrorSummary>()
+          .with("rung", ErrorSummary::rung)
+          .with("quantity", ErrorSummary::quantity)
+          .with("distance_from", ErrorSummary::from)
+          .with("distance_to", ErrorSummary::to)
+          .with("boxes", ErrorSummary::boxes)
+          .with("median_error", one -> rounded(6, one.median()))
+          .with("error_90", one -> rounded(6, one.ninety()))
+          .with("bias", one -> rounded(6, one.bias()));
 
   private CheckFolder() {}
 
-  /**
-   * Writes the files, all or none.
-   *
-   * @param pixels of the whole picture, which a PIP is a share of
-   */
-  public static void write(Path path, RealityCheck check, double pixels) throws IOException {
+  private static TableLayout<BoxComparison> boxes(double pixels) {
+    ToDoubleFunction<Size> pip = size -> size.area() / pixels;
+    return new TableLayout<BoxComparison>()
+        .with("frame", one -> (long) one.sighting().box().frame())
+        .with("target", one -> one.sighting().box().target())
+        .with("x", one -> rounded(4, one.sighting().foot().getX()))
+        .with("y", one -> rounded(4, one.sighting().foot().getY()))
+        .with("distance", one -> rounded(4, one.distance()))
+        .with("foot_error", one -> rounded(2, one.footError()))
+        .with("height", one -> rounded(2, one.sighting().size().height()))
+        .with("height_flat", one -> rounded(2, one.predicted(SizeModel.FLAT).height()))
+        .with(
+            "height_calibration", one -> rounded(2, one.predicted(SizeModel.CALIBRATION).height()))
+        .with("pip", one -> rounded(8, pip.applyAsDouble(one.sighting().size())))
+        .with("pip_flat", one -> rounded(8, pip.applyAsDouble(one.predicted(SizeModel.FLAT))))
+        .with(
+            "pip_calibration",
+            one -> rounded(8, pip.applyAsDouble(one.predicted(SizeModel.CALIBRATION))));
+  }
+
+  private static String rounded(int digits, double value) {
+    return String.format(Locale.ROOT, "%." + digits + "f", value);
+  }
+
+  /** Writes the files, all or none. */
+  public static void write(Path path, CheckResult result) throws IOException {
+    RealityCheck check = result.check();
     try (OutputFolder folder = new OutputFolder(path)) {
       try (Writer out = folder.open(REALITY)) {
-        out.write(REALITY_COLUMNS);
-        write(out, check.overall());
-        write(out, check.byDistance());
+        out.write(
+            SUMMARIES.csv(
+                Stream.of(check.overall(), check.byDistance()).flatMap(List::stream).toList()));
       }
-      try (Writer out = folder.open(BOXES)) {
-        out.write(BOX_COLUMNS);
-        for (BoxComparison one : check.comparisons()) {
-          out.write(row(one, pixels));
-        }
+      try (Writer out = folder.open("boxes.csv")) {
+        out.write(boxes(result.pixels()).csv(check.comparisons()));
       }
       try (OutputStream out = folder.stream(PICTURE)) {
         out.write(CheckChart.png(check));
       }
       folder.commit(List.of());
     }
-  }
-
-  private static void write(Writer out, List<ErrorSummary> summaries) throws IOException {
-    for (ErrorSummary one : summaries) {
-      out.write(
-          String.format(
-              Locale.ROOT,
-              "%s,%s,%s,%s,%d,%.6f,%.6f,%.6f\n",
-              one.rung(),
-              one.quantity(),
-              one.from(),
-              one.to(),
-              one.boxes(),
-              one.median(),
-              one.ninety(),
-              one.bias()));
-    }
-  }
-
-  private static String row(BoxComparison one, double pixels) {
-    Sighting seen = one.sighting();
-    Size flat = one.predicted().get(SizeModel.FLAT);
-    Size calibrated = one.predicted().get(SizeModel.CALIBRATION);
-    return String.format(
-        Locale.ROOT,
-        "%s,%s,%.4f,%.4f,%.4f,%.2f,%.2f,%.2f,%.2f,%.8f,%.8f,%.8f\n",
-        (long) seen.frame(),
-        seen.target(),
-        seen.foot().getX(),
-        seen.foot().getY(),
-        one.distance(),
-        one.footError(),
-        seen.height(),
-        flat.height(),
-        calibrated.height(),
-        seen.size().area() / pixels,
-        flat.area() / pixels,
-        calibrated.area() / pixels);
   }
 }

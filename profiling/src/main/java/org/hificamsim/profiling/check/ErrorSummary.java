@@ -1,6 +1,7 @@
 package org.hificamsim.profiling.check;
 
 import java.util.List;
+import java.util.function.ToDoubleFunction;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.Spelling;
 
@@ -23,8 +24,24 @@ public record ErrorSummary(
     double median,
     double ninety,
     double bias) {
-  private static final double HALF = 50;
-  private static final double NINETY = 90;
+  /** What of a box is compared. */
+  @SuppressWarnings("ImmutableEnumChecker") // without state
+  enum Quantity {
+    /** In pixels. */
+    HEIGHT(Size::height),
+    /** The share of the picture that the box fills; as a relative error that of its area. */
+    PIP(Size::area);
+
+    private final ToDoubleFunction<Size> value;
+
+    Quantity(ToDoubleFunction<Size> value) {
+      this.value = value;
+    }
+
+    double of(Size size) {
+      return value.applyAsDouble(size);
+    }
+  }
 
   static ErrorSummary of(
       SizeModel rung, Quantity quantity, double from, double to, List<BoxComparison> all) {
@@ -36,8 +53,8 @@ public record ErrorSummary(
         from,
         to,
         errors.length,
-        StatUtils.percentile(sizes, HALF),
-        StatUtils.percentile(sizes, NINETY),
+        StatUtils.percentile(sizes, 50),
+        StatUtils.percentile(sizes, 90),
         StatUtils.mean(errors));
   }
 }

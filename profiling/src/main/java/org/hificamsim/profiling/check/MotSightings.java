@@ -11,18 +11,12 @@ import org.hificamsim.tracks.format.MotRow;
 /** The boxes of a MOT file that can be compared, and how many cannot. */
 final class MotSightings {
   private final CalibratedPicture picture;
-  private final double metres;
   private final List<MotRow> whole = new ArrayList<>();
   private final List<Sighting> sightings = new ArrayList<>();
-  private boolean inWorld;
+  private final boolean inWorld;
   private int ignored;
   private int cut;
   private int nowhere;
-
-  private MotSightings(CalibratedPicture picture, double metres) {
-    this.picture = picture;
-    this.metres = metres;
-  }
 
   /**
    * Reads a file.
@@ -30,50 +24,40 @@ final class MotSightings {
    * @param metres of a unit of its positions in the world
    * @throws InputException with its place, when something is wrong, or nothing can be compared
    */
-  static MotSightings read(Path file, CalibratedPicture picture, double metres) {
-    MotSightings read = new MotSightings(picture, metres);
-    MotFile.read(file, read::take);
-    read.locate();
-    if (read.sightings.isEmpty()) {
-      throw new InputException(
-          "%s: no box to compare: %s, expected whole boxes of targets on the ground before the"
-                  .formatted(file, read.leftOut())
-              + " camera");
-    }
-    return read;
-  }
-
-  private void take(MotRow row) {
-    boolean empty = row.width() <= 0 || row.height() <= 0;
-    if (row.confidence() == 0 || empty) {
-      ignored++;
-    } else if (picture.cuts(
-        row.left(), row.top(), row.left() + row.width(), row.top() + row.height())) {
-      cut++;
-    } else {
-      whole.add(row);
-      inWorld |= row.inWorld();
-    }
-  }
-
-  private void locate() {
+  MotSightings(Path file, CalibratedPicture picture, double metres) {
+    this.picture = picture;
+    MotFile.read(file, this::take);
+    inWorld = whole.stream().anyMatch(MotRow::inWorld);
     for (MotRow row : whole) {
-      Vector3D foot = foot(row);
+      Vector3D foot = foot(row, metres);
       if (Double.isNaN(foot.getX())) {
         nowhere++;
       } else {
-        sightings.add(
-            new Sighting(
-                row.frame(), row.target(), row.left(), row.top(), row.width(), row.height(), foot));
+        sightings.add(new Sighting(row, foot));
       }
+    }
+    if (sightings.isEmpty()) {
+      throw new InputException(
+          "%s: no box to compare: %s, expected whole boxes of targets on the ground before the camera"
+              .formatted(file, leftOut()));
+    }
+  }
+
+  private void take(MotRow row) {
+    if (row.confidence() == 0 || row.width() <= 0 || row.height() <= 0) {
+      ignored++;
+    } else if (picture.cuts(row)) {
+      cut++;
+    } else {
+      whole.add(row);
     }
   }
 
   /** As the file says; where it says it of no target, as the calibration has the box's foot. */
-  private Vector3D foot(MotRow row) {
+  private Vector3D foot(MotRow row, double metres) {
     return inWorld
         ? new Vector3D(metres * row.x(), metres * row.y(), 0)
-        : picture.camera().ground(new Pixel(row.footX(), row.footY()));
+        : picture.camera().ground(new Calibration.Pixel(row.footX(), row.footY()));
   }
 
   List<Sighting> sightings() {

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.check.ErrorSummary.Quantity;
 
 /** Sightings compared with predictions, and a summary of the errors: over all, and by distance. */
 public final class RealityCheck {
@@ -20,11 +21,11 @@ public final class RealityCheck {
   /**
    * Compares.
    *
-   * @param body what targets are assumed to be like
+   * @param body what targets are assumed to be like, metres
    * @throws InputException when the calibration is of another place than the sightings, or there
    *     are none
    */
-  static RealityCheck of(List<Sighting> sightings, Calibration camera, Body body) {
+  static RealityCheck of(List<Sighting> sightings, Calibration camera, Size body) {
     List<BoxComparison> possible =
         sightings.stream()
             .map(sighting -> BoxComparison.of(sighting, camera, body))
@@ -44,7 +45,7 @@ public final class RealityCheck {
   /** Positions in another unit or of another camera would make errors that say nothing. */
   private void requireOnePlace() {
     double height =
-        median(comparisons.stream().mapToDouble(one -> one.sighting().height()).toArray());
+        median(comparisons.stream().mapToDouble(one -> one.sighting().box().height()).toArray());
     if (footError() > height) {
       throw new InputException(
           ("half of the boxes stand %s pixels or more from where the calibration has them, expected"

@@ -10,7 +10,7 @@ enum SizeModel {
    */
   FLAT {
     @Override
-    Size size(Calibration camera, Vector3D foot, Body body) {
+    Size size(Calibration camera, Vector3D foot, Size body) {
       double perMetre = camera.focalLength() / distance(camera, foot);
       return new Size(perMetre * body.width(), perMetre * body.height());
     }
@@ -19,7 +19,7 @@ enum SizeModel {
   /** The full calibration: height of the camera, tilt, distortion. */
   CALIBRATION {
     @Override
-    Size size(Calibration camera, Vector3D foot, Body body) {
+    Size size(Calibration camera, Vector3D foot, Size body) {
       Vector3D up = new Vector3D(0, 0, body.height());
       Vector3D aside = aside(camera, foot).scalarMultiply(body.width() / 2);
       Vector3D middle = foot.add(up.scalarMultiply(0.5));
@@ -31,7 +31,7 @@ enum SizeModel {
   };
 
   /** The predicted box of a target that stands somewhere, in pixels. */
-  abstract Size size(Calibration camera, Vector3D foot, Body body);
+  abstract Size size(Calibration camera, Vector3D foot, Size body);
 
   /** Over the ground, metres. */
   static double distance(Calibration camera, Vector3D foot) {

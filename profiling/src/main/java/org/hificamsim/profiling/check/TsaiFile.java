@@ -1,130 +1,100 @@
 package org.hificamsim.profiling.check;
 
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.PlainXml;
-import org.hificamsim.tracks.format.Unit;
 import org.xml.sax.Attributes;
 
-/**
- * Reads the XML of the PETS recordings: {@code <Camera>} with {@code <Geometry width height dpx
- * dpy>}, {@code <Intrinsic focal kappa1 cx cy sx>} and {@code <Extrinsic tx ty tz rx ry rz>}.
- */
+/** Reads the XML of the PETS recordings: {@code <Camera>} with three elements of numbers. */
 final class TsaiFile extends PlainXml {
   private static final List<String> ELEMENTS = List.of("Geometry", "Intrinsic", "Extrinsic");
+  private static final Set<String> POSITIVE =
+      Set.of("width", "height", "dpx", "dpy", "focal", "sx");
 
-  private final Unit unit;
-  private final List<String> found = new ArrayList<>();
-  private Optional<ImageSize> said = Optional.empty();
-  private double dpx;
-  private double dpy;
-  private double[] intrinsic = {};
-  private TsaiCamera.Extrinsic extrinsic;
-
-  TsaiFile(Unit unit) {
-    this.unit = unit;
-  }
+  private final Set<String> found = new HashSet<>();
+  private final Map<String, Double> numbers = new HashMap<>();
 
   /**
    * The camera and its picture.
    *
-   * @param image that somebody says; must be that of the file, where it has one
+   * @param metres of a unit of its world
+   * @param said the picture's size that somebody says; must be that of the file, where it has one
    */
-  CalibratedPicture read(Path file, Optional<ImageSize> image) {
+  CalibratedPicture read(Path file, double metres, Optional<Size> said) {
     readFile(file);
     for (String element : ELEMENTS) {
       if (!found.contains(element)) {
         throw new InputException(
-            "%s: there is no <%s>, expected a calibration as the PETS recordings have it, or a"
-                    .formatted(file, element)
-                + " matrix of three rows and four columns");
+            "%s: there is no <%s>, expected a calibration as the PETS recordings have it, or a matrix of three rows and four columns"
+                .formatted(file, element));
       }
     }
-    ImageSize size = size(file, image);
-    return new CalibratedPicture(
+    TsaiCamera camera =
         new TsaiCamera(
-            extrinsic,
+            new TsaiCamera.Extrinsic(
+                number("rx"),
+                number("ry"),
+                number("rz"),
+                new Vector3D(number("tx"), number("ty"), number("tz")).scalarMultiply(metres)),
             new TsaiCamera.Intrinsic(
-                intrinsic[0], intrinsic[1], dpx, dpy, intrinsic[2], intrinsic[3], intrinsic[4])),
-        size.width(),
-        size.height());
+                number("focal"),
+                number("kappa1"),
+                number("dpx"),
+                number("dpy"),
+                number("sx"),
+                number("cx"),
+                number("cy")));
+    return new CalibratedPicture(camera, size(file, said));
   }
 
-  private ImageSize size(Path file, Optional<ImageSize> image) {
-    if (said.isPresent() && image.isPresent() && !said.equals(image)) {
-      throw new InputException(
-          "--image is %s, but %s says %s".formatted(image.get(), file, said.get()));
+  private Size size(Path file, Optional<Size> said) {
+    if (!numbers.containsKey("width")) {
+      return said.orElseThrow(
+          () ->
+              new InputException(
+                  file + ": <Geometry> has no width and height, expected --image WIDTHxHEIGHT"));
     }
-    return said.or(() -> image)
-        .orElseThrow(
-            () ->
-                new InputException(
-                    file + ": <Geometry> has no width and height, expected --image WIDTHxHEIGHT"));
+    Size size = new Size(Math.floor(number("width")), Math.floor(number("height")));
+    if (!said.orElse(size).equals(size)) {
+      throw new InputException("--image is %s, but %s says %s".formatted(said.get(), file, size));
+    }
+    return size;
+  }
+
+  private double number(String name) {
+    return numbers.get(name);
   }
 
   @Override
-  public void startElement(String uri, String local, String name, Attributes attributes) {
-    if (found.contains(name)) {
-      throw place().error("a second <" + name + ">, expected one camera");
+  public void startElement(String uri, String local, String element, Attributes attributes) {
+    if (found.contains(element)) {
+      throw place().error("a second <" + element + ">, expected one camera");
     }
-    switch (name) {
-      case "Geometry" -> geometry(attributes);
-      case "Intrinsic" -> intrinsic(attributes);
-      case "Extrinsic" -> extrinsic(attributes);
-      default -> {
-        return;
-      }
-    }
-    found.add(name);
-  }
-
-  private void geometry(Attributes attributes) {
-    dpx = positive(attributes, "Geometry", "dpx");
-    dpy = positive(attributes, "Geometry", "dpy");
-    if (attributes.getValue("width") != null) {
-      said =
-          Optional.of(
-              new ImageSize(
-                  (int) positive(attributes, "Geometry", "width"),
-                  (int) positive(attributes, "Geometry", "height")));
-    }
-  }
-
-  private void intrinsic(Attributes attributes) {
-    intrinsic =
-        new double[] {
-          positive(attributes, "Intrinsic", "focal"),
-          number(attributes, "Intrinsic", "kappa1"),
-          positive(attributes, "Intrinsic", "sx"),
-          number(attributes, "Intrinsic", "cx"),
-          number(attributes, "Intrinsic", "cy")
+    List<String> names =
+        switch (element) {
+          case "Geometry" ->
+              attributes.getValue("width") == null
+                  ? List.of("dpx", "dpy")
+                  : List.of("dpx", "dpy", "width", "height");
+          case "Intrinsic" -> List.of("focal", "kappa1", "sx", "cx", "cy");
+          case "Extrinsic" -> List.of("tx", "ty", "tz", "rx", "ry", "rz");
+          default -> List.of();
         };
-  }
-
-  private void extrinsic(Attributes attributes) {
-    Vector3D shift =
-        new Vector3D(
-            number(attributes, "Extrinsic", "tx"),
-            number(attributes, "Extrinsic", "ty"),
-            number(attributes, "Extrinsic", "tz"));
-    extrinsic =
-        new TsaiCamera.Extrinsic(
-            number(attributes, "Extrinsic", "rx"),
-            number(attributes, "Extrinsic", "ry"),
-            number(attributes, "Extrinsic", "rz"),
-            shift.scalarMultiply(unit.metres()));
-  }
-
-  private double positive(Attributes attributes, String element, String name) {
-    double value = number(attributes, element, name);
-    if (!(value > 0)) {
-      throw place()
-          .error("<%s> %s is %s, expected a number above 0".formatted(element, name, value));
+    for (String name : names) {
+      double value = number(attributes, element, name);
+      if (POSITIVE.contains(name) && !(value > 0)) {
+        throw place()
+            .error("<%s> %s is %s, expected a number above 0".formatted(element, name, value));
+      }
+      numbers.put(name, value);
+      found.add(element);
     }
-    return value;
   }
 }

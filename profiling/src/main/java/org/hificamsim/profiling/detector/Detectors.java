@@ -1,41 +1,71 @@
 package org.hificamsim.profiling.detector;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.Optional;
 import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 
 /**
  * All detectors, by name: the three of chapter 5 with each {@link MatchReading}, and those that
- * find boxes.
+ * find boxes, {@code hog}, {@code haar:FILE} and {@code onnx:FILE}.
  */
 public final class Detectors {
-  private static final Map<String, Extractor> FEATURES = features();
-
-  /** How a feature detector is made, and the memory that it takes. */
-  private record Extractor(Supplier<FeatureDetector> maker, MemoryNeed need) {}
-
   private Detectors() {}
 
-  /** The feature detectors, in the order of the thesis. */
-  public static List<String> names() {
-    return List.copyOf(FEATURES.keySet());
+  /**
+   * A detector of boxes as it is asked for.
+   *
+   * @param column its name in tables
+   * @param need the memory that it takes for each pixel
+   * @param maker makes a new one
+   */
+  private record BoxSpec(String column, Memory need, Supplier<BoxDetector> maker) {
+    static BoxSpec of(String name) {
+      int colon = name.indexOf(':');
+      String kind = colon < 0 ? name : name.substring(0, colon);
+      String what = colon < 0 ? "" : name.substring(colon + 1);
+      return switch (kind) {
+        case "hog" -> new BoxSpec("hog", new Memory(60, 0), OpenCvBoxes::people);
+        case "haar" -> {
+          Path file = OpenCvBoxes.cascadeFile(what);
+          String trained = stem(file).replaceFirst("^(haar|lbp)cascade_", "");
+          yield new BoxSpec(
+              "haar-" + plain(trained), new Memory(40, 0), () -> OpenCvBoxes.cascade(file));
+        }
+        case "onnx" -> {
+          OnnxOptions options = OnnxOptions.of(what);
+          String column = "onnx-" + plain(stem(options.file())) + "-" + options.category();
+          yield new BoxSpec(column, new Memory(10, 0), () -> new OnnxDetector(options));
+        }
+        default ->
+            throw new InputException(
+                "--detectors has '"
+                    + name
+                    + "', expected some of orb, sift, surf, each also with -located or -ransac,"
+                    + " hog, haar:CASCADE, onnx:FILE");
+      };
+    }
+
+    private static String stem(Path file) {
+      return file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+    }
+
+    private static String plain(String name) {
+      return name.replaceAll("[^A-Za-z0-9_]", "-");
+    }
   }
 
-  /**
-   * A new feature detector of this name.
-   *
-   * @throws InputException when there is none
-   */
-  public static FeatureDetector create(String name) {
-    Extractor extractor = FEATURES.get(name);
-    if (extractor == null) {
-      throw new InputException(
-          "unknown detector '" + name + "', expected one of " + String.join(", ", names()));
-    }
-    return extractor.maker().get();
+  /** The feature detector that a name asks for; none where it asks for boxes. */
+  private static Optional<FeatureDetector> features(String name) {
+    String word = name.substring(0, name.length() - MatchReading.of(name).suffix().length());
+    return Spelling.find(FeatureDetector.class, word);
+  }
+
+  private static List<BoxSpec> boxSpecs(List<String> names) {
+    return names.stream().filter(name -> features(name).isEmpty()).map(BoxSpec::of).toList();
   }
 
   /**
@@ -44,65 +74,40 @@ public final class Detectors {
    * @throws InputException when there is no such detector, or a file it needs
    */
   public static String column(String name) {
-    return FEATURES.containsKey(extractor(name)) ? name : BoxSpec.of(name).column();
-  }
-
-  /** The memory that the one with the largest need takes. */
-  public static MemoryNeed memoryNeed(List<String> names) {
-    return names.stream()
-        .map(
-            name ->
-                FEATURES.containsKey(extractor(name))
-                    ? FEATURES.get(extractor(name)).need()
-                    : BoxSpec.of(name).need())
-        .reduce(new MemoryNeed(0, 0), MemoryNeed::max);
+    return features(name).isPresent() ? name : BoxSpec.of(name).column();
   }
 
   /** The feature detectors that these need, each once. */
-  public static List<String> extractors(List<String> names) {
-    return names.stream()
-        .map(Detectors::extractor)
-        .filter(FEATURES::containsKey)
-        .distinct()
-        .toList();
+  public static List<FeatureDetector> features(List<String> names) {
+    return names.stream().flatMap(name -> features(name).stream()).distinct().toList();
   }
 
   /** The columns of those that find boxes. */
   public static List<String> boxes(List<String> names) {
-    return names.stream()
-        .filter(name -> !FEATURES.containsKey(extractor(name)))
-        .map(Detectors::column)
-        .toList();
+    return boxSpecs(names).stream().map(BoxSpec::column).toList();
+  }
+
+  /** What the one with the largest need takes for each pixel of a photo. */
+  public static Memory memoryNeed(List<String> names) {
+    Memory none = new Memory(0, 0);
+    Memory forFeatures =
+        features(names).stream().map(FeatureDetector::need).reduce(none, Memory::max);
+    return boxSpecs(names).stream().map(BoxSpec::need).reduce(forFeatures, Memory::max);
   }
 
   /** New detectors for one thread, which together make the columns of these names. */
   public static List<ConfidenceSource> sources(
-      List<String> names, RatioTest test, TemplateFeatures templates) {
+      List<String> names, RatioTest test, Templates templates) {
     List<ConfidenceSource> sources = new ArrayList<>();
-    for (String extractor : extractors(names)) {
+    for (FeatureDetector detector : features(names)) {
       List<MatchReading> readings =
           names.stream()
-              .filter(name -> extractor(name).equals(extractor))
+              .filter(name -> features(name).filter(detector::equals).isPresent())
               .map(MatchReading::of)
               .toList();
-      sources.add(new FeatureSource(create(extractor), readings, test, templates));
+      sources.add(new FeatureSource(detector, readings, test, templates));
     }
-    names.stream()
-        .filter(name -> !FEATURES.containsKey(extractor(name)))
-        .forEach(name -> sources.add(BoxSpec.of(name).create()));
+    boxSpecs(names).forEach(spec -> sources.add(new BoxSource(spec.column(), spec.maker().get())));
     return sources;
-  }
-
-  private static String extractor(String name) {
-    return name.substring(0, name.length() - MatchReading.of(name).suffix().length());
-  }
-
-  private static Map<String, Extractor> features() {
-    Map<String, Extractor> all = new LinkedHashMap<>();
-    all.put("orb", new Extractor(OpenCvDetector::orb, new MemoryNeed(20, 0)));
-    // Both pyramids of a picture that is enlarged twice, in 32 bits.
-    all.put("sift", new Extractor(OpenCvDetector::sift, new MemoryNeed(250, 0)));
-    all.put("surf", new Extractor(SurfDetector::new, new MemoryNeed(2, 50)));
-    return all;
   }
 }

@@ -1,67 +1,55 @@
 package org.hificamsim.profiling.detector;
 
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.UnaryOperator;
 import org.opencv.core.DMatch;
 
 /** Matches an object's template with a photo: one column for each reading of the matches. */
 final class FeatureSource implements ConfidenceSource {
   private final FeatureDetector detector;
+  private final FeatureDetector.Extractor extractor;
   private final List<MatchReading> readings;
   private final RatioTest test;
-  private final TemplateFeatures templates;
+  private final Templates templates;
 
   FeatureSource(
-      FeatureDetector detector,
-      List<MatchReading> readings,
-      RatioTest test,
-      TemplateFeatures templates) {
+      FeatureDetector detector, List<MatchReading> readings, RatioTest test, Templates templates) {
     this.detector = detector;
-    this.readings = List.copyOf(readings);
+    this.extractor = detector.extractor();
+    this.readings = readings;
     this.test = test;
     this.templates = templates;
   }
 
   @Override
-  public List<String> columns() {
-    UnaryOperator<String> named = suffix -> detector.name() + suffix;
-    return readings.stream().map(MatchReading::suffix).map(named).toList();
+  public String name() {
+    return column(readings.get(0));
+  }
+
+  private String column(MatchReading reading) {
+    return detector.word() + reading.suffix();
   }
 
   @Override
-  public Look look(Photograph photo) {
-    return new Matched(detector.detect(photo.grey()));
-  }
-
-  @Override
-  public void close() {
-    detector.close();
-  }
-
-  /** A photo's features, and their matches with the objects that were asked for. */
-  private final class Matched implements Look {
-    private final Features features;
-    private final Map<String, List<DMatch>> matches = new HashMap<>();
-
-    Matched(Features features) {
-      this.features = features;
+  public List<Map<String, Double>> confidences(
+      Photograph photo, List<Subject> subjects, boolean shown) {
+    List<Map<String, Double>> all = new ArrayList<>();
+    Map<String, List<DMatch>> matches = new HashMap<>();
+    try (Features features = extractor.features(photo.grey())) {
+      for (Subject subject : subjects) {
+        Features template = templates.of(subject.object(), detector);
+        List<DMatch> found =
+            matches.computeIfAbsent(subject.object(), object -> test.matches(template, features));
+        Map<String, Double> row = new LinkedHashMap<>();
+        for (MatchReading reading : readings) {
+          row.put(column(reading), reading.confidence(template, features, found, subject.patch()));
+        }
+        all.add(row);
+      }
     }
-
-    @Override
-    public double[] confidences(Subject subject) {
-      Features template = templates.of(subject.object(), detector.name());
-      List<DMatch> found =
-          matches.computeIfAbsent(subject.object(), object -> test.matches(template, features));
-      return readings.stream()
-          .mapToDouble(r -> r.confidence(template, features, found, subject.patch()))
-          .toArray();
-    }
-
-    @Override
-    public void close() {
-      features.close();
-    }
+    return all;
   }
 }

@@ -2,6 +2,7 @@ package org.hificamsim.profiling.detector;
 
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Stream;
 import org.hificamsim.profiling.dataset.Patch;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.calib3d.Calib3d;
@@ -14,26 +15,11 @@ import org.opencv.core.Point;
 /** Which matches between an object's template and a photo count for the confidence. */
 public enum MatchReading {
   /** All of them, wherever they are: Eq 5.1. */
-  ANYWHERE("") {
-    @Override
-    int count(Features template, Features photo, List<DMatch> matches, Patch patch) {
-      return matches.size();
-    }
-  },
+  ANYWHERE(""),
   /** Those on the object's patch. */
-  LOCATED("-located") {
-    @Override
-    int count(Features template, Features photo, List<DMatch> matches, Patch patch) {
-      return (int) matches.stream().filter(match -> isOn(patch, photo, match)).count();
-    }
-  },
+  LOCATED("-located"),
   /** Those that agree on how the flat template lies in the photo: the inliers of RANSAC. */
-  RANSAC("-ransac") {
-    @Override
-    int count(Features template, Features photo, List<DMatch> matches, Patch patch) {
-      return matches.size() < POINTS_OF_A_HOMOGRAPHY ? 0 : inliers(template, photo, matches);
-    }
-  };
+  RANSAC("-ransac");
 
   private static final int POINTS_OF_A_HOMOGRAPHY = 4;
 
@@ -58,7 +44,18 @@ public enum MatchReading {
         : (double) count(template, photo, matches, patch) / template.count();
   }
 
-  abstract int count(Features template, Features photo, List<DMatch> matches, Patch patch);
+  private long count(Features template, Features photo, List<DMatch> matches, Patch patch) {
+    return switch (this) {
+      case ANYWHERE -> matches.size();
+      case LOCATED ->
+          matches.stream()
+              .map(match -> photo.points()[match.trainIdx].pt)
+              .filter(place -> patch.has(place.x, place.y))
+              .count();
+      case RANSAC ->
+          matches.size() < POINTS_OF_A_HOMOGRAPHY ? 0 : inliers(template, photo, matches);
+    };
+  }
 
   /** The reading that a detector's name asks for. */
   static MatchReading of(String name) {
@@ -66,11 +63,6 @@ public enum MatchReading {
     return lower.endsWith(LOCATED.suffix)
         ? LOCATED
         : lower.endsWith(RANSAC.suffix) ? RANSAC : ANYWHERE;
-  }
-
-  private static boolean isOn(Patch patch, Features photo, DMatch match) {
-    Point place = photo.points()[match.trainIdx].pt;
-    return patch.has(place.x, place.y);
   }
 
   private static int inliers(Features template, Features photo, List<DMatch> matches) {
@@ -87,7 +79,7 @@ public enum MatchReading {
     }
   }
 
-  private static MatOfPoint2f points(java.util.stream.Stream<Point> points) {
+  private static MatOfPoint2f points(Stream<Point> points) {
     return new MatOfPoint2f(points.toArray(Point[]::new));
   }
 }

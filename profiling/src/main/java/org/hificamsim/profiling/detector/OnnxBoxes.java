@@ -3,6 +3,7 @@ package org.hificamsim.profiling.detector;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.detector.BoxDetector.Box;
 import org.opencv.core.Mat;
 
 /**

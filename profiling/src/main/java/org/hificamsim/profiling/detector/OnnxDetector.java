@@ -2,8 +2,10 @@ package org.hificamsim.profiling.detector;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import org.hificamsim.core.InputException;
+import org.hificamsim.profiling.detector.BoxDetector.Box;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.core.Core;
 import org.opencv.core.CvException;
@@ -79,13 +81,10 @@ final class OnnxDetector implements BoxDetector {
 
   private InputException failed(CvException e) {
     String reason =
-        Collections.max(e.getMessage().lines().toList(), OnnxDetector::byLength).strip();
+        Collections.max(e.getMessage().lines().toList(), Comparator.comparingInt(String::length))
+            .strip();
     return new InputException(
         options.file() + ": OpenCV cannot run the network, expected ONNX of a detector: " + reason,
         e);
-  }
-
-  private static int byLength(String a, String b) {
-    return Integer.compare(a.length(), b.length());
   }
 }

@@ -47,12 +47,6 @@ record OnnxOptions(Path file, int category, int size, double threshold) {
     return read;
   }
 
-  /** The name of its column: the file's, and the class. */
-  String column() {
-    String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-    return "onnx-" + stem.replaceAll("[^A-Za-z0-9_]", "-") + "-" + category;
-  }
-
   private static double number(String all, String text, double absent, double least, double most) {
     try {
       double value = text == null ? absent : Double.parseDouble(text);

@@ -1,12 +1,19 @@
 package org.hificamsim.profiling.detector;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.dataset.WholePicture;
 import org.hificamsim.profiling.opencv.Mats;
+import org.opencv.core.CvException;
 import org.opencv.core.Mat;
+import org.opencv.core.MatOfByte;
 import org.opencv.imgcodecs.Imgcodecs;
 
 /** A picture file, decoded when it is asked for, and released with this. */
@@ -17,10 +24,6 @@ public final class Photograph implements AutoCloseable {
 
   public Photograph(Path file) {
     this.file = file;
-  }
-
-  public Path file() {
-    return file;
   }
 
   /**
@@ -48,6 +51,39 @@ public final class Photograph implements AutoCloseable {
       throw new InputException(file + ": cannot be decoded, expected a PNG or JPEG");
     }
     return picture;
+  }
+
+  /**
+   * Does a detector's work on the picture.
+   *
+   * @throws InputException in one line with the file and the detector, where OpenCV or the memory
+   *     gives out
+   */
+  public <T> T lookedAt(String detector, Supplier<T> work) {
+    try {
+      return work.get();
+    } catch (CvException | OutOfMemoryError e) {
+      String reason = String.valueOf(e.getMessage()).lines().findFirst().orElse("").strip();
+      throw new InputException(
+          "%s: %s fails, expected a picture that it can take (%s). Maybe there is too little memory: use smaller photos, fewer --threads or other --detectors"
+              .formatted(file, detector, reason),
+          e);
+    }
+  }
+
+  /** Writes a picture whole or not at all, in the format that the file's name ends in. */
+  public static void write(Path file, Mat picture) {
+    String name = file.toString();
+    try (Mats mats = new Mats()) {
+      MatOfByte bytes = mats.own(new MatOfByte());
+      if (!Imgcodecs.imencode(name.substring(name.lastIndexOf('.')), picture, bytes)) {
+        throw new IllegalStateException("OpenCV cannot encode " + name);
+      }
+      Files.createDirectories(file.toAbsolutePath().getParent());
+      new OutputFile(file).write(out -> out.write(bytes.toArray()));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   @Override

@@ -3,6 +3,7 @@ package org.hificamsim.profiling.detector;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.profiling.opencv.Mats;
+import org.opencv.core.Core;
 import org.opencv.core.CvType;
 import org.opencv.core.DMatch;
 import org.opencv.core.MatOfDMatch;
@@ -15,9 +16,17 @@ import org.opencv.features2d.BFMatcher;
  * @param metric between descriptors
  * @param ratio (0, 1]; 0.8 in the thesis
  */
-public record RatioTest(DescriptorDistance metric, double ratio) {
+public record RatioTest(Metric metric, double ratio) {
   /** The thesis's: Euclidean, 0.8. */
-  public static final RatioTest THESIS = new RatioTest(DescriptorDistance.EUCLIDEAN, 0.8);
+  public static final RatioTest THESIS = new RatioTest(Metric.EUCLIDEAN, 0.8);
+
+  /** How far apart two descriptors are. */
+  public enum Metric {
+    /** The root of the summed squares, as the thesis has it for all detectors (thesis 5.3). */
+    EUCLIDEAN,
+    /** The number of bits that differ; for ORB, the others keep the Euclidean distance. */
+    HAMMING
+  }
 
   /** The matches that pass; none where the image has fewer than two features. */
   public List<DMatch> matches(Features template, Features image) {
@@ -26,7 +35,7 @@ public record RatioTest(DescriptorDistance metric, double ratio) {
     }
     boolean bits = template.descriptors().depth() == CvType.CV_8U;
     List<MatOfDMatch> pairs = new ArrayList<>();
-    BFMatcher.create(metric.norm(bits), false)
+    BFMatcher.create(norm(bits), false)
         .knnMatch(template.descriptors(), image.descriptors(), pairs, 2);
     List<DMatch> good = new ArrayList<>();
     try (Mats mats = new Mats()) {
@@ -38,5 +47,10 @@ public record RatioTest(DescriptorDistance metric, double ratio) {
       }
     }
     return good;
+  }
+
+  /** OpenCV's norm for descriptors of this depth: bits exist in 8-bit ones alone. */
+  int norm(boolean bits) {
+    return bits && metric == Metric.HAMMING ? Core.NORM_HAMMING : Core.NORM_L2;
   }
 }

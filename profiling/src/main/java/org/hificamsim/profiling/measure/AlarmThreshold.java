@@ -1,18 +1,36 @@
 package org.hificamsim.profiling.measure;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.data.CsvReader;
+import org.hificamsim.profiling.dataset.TableLayout;
 
 /**
  * The least confidence that counts as a detection, such that photos without the object are rarely
- * taken for it.
+ * taken for it: a row of {@code thresholds.csv}.
  *
  * @param threshold half-way between what is allowed to be wrong and the next confidence of a photo
  *     with the object
  * @param falseAlarms the share of the photos without the object that is at or above it
  * @param recall the share of the photos with the object that is at or above it
  */
-record AlarmThreshold(double threshold, double falseAlarms, double recall) {
+public record AlarmThreshold(String detector, double threshold, double falseAlarms, double recall) {
+  /** The table's file name. */
+  static final String FILE = "thresholds.csv";
+
+  private static final TableLayout<AlarmThreshold> LAYOUT =
+      new TableLayout<AlarmThreshold>()
+          .with("detector", AlarmThreshold::detector)
+          .with("threshold", AlarmThreshold::threshold)
+          .with("false_alarms", AlarmThreshold::falseAlarms)
+          .with("recall", AlarmThreshold::recall);
+
   /**
    * The threshold.
    *
@@ -20,15 +38,36 @@ record AlarmThreshold(double threshold, double falseAlarms, double recall) {
    * @param with confidences in photos with it
    * @param rate of false alarms that is allowed at most, [0, 1)
    */
-  static AlarmThreshold of(List<Double> without, List<Double> with, double rate) {
+  static AlarmThreshold of(String detector, List<Double> without, List<Double> with, double rate) {
     double[] sorted = without.stream().mapToDouble(v -> v).sorted().toArray();
     double highest = sorted[sorted.length - 1 - (int) (rate * sorted.length)];
     double next =
         with.stream().mapToDouble(v -> v).filter(v -> v > highest).min().orElse(Double.NaN);
     double threshold = Double.isNaN(next) ? Math.nextUp(highest) : (highest + next) / 2;
     return new AlarmThreshold(
+        detector,
         threshold,
         Arrays.stream(sorted).filter(v -> v >= threshold).count() / (double) sorted.length,
         with.stream().filter(v -> v >= threshold).count() / (double) with.size());
+  }
+
+  static void write(Path folder, List<AlarmThreshold> thresholds) throws IOException {
+    new OutputFile(folder.resolve(FILE)).write(LAYOUT.csv(thresholds));
+  }
+
+  /** Thresholds by detector; none where a folder has no such table. */
+  public static Map<String, Double> read(Path folder) {
+    Path file = folder.resolve(FILE);
+    Map<String, Double> thresholds = new LinkedHashMap<>();
+    if (Files.exists(file)) {
+      CsvReader.open(file, "a table of thresholds")
+          .all(LAYOUT.names())
+          .rows()
+          .forEach(
+              row ->
+                  thresholds.put(
+                      row.text("detector"), MeasurementsFile.confidence(row, "threshold")));
+    }
+    return thresholds;
   }
 }

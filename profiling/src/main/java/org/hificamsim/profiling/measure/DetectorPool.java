@@ -5,14 +5,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.function.BiFunction;
 import org.hificamsim.profiling.detector.ConfidenceSource;
-import org.hificamsim.profiling.detector.ConfidenceSource.Look;
+import org.hificamsim.profiling.detector.ConfidenceSource.Subject;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.Photograph;
+import org.hificamsim.profiling.detector.Templates;
 
 /** Looks at photos with all detectors; each set of them is used by one thread at a time. */
-final class DetectorPool implements AutoCloseable {
+final class DetectorPool {
   private final MeasureSettings settings;
   private final Templates templates;
   private final ConcurrentLinkedQueue<List<ConfidenceSource>> free = new ConcurrentLinkedQueue<>();
@@ -30,48 +30,25 @@ final class DetectorPool implements AutoCloseable {
   /**
    * Looks at a photo with one detector after the other.
    *
-   * @param asked what a detector that has looked at the photo is asked about each subject
+   * @param shown whether the photo has the subjects
    * @return the confidences of each subject, by column
    */
-  <S> List<Map<String, Double>> confidences(
-      Path file, List<S> subjects, BiFunction<Look, S, double[]> asked) {
+  List<Map<String, Double>> confidences(Path file, List<Subject> subjects, boolean shown) {
     List<Map<String, Double>> all =
         subjects.stream().<Map<String, Double>>map(subject -> new LinkedHashMap<>()).toList();
     List<ConfidenceSource> kept = free.poll();
     List<ConfidenceSource> detectors = kept != null ? kept : detectors();
     try (Photograph photo = new Photograph(file)) {
-      detectors.forEach(detector -> add(detector, photo, subjects, asked, all));
+      for (ConfidenceSource detector : detectors) {
+        List<Map<String, Double>> found =
+            photo.lookedAt(detector.name(), () -> detector.confidences(photo, subjects, shown));
+        for (int i = 0; i < all.size(); i++) {
+          all.get(i).putAll(found.get(i));
+        }
+      }
       return all;
     } finally {
       free.add(detectors);
     }
-  }
-
-  private static <S> void add(
-      ConfidenceSource detector,
-      Photograph photo,
-      List<S> subjects,
-      BiFunction<Look, S, double[]> asked,
-      List<Map<String, Double>> all) {
-    List<String> columns = detector.columns();
-    Failures.named(
-        photo.file(),
-        columns.get(0),
-        () -> {
-          try (Look look = detector.look(photo)) {
-            for (int i = 0; i < subjects.size(); i++) {
-              double[] values = asked.apply(look, subjects.get(i));
-              for (int j = 0; j < values.length; j++) {
-                all.get(i).put(columns.get(j), values[j]);
-              }
-            }
-          }
-          return all;
-        });
-  }
-
-  @Override
-  public void close() {
-    free.forEach(detectors -> detectors.forEach(ConfidenceSource::close));
   }
 }

@@ -7,8 +7,7 @@ import java.util.Map;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
-import org.hificamsim.profiling.detector.ConfidenceSource.Look;
-import org.hificamsim.profiling.detector.Subject;
+import org.hificamsim.profiling.detector.ConfidenceSource.Subject;
 
 /**
  * What the detectors make of photos without any of the objects. Each photo is asked for each
@@ -25,12 +24,17 @@ record FalseAlarms(Dataset dataset, DetectorPool detectors) {
             dataset.negatives(),
             threads,
             photo -> {
-              List<Map<String, Double>> seen =
-                  detectors.confidences(photo, subjects, Look::falseConfidences);
-              watcher.measured();
+              List<Map<String, Double>> seen = detectors.confidences(photo, subjects, false);
+              watcher.advance();
               return seen;
             })
-        .forEach(seen -> seen.forEach(row -> row.forEach((k, v) -> list(all, k).add(v))));
+        .stream()
+        .flatMap(List::stream)
+        .forEach(
+            row ->
+                row.forEach(
+                    (detector, value) ->
+                        all.computeIfAbsent(detector, d -> new ArrayList<>()).add(value)));
     return all;
   }
 
@@ -50,9 +54,5 @@ record FalseAlarms(Dataset dataset, DetectorPool detectors) {
       }
     }
     return subjects;
-  }
-
-  private static List<Double> list(Map<String, List<Double>> all, String detector) {
-    return all.computeIfAbsent(detector, d -> new ArrayList<>());
   }
 }

@@ -1,18 +1,14 @@
 package org.hificamsim.profiling.measure;
 
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
-import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.FeatureDetector;
 import org.hificamsim.profiling.detector.Features;
 import org.hificamsim.profiling.detector.Photograph;
+import org.hificamsim.profiling.detector.Templates;
 import org.hificamsim.profiling.opencv.Mats;
 import org.hificamsim.profiling.opencv.OpenCv;
 import org.opencv.core.DMatch;
@@ -22,7 +18,6 @@ import org.opencv.core.MatOfDMatch;
 import org.opencv.core.MatOfKeyPoint;
 import org.opencv.core.Scalar;
 import org.opencv.features2d.Features2d;
-import org.opencv.imgcodecs.Imgcodecs;
 
 /** Draws which template features are found where, as in Figures 5.2, 5.4 and 5.6. */
 public record MatchPictures(Dataset dataset, MeasureSettings settings) {
@@ -32,29 +27,30 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
   /** Draws some images' matches, one picture for each feature detector; returns how many. */
   public int draw(Collection<String> images) {
     OpenCv.load();
-    List<String> extractors = Detectors.extractors(settings.detectors());
+    List<FeatureDetector> detectors = Detectors.features(settings.detectors());
     int drawn = 0;
-    try (Templates templates = Templates.of(dataset, extractors, 1)) {
+    try (Templates templates = new Templates(dataset.templates(), detectors, 1)) {
       for (LabelledPhoto sample : dataset.samples()) {
         if (images.contains(sample.image())) {
-          extractors.forEach(extractor -> draw(sample, extractor, templates));
-          drawn += extractors.size();
+          detectors.forEach(detector -> draw(sample, detector, templates));
+          drawn += detectors.size();
         }
       }
     }
     return drawn;
   }
 
-  private void draw(LabelledPhoto sample, String extractor, Templates templates) {
-    Features template = templates.of(sample.object(), extractor);
+  private void draw(LabelledPhoto sample, FeatureDetector detector, Templates templates) {
+    Features template = templates.of(sample.object(), detector);
     try (Photograph photo = new Photograph(sample.file());
         Photograph close = new Photograph(dataset.templates().get(sample.object()));
-        FeatureDetector detector = Detectors.create(extractor);
         Features features =
-            Failures.named(sample.file(), extractor, () -> detector.detect(photo.grey()));
+            photo.lookedAt(detector.word(), () -> detector.extractor().features(photo.grey()));
         Mats mats = new Mats()) {
-      Mat picture = picture(mats, close.grey(), template, photo.grey(), features);
-      write(picture, extractor + "-" + name(sample) + ".jpg");
+      String stem = sample.image().replaceAll("[/\\\\]", "_").replaceFirst("\\.[^.]*$", "");
+      Photograph.write(
+          dataset.folder().resolve(FOLDER).resolve(detector.word() + "-" + stem + ".jpg"),
+          picture(mats, close.grey(), template, photo.grey(), features));
     }
   }
 
@@ -73,21 +69,5 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
         mats.own(new MatOfByte()),
         Features2d.DrawMatchesFlags_NOT_DRAW_SINGLE_POINTS);
     return picture;
-  }
-
-  private void write(Mat picture, String name) {
-    Path folder = dataset.folder().resolve(FOLDER);
-    try (Mats mats = new Mats()) {
-      MatOfByte bytes = mats.own(new MatOfByte());
-      Imgcodecs.imencode(".jpg", picture, bytes);
-      Files.createDirectories(folder);
-      new OutputFile(folder.resolve(name)).write(out -> out.write(bytes.toArray()));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
-  private static String name(LabelledPhoto sample) {
-    return sample.image().replaceAll("[/\\\\]", "_").replaceFirst("\\.[^.]*$", "");
   }
 }

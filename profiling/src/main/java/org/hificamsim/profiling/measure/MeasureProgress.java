@@ -4,8 +4,8 @@ package org.hificamsim.profiling.measure;
 @FunctionalInterface
 public interface MeasureProgress {
   /** Called after each photo. */
-  void measured();
+  void advance();
 
   /** Called first, with the number of photos that an earlier call has measured. */
-  default void resumed(int photos) {}
+  default void resume(long photos) {}
 }

@@ -1,6 +1,7 @@
 package org.hificamsim.profiling.measure;
 
 import java.util.List;
+import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.RatioTest;
 
 /**
@@ -13,12 +14,12 @@ import org.hificamsim.profiling.detector.RatioTest;
  */
 public record MeasureSettings(
     List<String> detectors, RatioTest test, PipReading pip, double falseAlarms) {
-  /** One false alarm in a hundred. */
-  public MeasureSettings(List<String> detectors, RatioTest test, PipReading pip) {
-    this(detectors, test, pip, 0.01);
-  }
-
   public MeasureSettings {
     detectors = List.copyOf(detectors);
+  }
+
+  /** The columns that are filled photo by photo. */
+  List<String> columns() {
+    return detectors.stream().map(Detectors::column).toList();
   }
 }

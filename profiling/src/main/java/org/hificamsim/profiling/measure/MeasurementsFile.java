@@ -7,12 +7,13 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
+import org.hificamsim.profiling.dataset.TableLayout;
 
 /**
  * The table {@code measurements.csv}: one row per photo, one column of confidences per detector.
@@ -21,8 +22,8 @@ public final class MeasurementsFile {
   /** The file's name. */
   public static final String NAME = "measurements.csv";
 
-  private static final Set<String> PIP =
-      Arrays.stream(PipReading.values()).map(PipReading::column).collect(Collectors.toSet());
+  private static final List<String> PHYSICAL =
+      List.of("image", "object", "size_m", "distance_m", "focal_length_m");
 
   /** Columns of older tables that are no detector's, and are ignored. */
   private static final Set<String> CONDITIONS =
@@ -32,10 +33,23 @@ public final class MeasurementsFile {
 
   private MeasurementsFile() {}
 
+  /** The columns of a table, the detectors' last. */
+  static TableLayout<Measurement> layout(PipReading pip, Iterable<String> detectors) {
+    TableLayout<Measurement> layout =
+        new TableLayout<Measurement>()
+            .with("image", row -> TableLayout.quoted(row.image()))
+            .with("object", row -> TableLayout.quoted(row.object()))
+            .with("size_m", Measurement::size)
+            .with("distance_m", Measurement::distance)
+            .with("focal_length_m", Measurement::focalLength)
+            .with(pip.column(), Measurement::pip);
+    detectors.forEach(detector -> layout.with(detector, row -> row.confidence(detector)));
+    return layout;
+  }
+
   /** Writes the table whole or not at all. */
-  static void write(Path file, MeasurementColumns columns, List<Measurement> rows)
-      throws IOException {
-    new OutputFile(file).write(columns.layout().csv(rows));
+  static void write(Path file, PipReading pip, List<Measurement> rows) throws IOException {
+    new OutputFile(file).write(layout(pip, rows.get(0).confidences().keySet()).csv(rows));
   }
 
   /**
@@ -44,9 +58,9 @@ public final class MeasurementsFile {
    * @throws InputException with its place, when a cell is missing or out of range
    */
   public static List<Measurement> read(Path file) {
-    PipReading pip = PipReading.of(file);
-    CsvRows table =
-        CsvReader.open(file, "a table of measurements").all(MeasurementColumns.required(pip));
+    String pip = PipReading.of(file).column();
+    List<String> required = Stream.concat(PHYSICAL.stream(), Stream.of(pip)).toList();
+    CsvRows table = CsvReader.open(file, "a table of measurements").all(required);
     List<String> detectors = table.columns().stream().filter(MeasurementsFile::isDetector).toList();
     if (detectors.isEmpty()) {
       throw new InputException(file + ":1:1: no detector's column, expected one such as orb");
@@ -54,31 +68,39 @@ public final class MeasurementsFile {
     if (table.rows().isEmpty()) {
       throw new InputException(file + ":2:1: no rows, expected one for each photo");
     }
-    return table.rows().stream().map(row -> measurement(row, pip.column(), detectors)).toList();
+    return table.rows().stream().map(row -> measurement(row, pip, detectors)).toList();
   }
 
   private static boolean isDetector(String column) {
-    return !MeasurementColumns.PHYSICAL.contains(column)
-        && !PIP.contains(column)
-        && !CONDITIONS.contains(column);
+    return !PHYSICAL.contains(column)
+        && !CONDITIONS.contains(column)
+        && Arrays.stream(PipReading.values()).noneMatch(pip -> pip.column().equals(column));
   }
 
   private static Measurement measurement(CsvRow row, String pip, List<String> detectors) {
     Map<String, Double> confidences = new LinkedHashMap<>();
     for (String detector : detectors) {
-      confidences.put(detector, row.number(detector, 0, 1, "a confidence from 0 to 1"));
+      confidences.put(detector, confidence(row, detector));
     }
     return new Measurement(
         row.text("image"),
         row.text("object"),
-        length(row, "size_m"),
-        length(row, "distance_m"),
-        length(row, "focal_length_m"),
-        row.number(pip, Double.MIN_NORMAL, 1, "a share above 0, at most 1"),
+        metres(row, "size_m"),
+        metres(row, "distance_m"),
+        metres(row, "focal_length_m"),
+        share(row, pip),
         confidences);
   }
 
-  private static double length(CsvRow row, String column) {
+  static double metres(CsvRow row, String column) {
     return row.number(column, Double.MIN_NORMAL, MAX, "metres above 0");
+  }
+
+  static double share(CsvRow row, String column) {
+    return row.number(column, Double.MIN_NORMAL, 1, "a share above 0, at most 1");
+  }
+
+  static double confidence(CsvRow row, String column) {
+    return row.number(column, 0, 1, "a confidence from 0 to 1");
   }
 }

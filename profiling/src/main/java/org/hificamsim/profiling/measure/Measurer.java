@@ -2,19 +2,19 @@ package org.hificamsim.profiling.measure;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
-import org.hificamsim.profiling.detector.ConfidenceSource.Look;
+import org.hificamsim.profiling.detector.ConfidenceSource.Subject;
 import org.hificamsim.profiling.detector.Detectors;
-import org.hificamsim.profiling.detector.Subject;
+import org.hificamsim.profiling.detector.FeatureDetector;
+import org.hificamsim.profiling.detector.Memory;
+import org.hificamsim.profiling.detector.Templates;
 import org.hificamsim.profiling.opencv.OpenCv;
 
 /**
@@ -24,13 +24,20 @@ import org.hificamsim.profiling.opencv.OpenCv;
 public final class Measurer {
   private final Dataset dataset;
   private final MeasureSettings settings;
-  private final PipCount pip;
 
   public Measurer(Dataset dataset, MeasureSettings settings) {
     this.dataset = dataset;
     this.settings = settings;
-    this.pip = new PipCount(dataset.camera(), settings.pip());
   }
+
+  /**
+   * What became of a measurement.
+   *
+   * @param resumed photos that an earlier, unfinished call had measured already
+   * @param threads that were used, as many as fit into the memory
+   * @param warnings each in one line
+   */
+  public record Outcome(int resumed, int threads, List<String> warnings) {}
 
   /**
    * Measures all photos and writes {@code measurements.csv}; the same on any number of threads.
@@ -38,57 +45,62 @@ public final class Measurer {
    * @param wanted how many threads at most
    * @throws InputException when a photo turns out unreadable, or larger than the memory
    */
-  public MeasureResult measure(int wanted, MeasureProgress watcher) {
+  public Outcome measure(int wanted, MeasureProgress watcher) {
     OpenCv.load();
-    int threads = threads(wanted);
-    List<String> extractors = Detectors.extractors(settings.detectors());
-    try (Templates templates = Templates.of(dataset, extractors, threads);
-        DetectorPool detectors = new DetectorPool(settings, templates);
-        MeasurementJournal done = MeasurementJournal.open(dataset, settings)) {
-      int resumed = done.count();
-      watcher.resumed(resumed);
-      List<Measurement> rows =
-          Parallel.map(
-              IntStream.range(0, dataset.samples().size()).boxed().toList(),
-              threads,
-              i ->
-                  done.get(i)
-                      .orElseGet(
-                          () -> {
-                            Measurement row = done.add(i, measured(i, detectors));
-                            watcher.measured();
-                            return row;
-                          }));
-      List<String> warnings = warnings(templates, rows);
-      if (!dataset.negatives().isEmpty()) {
-        warnings.addAll(writeThresholds(rows, detectors, threads, watcher));
-      }
-      write(rows);
-      done.finish();
-      return new MeasureResult(resumed, threads, warnings);
+    Memory need = Detectors.memoryNeed(settings.detectors());
+    int threads = Memory.free().threads(wanted, dataset.largestPicture(), need);
+    List<FeatureDetector> features = Detectors.features(settings.detectors());
+    try (Templates templates = new Templates(dataset.templates(), features, threads)) {
+      return measure(templates, new DetectorPool(settings, templates), threads, watcher);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  private int threads(int wanted) {
-    return MemoryBudget.now()
-        .threads(wanted, dataset.largestPicture(), Detectors.memoryNeed(settings.detectors()));
+  private Outcome measure(
+      Templates templates, DetectorPool detectors, int threads, MeasureProgress watcher)
+      throws IOException {
+    try (MeasurementJournal done = new MeasurementJournal(dataset, settings)) {
+      int resumed = done.count();
+      watcher.resume(resumed);
+      List<Measurement> rows =
+          Parallel.map(
+              dataset.samples(),
+              threads,
+              photo ->
+                  done.get(photo)
+                      .orElseGet(
+                          () -> {
+                            Measurement row = done.add(measured(photo, detectors));
+                            watcher.advance();
+                            return row;
+                          }));
+      List<String> warnings = new ArrayList<>(templates.warnings());
+      new UnitCheck(dataset.camera())
+          .warnings(rows)
+          .forEach(line -> warnings.add(dataset.folder().resolve(Dataset.TABLE) + ": " + line));
+      if (!dataset.negatives().isEmpty()) {
+        warnings.addAll(writeThresholds(rows, detectors, threads, watcher));
+      }
+      write(rows);
+      done.finish();
+      return new Outcome(resumed, threads, warnings);
+    }
   }
 
-  private Measurement measured(int index, DetectorPool detectors) {
-    LabelledPhoto sample = dataset.samples().get(index);
-    List<Subject> subject = List.of(new Subject(sample.object(), sample.patch()));
-    Map<String, Double> confidences =
-        detectors.confidences(sample.file(), subject, Look::confidences).get(0);
+  private Measurement measured(LabelledPhoto photo, DetectorPool detectors) {
+    List<Subject> subject = List.of(new Subject(photo.object(), photo.patch()));
+    Map<String, Double> found = detectors.confidences(photo.file(), subject, true).get(0);
+    Map<String, Double> confidences = new LinkedHashMap<>();
+    settings.columns().forEach(column -> confidences.put(column, found.get(column)));
     return new Measurement(
-        sample.image(),
-        sample.object(),
-        sample.size(),
-        sample.distance(),
-        sample.focalLength(),
-        pip.of(sample),
-        MeasurementJournal.columns(settings).ordered(confidences));
+        photo.image(),
+        photo.object(),
+        photo.size(),
+        photo.distance(),
+        photo.focalLength(),
+        settings.pip().pip(photo, dataset.camera()),
+        confidences);
   }
 
   private void write(List<Measurement> rows) throws IOException {
@@ -97,44 +109,31 @@ public final class Measurer {
     for (String detector : Detectors.boxes(settings.detectors())) {
       all = Recall.with(all, heights, detector);
     }
-    MeasurementsFile.write(
-        dataset.folder().resolve(MeasurementsFile.NAME),
-        MeasurementColumns.of(settings.pip(), all),
-        all);
+    MeasurementsFile.write(dataset.folder().resolve(MeasurementsFile.NAME), settings.pip(), all);
   }
 
+  /** Returns a warning where too few photos without the objects say anything. */
   private List<String> writeThresholds(
       List<Measurement> rows, DetectorPool detectors, int threads, MeasureProgress watcher)
       throws IOException {
     FalseAlarms alarms = new FalseAlarms(dataset, detectors);
-    Map<String, AlarmThreshold> thresholds = new LinkedHashMap<>();
+    List<AlarmThreshold> thresholds = new ArrayList<>();
+    double rate = settings.falseAlarms();
     Map<String, List<Double>> without = alarms.confidences(threads, watcher);
     for (String detector : rows.get(0).confidences().keySet()) {
       List<Double> with = rows.stream().map(row -> row.confidence(detector)).toList();
-      thresholds.put(
-          detector, AlarmThreshold.of(without.get(detector), with, settings.falseAlarms()));
+      thresholds.add(AlarmThreshold.of(detector, without.get(detector), with, rate));
     }
-    Path file = dataset.folder().resolve(ThresholdsFile.NAME);
-    ThresholdsFile.write(file, thresholds);
-    return alarms.looks() * settings.falseAlarms() >= 1
-        ? List.of()
-        : List.of(tooFew(file, alarms.looks()));
-  }
-
-  private String tooFew(Path file, int looks) {
-    return "%s: a rate of %s cannot be told from %s looks at photos without the objects, expected %s or more"
-        .formatted(
-            file,
-            settings.falseAlarms(),
-            looks,
-            (long) Math.ceil(1 / Math.max(1e-9, settings.falseAlarms())));
-  }
-
-  private List<String> warnings(Templates templates, List<Measurement> rows) {
-    List<String> warnings = new ArrayList<>(templates.warnings());
-    new UnitCheck(dataset.camera())
-        .warnings(rows)
-        .forEach(line -> warnings.add(dataset.folder().resolve(Dataset.TABLE) + ": " + line));
-    return warnings;
+    AlarmThreshold.write(dataset.folder(), thresholds);
+    if (alarms.looks() * rate >= 1) {
+      return List.of();
+    }
+    return List.of(
+        "%s: a rate of %s cannot be told from %s looks at photos without the objects, expected %s or more"
+            .formatted(
+                dataset.folder().resolve(AlarmThreshold.FILE),
+                rate,
+                alarms.looks(),
+                (long) Math.ceil(1 / Math.max(1e-9, rate))));
   }
 }

@@ -11,16 +11,15 @@ import org.hificamsim.profiling.dataset.PhotoCamera;
 
 /**
  * Confidences of any detector, which a user has measured: a table {@code
- * image,q,d,z,confidence[,object][,pip]}, Without PIP, the pinhole camera's is taken.
+ * image,q,d,z,confidence[,object][,pip]}. Without PIP, the pinhole camera's is taken.
  */
 public final class OwnConfidences {
   private static final List<String> COLUMNS = List.of("image", "q", "d", "z", "confidence");
-  private static final double MAX = 1e5;
 
   private OwnConfidences() {}
 
   /**
-   * Reads a table; the detector is named like the file.
+   * Reads a table; the detector is named like the file without its ending.
    *
    * @param camera that took the photos
    * @throws InputException with its place, when a cell is missing or out of range
@@ -30,20 +29,15 @@ public final class OwnConfidences {
     if (table.rows().isEmpty()) {
       throw new InputException(file + ":2:1: no rows, expected one for each photo");
     }
-    String detector = detector(file);
+    String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
+    String detector = stem.replaceAll("[^A-Za-z0-9_]+", "-");
     return table.rows().stream().map(row -> measurement(row, detector, camera)).toList();
   }
 
-  /** The name of a table's detector: the file's without its ending. */
-  static String detector(Path file) {
-    String stem = file.getFileName().toString().replaceFirst("\\.[^.]*$", "");
-    return stem.replaceAll("[^A-Za-z0-9_]+", "-");
-  }
-
   private static Measurement measurement(CsvRow row, String detector, PhotoCamera camera) {
-    double size = metres(row, "q");
-    double distance = metres(row, "d");
-    double focalLength = metres(row, "z");
+    double size = MeasurementsFile.metres(row, "q");
+    double distance = MeasurementsFile.metres(row, "d");
+    double focalLength = MeasurementsFile.metres(row, "z");
     double pinhole = Math.min(1, camera.pinholePip(size, distance, focalLength));
     return new Measurement(
         row.text("image"),
@@ -51,13 +45,7 @@ public final class OwnConfidences {
         size,
         distance,
         focalLength,
-        row.has("pip")
-            ? row.number("pip", Double.MIN_NORMAL, 1, "a share above 0, at most 1")
-            : Math.max(pinhole, Double.MIN_NORMAL),
-        Map.of(detector, row.number("confidence", 0, 1, "a confidence from 0 to 1")));
-  }
-
-  private static double metres(CsvRow row, String column) {
-    return row.number(column, Double.MIN_NORMAL, MAX, "metres above 0");
+        row.has("pip") ? MeasurementsFile.share(row, "pip") : Math.max(pinhole, Double.MIN_NORMAL),
+        Map.of(detector, MeasurementsFile.confidence(row, "confidence")));
   }
 }

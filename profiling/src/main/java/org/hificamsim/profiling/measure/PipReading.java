@@ -3,9 +3,14 @@ package org.hificamsim.profiling.measure;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.hificamsim.core.InputException;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.profiling.dataset.Dataset;
+import org.hificamsim.profiling.dataset.LabelledPhoto;
+import org.hificamsim.profiling.dataset.PhotoCamera;
+import org.hificamsim.profiling.detector.Photograph;
+import org.opencv.core.Core;
 
 /** Which pixels count as the object's in PIP. */
 public enum PipReading {
@@ -25,6 +30,25 @@ public enum PipReading {
     return column;
   }
 
+  /** The ground truth: the share of the image that is the object's. */
+  double pip(LabelledPhoto photo, PhotoCamera camera) {
+    long set =
+        this == RECTANGLE || photo.mask().isEmpty()
+            ? photo.patch().area()
+            : pixels(photo.mask().get());
+    return set / (double) camera.pixels();
+  }
+
+  private static long pixels(Path mask) {
+    try (Photograph picture = new Photograph(mask)) {
+      int set = Core.countNonZero(picture.grey());
+      if (set == 0) {
+        throw new InputException(mask + ": the mask is empty, expected the object's pixels");
+      }
+      return set;
+    }
+  }
+
   /** The reading behind a table of measurements. */
   static PipReading of(Path file) {
     return table(file).columns().contains(RECTANGLE.column) ? RECTANGLE : SILHOUETTE;
@@ -35,17 +59,15 @@ public enum PipReading {
    * whatever was asked for.
    */
   public static PipReading ofDataset(Path folder) {
-    Path table = folder.resolve(Dataset.TABLE);
-    boolean unmasked = Files.exists(table) && !hasMasks(table);
+    Path photos = folder.resolve(Dataset.TABLE);
+    boolean unmasked =
+        Files.exists(photos)
+            && table(photos).rows().stream()
+                .noneMatch(row -> row.has("mask") && !row.text("mask").isEmpty());
     return unmasked ? RECTANGLE : of(folder.resolve(MeasurementsFile.NAME));
   }
 
   private static CsvRows table(Path file) {
     return CsvReader.open(file, "a table of photos").all(List.of());
-  }
-
-  private static boolean hasMasks(Path table) {
-    return table(table).rows().stream()
-        .anyMatch(row -> row.has("mask") && !row.text("mask").isEmpty());
   }
 }

@@ -10,11 +10,15 @@ import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Place;
+import org.hificamsim.profiling.check.Calibration.Pixel;
+import org.hificamsim.profiling.check.ErrorSummary.Quantity;
+import org.hificamsim.tracks.format.MotRow;
 import org.junit.jupiter.api.Test;
 
 /** Boxes of a made camera, with errors that are known. */
 class RealityCheckTest {
-  private static final Body BODY = new Body(1.75, 0.5);
+  private static final Size BODY = new Size(0.5, 1.75);
   private static final TsaiCamera TILTED = MadeCameras.at(6, 15, MadeCameras.bent(0.004));
 
   @Test
@@ -122,17 +126,14 @@ class RealityCheckTest {
     Pixel stand = camera.project(foot);
     double width = predicted.width() / (1 + error);
     double height = predicted.height() / (1 + error);
-    return new Sighting(1, "1", stand.u() - width / 2, stand.v() - height, width, height, foot);
+    double left = stand.u() - width / 2;
+    MotRow box =
+        new MotRow(
+            new Place("made", 1, 1), 1, "1", left, stand.v() - height, width, height, 1, x, y, 0);
+    return new Sighting(box, foot);
   }
 
   private static Sighting moved(Sighting one, Vector3D by) {
-    return new Sighting(
-        one.frame(),
-        one.target(),
-        one.left(),
-        one.top(),
-        one.width(),
-        one.height(),
-        one.foot().add(by));
+    return new Sighting(one.box(), one.foot().add(by));
   }
 }

@@ -9,9 +9,11 @@ import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.Patch;
-import org.hificamsim.profiling.detector.ConfidenceSource.Look;
+import org.hificamsim.profiling.detector.BoxDetector.Box;
+import org.hificamsim.profiling.detector.ConfidenceSource.Subject;
 import org.hificamsim.profiling.opencv.Mats;
 import org.hificamsim.profiling.opencv.OpenCv;
 import org.junit.jupiter.api.BeforeAll;
@@ -157,24 +159,22 @@ class BoxDetectorsTest {
   }
 
   private static double confidence(String detector, Path file, Patch patch) {
-    return ask(detector, file, patch)[0];
+    return ask(detector, file, patch, true);
   }
 
   private static double falseConfidence(String detector, Path file) {
-    return ask(detector, file, new Patch(0, 0, 1, 1))[1];
+    return ask(detector, file, new Patch(0, 0, 1, 1), false);
   }
 
-  private static double[] ask(String detector, Path file, Patch patch) {
-    Subject subject = new Subject("thing", patch);
-    try (ConfidenceSource source = source(detector);
-        Photograph photo = new Photograph(file);
-        Look look = source.look(photo)) {
-      return new double[] {look.confidences(subject)[0], look.falseConfidences(subject)[0]};
+  private static double ask(String detector, Path file, Patch patch, boolean shown) {
+    ConfidenceSource source =
+        Detectors.sources(
+                List.of(detector), RatioTest.THESIS, new Templates(Map.of(), List.of(), 1))
+            .get(0);
+    try (Photograph photo = new Photograph(file)) {
+      List<Subject> subjects = List.of(new Subject("thing", patch));
+      return source.confidences(photo, subjects, shown).get(0).get(Detectors.column(detector));
     }
-  }
-
-  private static ConfidenceSource source(String detector) {
-    return Detectors.sources(List.of(detector), RatioTest.THESIS, (object, name) -> null).get(0);
   }
 
   private interface Drawing {

@@ -6,12 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.dataset.Patch;
+import org.hificamsim.profiling.detector.RatioTest.Metric;
 import org.hificamsim.profiling.opencv.Mats;
 import org.hificamsim.profiling.opencv.OpenCv;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.ValueSource;
+import org.junit.jupiter.params.provider.EnumSource;
 import org.opencv.core.Core;
 import org.opencv.core.CvType;
 import org.opencv.core.Mat;
@@ -26,14 +27,12 @@ class DetectorsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"orb", "sift", "surf"})
-  void findsAPictureInItselfAndNotInAnother(String name) {
+  @EnumSource
+  void findsAPictureInItselfAndNotInAnother(FeatureDetector detector) {
     try (Mats mats = new Mats();
-        FeatureDetector detector = Detectors.create(name);
-        Features template = detector.detect(mats.own(blocks(1)));
-        Features other = detector.detect(mats.own(blocks(2)))) {
-      assertEquals(name, detector.name());
-      assertTrue(template.count() > 50, name + " finds " + template.count());
+        Features template = detector.extractor().features(mats.own(blocks(1)));
+        Features other = detector.extractor().features(mats.own(blocks(2)))) {
+      assertTrue(template.count() > 50, detector + " finds " + template.count());
       assertEquals(template.count(), template.descriptors().rows());
       double self = confidence(RatioTest.THESIS, template, template);
       double cross = confidence(RatioTest.THESIS, template, other);
@@ -43,13 +42,14 @@ class DetectorsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"orb", "sift", "surf"})
-  void plainPictureHasNoFeaturesAndNoConfidence(String name) {
+  @EnumSource
+  void plainPictureHasNoFeaturesAndNoConfidence(FeatureDetector detector) {
     try (Mats mats = new Mats();
-        FeatureDetector detector = Detectors.create(name);
         Features nothing =
-            detector.detect(mats.own(new Mat(200, 200, CvType.CV_8U, Scalar.all(90))));
-        Features template = detector.detect(mats.own(blocks(1)))) {
+            detector
+                .extractor()
+                .features(mats.own(new Mat(200, 200, CvType.CV_8U, Scalar.all(90))));
+        Features template = detector.extractor().features(mats.own(blocks(1)))) {
       assertEquals(0, nothing.count());
       assertEquals(0, confidence(RatioTest.THESIS, template, nothing));
       assertEquals(0, confidence(RatioTest.THESIS, nothing, template));
@@ -59,34 +59,31 @@ class DetectorsTest {
   @Test
   void strictRatioMatchesLess() {
     try (Mats mats = new Mats();
-        FeatureDetector detector = Detectors.create("orb");
-        Features template = detector.detect(mats.own(blocks(1)));
-        Features other = detector.detect(mats.own(blocks(2)))) {
-      int strict = new RatioTest(DescriptorDistance.EUCLIDEAN, 0.6).matches(template, other).size();
-      int loose = new RatioTest(DescriptorDistance.EUCLIDEAN, 0.95).matches(template, other).size();
+        Features template = FeatureDetector.ORB.extractor().features(mats.own(blocks(1)));
+        Features other = FeatureDetector.ORB.extractor().features(mats.own(blocks(2)))) {
+      int strict = new RatioTest(Metric.EUCLIDEAN, 0.6).matches(template, other).size();
+      int loose = new RatioTest(Metric.EUCLIDEAN, 0.95).matches(template, other).size();
       assertTrue(strict < loose, strict + " and " + loose);
     }
   }
 
   @Test
   void metricsDifferForBitsAlone() {
-    assertEquals(Core.NORM_HAMMING, DescriptorDistance.HAMMING.norm(true));
-    assertEquals(Core.NORM_L2, DescriptorDistance.HAMMING.norm(false));
-    assertEquals(Core.NORM_L2, DescriptorDistance.EUCLIDEAN.norm(true));
+    assertEquals(Core.NORM_HAMMING, new RatioTest(Metric.HAMMING, 0.8).norm(true));
+    assertEquals(Core.NORM_L2, new RatioTest(Metric.HAMMING, 0.8).norm(false));
+    assertEquals(Core.NORM_L2, RatioTest.THESIS.norm(true));
     try (Mats mats = new Mats();
-        FeatureDetector detector = Detectors.create("orb");
-        Features template = detector.detect(mats.own(blocks(1)))) {
-      assertTrue(
-          confidence(new RatioTest(DescriptorDistance.HAMMING, 0.8), template, template) > 0.9);
+        Features template = FeatureDetector.ORB.extractor().features(mats.own(blocks(1)))) {
+      assertTrue(confidence(new RatioTest(Metric.HAMMING, 0.8), template, template) > 0.9);
     }
   }
 
   @Test
   void unknownDetectorIsRefusedWithTheNamesThatThereAre() {
     assertTrue(
-        assertThrows(InputException.class, () -> Detectors.create("hog"))
+        assertThrows(InputException.class, () -> Detectors.column("brisk"))
             .getMessage()
-            .contains("'hog', expected one of orb, sift, surf"));
+            .contains("'brisk', expected some of orb, sift, surf"));
   }
 
   /** Random grey blocks. */

@@ -75,7 +75,8 @@ class MatchReadingTest {
     assertEquals(MatchReading.LOCATED, MatchReading.of("sift-located"));
     assertEquals(MatchReading.RANSAC, MatchReading.of("surf-ransac"));
     assertEquals(
-        List.of("orb", "surf"), Detectors.extractors(List.of("orb-located", "surf", "orb")));
+        List.of(FeatureDetector.ORB, FeatureDetector.SURF),
+        Detectors.features(List.of("orb-located", "surf", "orb")));
     assertTrue(Detectors.boxes(List.of("orb-located", "hog")).contains("hog"));
   }
 

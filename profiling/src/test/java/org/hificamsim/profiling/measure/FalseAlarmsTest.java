@@ -27,21 +27,22 @@ class FalseAlarmsTest {
 
   @Test
   void thresholdLetsTheRateThroughAndNoMore() {
-    AlarmThreshold five = AlarmThreshold.of(WITHOUT, List.of(0.5, 0.094, 0.0961, 0.2), 0.05);
+    AlarmThreshold five = AlarmThreshold.of("orb", WITHOUT, List.of(0.5, 0.094, 0.0961, 0.2), 0.05);
     assertEquals((0.094 + 0.095) / 2, five.threshold(), 0.001);
     assertTrue(five.falseAlarms() <= 0.05, five.toString());
     assertEquals(0.75, five.recall());
-    AlarmThreshold none = AlarmThreshold.of(WITHOUT, List.of(0.5, 0.3), 0);
+    AlarmThreshold none = AlarmThreshold.of("orb", WITHOUT, List.of(0.5, 0.3), 0);
     assertEquals((0.099 + 0.3) / 2, none.threshold(), 1e-12);
     assertEquals(0, none.falseAlarms());
   }
 
   @Test
   void detectorThatCannotTellIsLeftWithoutDetections() {
-    AlarmThreshold blind = AlarmThreshold.of(WITHOUT, List.of(0.01, 0.02), 0.01);
+    AlarmThreshold blind = AlarmThreshold.of("orb", WITHOUT, List.of(0.01, 0.02), 0.01);
     assertTrue(blind.threshold() > 0.098);
     assertEquals(0, blind.recall());
-    AlarmThreshold silent = AlarmThreshold.of(Collections.nCopies(9, 0.0), List.of(0.4, 0.0), 0.1);
+    AlarmThreshold silent =
+        AlarmThreshold.of("orb", Collections.nCopies(9, 0.0), List.of(0.4, 0.0), 0.1);
     assertEquals(0.2, silent.threshold());
     assertEquals(0.5, silent.recall());
   }
@@ -66,14 +67,14 @@ class FalseAlarmsTest {
             read.negatives());
     List<String> detectors = List.of("orb", "orb-located", "orb-ransac");
     List<String> seen = new ArrayList<>();
-    MeasureResult outcome =
+    Measurer.Outcome outcome =
         new Measurer(
                 others,
                 new MeasureSettings(detectors, RatioTest.THESIS, PipReading.SILHOUETTE, 0.1))
             .measure(1, () -> seen.add("photo"));
     assertEquals(others.samples().size() + matchboxes.size(), seen.size());
     assertEquals(List.of(), outcome.warnings());
-    Map<String, Double> thresholds = ThresholdsFile.read(folder);
+    Map<String, Double> thresholds = AlarmThreshold.read(folder);
     assertEquals(detectors, List.copyOf(thresholds.keySet()));
     assertTrue(thresholds.get("orb-located") < thresholds.get("orb"), thresholds.toString());
     assertTrue(thresholds.get("orb-located") > 0, thresholds.toString());
@@ -81,7 +82,7 @@ class FalseAlarmsTest {
 
   @Test
   void folderWithoutNegativesHasNoThresholds() {
-    assertEquals(Map.of(), ThresholdsFile.read(folder));
+    assertEquals(Map.of(), AlarmThreshold.read(folder));
   }
 
   private static List<LabelledPhoto> of(Dataset dataset, String object) {

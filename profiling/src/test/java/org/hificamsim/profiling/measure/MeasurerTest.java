@@ -32,9 +32,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 class MeasurerTest {
   private static final List<String> ALL = List.of("orb", "sift", "surf");
   private static final MeasureSettings ORB =
-      new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE);
+      new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.SILHOUETTE, 0.01);
   private static final MeasureSettings PLAIN =
-      new MeasureSettings(ALL, RatioTest.THESIS, PipReading.SILHOUETTE);
+      new MeasureSettings(ALL, RatioTest.THESIS, PipReading.SILHOUETTE, 0.01);
 
   @TempDir static Path folder;
   private static Dataset dataset;
@@ -125,7 +125,7 @@ class MeasurerTest {
   @Test
   void pipOfRectanglesIsThePatchsShareAndSaysSoInTheTable() throws IOException {
     MeasureSettings rectangles =
-        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.RECTANGLE);
+        new MeasureSettings(List.of("orb"), RatioTest.THESIS, PipReading.RECTANGLE, 0.01);
     new Measurer(dataset, rectangles).measure(2, () -> {});
     assertTrue(
         table().startsWith("image,object,size_m,distance_m,focal_length_m,pip_rectangle,orb\n"));
@@ -166,7 +166,7 @@ class MeasurerTest {
     MeasureProgress watcher =
         new MeasureProgress() {
           @Override
-          public void measured() {
+          public void advance() {
             told.add("one");
             if (told.size() == 6) {
               throw new IllegalStateException("killed");
@@ -174,7 +174,7 @@ class MeasurerTest {
           }
 
           @Override
-          public void resumed(int photos) {
+          public void resume(long photos) {
             told.add("resumed " + photos);
           }
         };
@@ -271,7 +271,7 @@ class MeasurerTest {
         sample.mask());
   }
 
-  private static MeasureResult measured(List<LabelledPhoto> samples) {
+  private static Measurer.Outcome measured(List<LabelledPhoto> samples) {
     return new Measurer(with(samples), ORB).measure(2, () -> {});
   }
 

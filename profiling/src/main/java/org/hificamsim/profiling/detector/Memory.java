@@ -1,4 +1,4 @@
-package org.hificamsim.profiling.measure;
+package org.hificamsim.profiling.detector;
 
 import com.sun.management.OperatingSystemMXBean;
 import java.io.IOException;
@@ -7,15 +7,15 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Locale;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.detector.MemoryNeed;
 
 /**
- * How many photos may be in memory at once.
+ * Memory of both kinds: what is free, or what a detector takes for each pixel of a photo while it
+ * looks at it, measured.
  *
- * @param nativeBytes free outside Java's heap
- * @param heapBytes free in Java's heap
+ * @param nativeBytes outside Java's heap
+ * @param heapBytes in Java's heap
  */
-record MemoryBudget(double nativeBytes, double heapBytes) {
+public record Memory(double nativeBytes, double heapBytes) {
   /** The share of what is free that is used, since needs are known roughly. */
   private static final double USED = 0.8;
 
@@ -23,42 +23,46 @@ record MemoryBudget(double nativeBytes, double heapBytes) {
   private static final double GIB = 1L << 30;
 
   /** What this machine has left now. */
-  static MemoryBudget now() {
+  public static Memory free() {
     Runtime runtime = Runtime.getRuntime();
     double heap = runtime.maxMemory() - runtime.totalMemory() + (double) runtime.freeMemory();
-    return new MemoryBudget(available() - heap, heap);
+    return new Memory(available() - heap, heap);
+  }
+
+  /** What both need who work one after the other. */
+  Memory max(Memory other) {
+    return new Memory(
+        Math.max(nativeBytes, other.nativeBytes), Math.max(heapBytes, other.heapBytes));
   }
 
   /**
-   * The number of threads that fit.
+   * The number of threads for which this is enough, each with a photo.
    *
    * @param wanted at most
    * @param pixels of the largest photo
+   * @param need for each pixel
    * @throws InputException when not even one fits
    */
-  int threads(int wanted, long pixels, MemoryNeed memoryNeed) {
-    double outside = USED * nativeBytes / (pixels * memoryNeed.nativeBytes());
-    double inside = USED * heapBytes / (pixels * memoryNeed.heapBytes());
+  public int threads(int wanted, long pixels, Memory need) {
+    double outside = USED * nativeBytes / (pixels * need.nativeBytes);
+    double inside = USED * heapBytes / (pixels * need.heapBytes);
     double fit = Math.min(outside, inside);
     if (fit < 1) {
-      throw tooSmall(pixels, memoryNeed);
+      throw new InputException(
+          String.format(
+              Locale.ROOT,
+              "photos of %.1f megapixels need about %.1f GiB and %.1f GiB of Java's heap, expected"
+                  + " at most %.0f %% of the %.1f and %.1f GiB that are free. Maybe leave out"
+                  + " --detectors sift, use smaller photos, or set HIFICAMSIM_OPTS=-Xmx for the"
+                  + " heap",
+              pixels / 1e6,
+              pixels * need.nativeBytes / GIB,
+              pixels * need.heapBytes / GIB,
+              100 * USED,
+              nativeBytes / GIB,
+              heapBytes / GIB));
     }
     return (int) Math.min(wanted, fit);
-  }
-
-  private InputException tooSmall(long pixels, MemoryNeed memoryNeed) {
-    return new InputException(
-        String.format(
-            Locale.ROOT,
-            "photos of %.1f megapixels need about %.1f GiB and %.1f GiB of Java's heap, expected at"
-                + " most %.0f %% of the %.1f and %.1f GiB that are free. Maybe leave out"
-                + " --detectors sift, use smaller photos, or set HIFICAMSIM_OPTS=-Xmx for the heap",
-            pixels / 1e6,
-            pixels * memoryNeed.nativeBytes() / GIB,
-            pixels * memoryNeed.heapBytes() / GIB,
-            100 * USED,
-            nativeBytes / GIB,
-            heapBytes / GIB));
   }
 
   /** Bytes that can be had without swapping; in a container, no more than it may have. */

@@ -1,4 +1,4 @@
-package org.hificamsim.profiling.measure;
+package org.hificamsim.profiling.detector;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -11,7 +11,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.opencv.core.CvException;
 
-class FailuresTest {
+class PhotographTest {
   static Stream<Throwable> failures() {
     return Stream.of(
         new CvException("Failed to allocate 5e9 bytes\nin function 'OutOfMemoryError'"),
@@ -21,10 +21,9 @@ class FailuresTest {
   @ParameterizedTest
   @MethodSource("failures")
   void pictureThatFillsTheMemoryIsNamedWithItsDetector(Throwable failure) {
+    Photograph photo = new Photograph(Path.of("large.jpg"));
     InputException told =
-        assertThrows(
-            InputException.class,
-            () -> Failures.named(Path.of("large.jpg"), "sift", () -> thrown(failure)));
+        assertThrows(InputException.class, () -> photo.lookedAt("sift", () -> thrown(failure)));
     String message = told.getMessage();
     assertTrue(message.startsWith("large.jpg: sift fails"), message);
     assertTrue(message.contains("(Failed to allocate 5e9 bytes)"), message);

@@ -11,25 +11,20 @@ import org.opencv.core.KeyPoint;
 import org.opencv.core.Mat;
 
 /** Speeded-up robust features (thesis 5.6) by BoofCV, since Debian's OpenCV has none. */
-public final class SurfDetector implements FeatureDetector {
+final class SurfExtractor implements FeatureDetector.Extractor {
   /** The blob response below which nothing counts as a feature; BoofCV's scale, for 8-bit grey. */
   private static final float MIN_RESPONSE = 12;
 
   private final DetectDescribePoint<GrayU8, TupleDesc_F64> detector;
 
-  public SurfDetector() {
+  SurfExtractor() {
     ConfigFastHessian config = new ConfigFastHessian();
     config.extract.threshold = MIN_RESPONSE;
     detector = FactoryDetectDescribe.surfFast(config, null, null, GrayU8.class);
   }
 
   @Override
-  public String name() {
-    return "surf";
-  }
-
-  @Override
-  public Features detect(Mat grey) {
+  public Features features(Mat grey) {
     GrayU8 image = new GrayU8(grey.cols(), grey.rows());
     grey.get(0, 0, image.data);
     detector.detect(image);
