@@ -79,8 +79,7 @@ public final class ViewServer implements AutoCloseable {
     this.page = html.getBytes(StandardCharsets.UTF_8);
     this.server = open(port);
     this.guard = new Guard(server.getAddress().getPort());
-    this.afterGrace =
-        CompletableFuture.delayedExecutor(grace.toMillis(), TimeUnit.MILLISECONDS);
+    this.afterGrace = CompletableFuture.delayedExecutor(grace.toMillis(), TimeUnit.MILLISECONDS);
     server.setExecutor(threads);
     server.createContext("/", this::handle);
     server.start();
