@@ -16,7 +16,6 @@ import org.hificamsim.presentation.picture.RunFrames;
 import org.hificamsim.presentation.picture.StepPicture;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.Paintable;
-import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Replay;
 import org.hificamsim.presentation.replay.Setup;
@@ -205,7 +204,7 @@ final class PictureOptions {
   }
 
   private static int dense(Setup setup, String name) {
-    List<CameraSetup> cameras = setup.cameras();
+    List<Setup.Camera> cameras = setup.cameras();
     return IntStream.range(0, cameras.size())
         .filter(i -> cameras.get(i).name().equals(name) && cameras.get(i).pose().density(0) > 0)
         .findFirst()

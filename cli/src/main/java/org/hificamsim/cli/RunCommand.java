@@ -19,7 +19,6 @@ import org.hificamsim.core.engine.Workers;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
-import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.replay.ReplayRecorder;
 import org.hificamsim.presentation.replay.Setup;
@@ -121,7 +120,7 @@ final class RunCommand implements Callable<Integer> {
         heatmap
             ? Optional.of(new HeatRecorder(world(plan, catalogue), plan.detection(), most))
             : Optional.empty();
-    List<FloorPicture> floor = record ? FloorPictures.of(file, plan.scenario()) : List.of();
+    List<Setup.Floor> floor = record ? FloorPictures.of(file, plan.scenario()) : List.of();
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan), tables);
         Workers workers = Workers.of(threads.count())) {
@@ -250,8 +249,7 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  private static ReplayRecorder replay(
-      RunPlan plan, Catalogue catalogue, List<FloorPicture> floor) {
+  private static ReplayRecorder replay(RunPlan plan, Catalogue catalogue, List<Setup.Floor> floor) {
     return new ReplayRecorder(
         Setup.of(world(plan, catalogue), plan.detection(), plan.policy(), plan.seed(), floor),
         plan.detection(),

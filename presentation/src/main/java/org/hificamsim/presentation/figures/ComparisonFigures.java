@@ -1,7 +1,6 @@
 package org.hificamsim.presentation.figures;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -33,18 +32,11 @@ public final class ComparisonFigures {
       throws IOException {
     Map<String, Supplier<Figure>> figures = figures(cases);
     List<FigureFile.Drawn> drawn =
-        Parallel.map(List.copyOf(figures.values()), threads, figure -> draw(figure.get(), width));
+        Parallel.map(
+            List.copyOf(figures.values()), threads, figure -> FigureFile.draw(figure.get(), width));
     int next = 0;
     for (String name : figures.keySet()) {
       drawn.get(next++).write(folder, name);
-    }
-  }
-
-  private static FigureFile.Drawn draw(Figure figure, Optional<PrintWidth> width) {
-    try {
-      return width.isPresent() ? FigureFile.draw(figure, width.get()) : FigureFile.draw(figure);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 

@@ -1,5 +1,6 @@
 package org.hificamsim.presentation.picture;
 
+import java.awt.Color;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBuffer;
 import java.awt.image.IndexColorModel;
@@ -12,6 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.IntFunction;
+import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
@@ -96,51 +98,48 @@ final class GifFile {
 
   /** What stands before all frames: the palette. */
   private IIOMetadata head(ImageWriter writer) throws IOException {
-    IIOMetadata metadata = writer.getDefaultStreamMetadata(null);
-    IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(HEAD);
-    IIOMetadataNode table = child(root, "GlobalColorTable");
-    table.setAttribute("sizeOfGlobalColorTable", Integer.toString(colors.getMapSize()));
-    table.setAttribute("backgroundColorIndex", "0");
-    table.setAttribute("sortFlag", "FALSE");
-    while (table.hasChildNodes()) {
-      table.removeChild(table.getFirstChild());
-    }
+    IIOMetadataNode root = new IIOMetadataNode(HEAD);
+    String about = "sizeOfGlobalColorTable=256 backgroundColorIndex=0 sortFlag=FALSE";
+    IIOMetadataNode table = add(root, "GlobalColorTable", about);
     for (int i = 0; i < colors.getMapSize(); i++) {
-      IIOMetadataNode entry = new IIOMetadataNode("ColorTableEntry");
-      entry.setAttribute("index", Integer.toString(i));
-      entry.setAttribute("red", Integer.toString(colors.getRed(i)));
-      entry.setAttribute("green", Integer.toString(colors.getGreen(i)));
-      entry.setAttribute("blue", Integer.toString(colors.getBlue(i)));
-      table.appendChild(entry);
+      Color color = new Color(colors.getRGB(i));
+      String parts = "index=%s red=%s green=%s blue=%s";
+      add(
+          table,
+          "ColorTableEntry",
+          parts.formatted(i, color.getRed(), color.getGreen(), color.getBlue()));
     }
-    metadata.setFromTree(HEAD, root);
+    IIOMetadata metadata = writer.getDefaultStreamMetadata(null);
+    metadata.mergeTree(HEAD, root);
     return metadata;
   }
 
   private void append(ImageWriter writer, BufferedImage frame, boolean first) throws IOException {
     BufferedImage indexed = difference(frame);
-    IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(indexed), null);
-    IIOMetadataNode root = (IIOMetadataNode) metadata.getAsTree(FORMAT);
-    IIOMetadataNode control = child(root, "GraphicControlExtension");
-    control.setAttribute("disposalMethod", "doNotDispose");
-    control.setAttribute("userInputFlag", "FALSE");
-    control.setAttribute("transparentColorFlag", "TRUE");
-    control.setAttribute("transparentColorIndex", Integer.toString(TRANSPARENT));
-    control.setAttribute("delayTime", Integer.toString(delay));
-    if (first) {
-      repeatForEver(child(root, "ApplicationExtensions"));
+    IIOMetadataNode root = new IIOMetadataNode(FORMAT);
+    String control =
+        "disposalMethod=doNotDispose userInputFlag=FALSE transparentColorFlag=TRUE"
+            + " transparentColorIndex=%s delayTime=%s";
+    add(root, "GraphicControlExtension", control.formatted(TRANSPARENT, delay));
+    if (first) { // Netscape's extension: a loop without an end
+      IIOMetadataNode extensions = add(root, "ApplicationExtensions", "");
+      add(extensions, "ApplicationExtension", "applicationID=NETSCAPE authenticationCode=2.0")
+          .setUserObject(new byte[] {1, 0, 0});
     }
-    metadata.setFromTree(FORMAT, root);
+    IIOMetadata metadata = writer.getDefaultImageMetadata(new ImageTypeSpecifier(indexed), null);
+    metadata.mergeTree(FORMAT, root);
     writer.writeToSequence(new IIOImage(indexed, null, metadata), null);
   }
 
-  /** Netscape's extension: a loop without an end. */
-  private static void repeatForEver(IIOMetadataNode extensions) {
-    IIOMetadataNode netscape = new IIOMetadataNode("ApplicationExtension");
-    netscape.setAttribute("applicationID", "NETSCAPE");
-    netscape.setAttribute("authenticationCode", "2.0");
-    netscape.setUserObject(new byte[] {1, 0, 0});
-    extensions.appendChild(netscape);
+  /** Adds a node with these attributes. */
+  private static IIOMetadataNode add(IIOMetadataNode parent, String name, String attributes) {
+    IIOMetadataNode child = new IIOMetadataNode(name);
+    Pattern.compile("(\\w+)=(\\S+)")
+        .matcher(attributes)
+        .results()
+        .forEach(pair -> child.setAttribute(pair.group(1), pair.group(2)));
+    parent.appendChild(child);
+    return child;
   }
 
   /** The frame in the palette's colours; transparent where the frame before had the same. */
@@ -162,16 +161,5 @@ final class GifFile {
 
   private int nearest(int rgb) {
     return ((byte[]) colors.getDataElements(rgb, null))[0] & 0xFF;
-  }
-
-  private static IIOMetadataNode child(IIOMetadataNode parent, String name) {
-    for (int i = 0; i < parent.getLength(); i++) {
-      if (parent.item(i).getNodeName().equals(name)) {
-        return (IIOMetadataNode) parent.item(i);
-      }
-    }
-    IIOMetadataNode child = new IIOMetadataNode(name);
-    parent.appendChild(child);
-    return child;
   }
 }

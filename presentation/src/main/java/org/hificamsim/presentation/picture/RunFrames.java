@@ -11,7 +11,6 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.presentation.replay.CameraPose;
-import org.hificamsim.presentation.replay.CameraSetup;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
@@ -129,7 +128,8 @@ public final class RunFrames {
 
   /** Where every camera is in a frame. */
   List<CameraPose> poses(int index) {
-    CameraPose[] poses = setup.cameras().stream().map(CameraSetup::pose).toArray(CameraPose[]::new);
+    CameraPose[] poses =
+        setup.cameras().stream().map(Setup.Camera::pose).toArray(CameraPose[]::new);
     for (Move move : recording.moves()) {
       if (move.step() <= step(index)) {
         poses[move.camera()] = move.pose();

@@ -10,7 +10,9 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.io.StringWriter;
+import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.util.Optional;
 import java.util.regex.Pattern;
 import javax.imageio.IIOImage;
 import javax.imageio.ImageIO;
@@ -69,31 +71,29 @@ public final class FigureFile {
 
   /** Writes {@code name.png} and {@code name.svg}. */
   public static void write(OutputFolder folder, String name, Figure figure) throws IOException {
-    draw(figure).write(folder, name);
+    draw(figure, Optional.empty()).write(folder, name);
   }
 
-  /** Draws for the screen. */
-  public static Drawn draw(Figure figure) throws IOException {
-    ByteArrayOutputStream png = new ByteArrayOutputStream();
-    png(png, figure);
-    ByteArrayOutputStream svg = new ByteArrayOutputStream();
-    svg(svg, figure);
-    return new Drawn(png.toByteArray(), svg.toByteArray());
-  }
-
-  /** Draws at a width in print. */
-  public static Drawn draw(Figure figure, PrintWidth width) throws IOException {
-    Figure print = width.of(figure);
-    ByteArrayOutputStream png = new ByteArrayOutputStream();
-    png(png, print, width.pixels());
-    SVGGraphics2D graphics = painted(print);
+  /** Draws at a width in print; without it, for the screen. */
+  public static Drawn draw(Figure figure, Optional<PrintWidth> width) {
+    Figure laid = width.map(print -> print.of(figure)).orElse(figure);
+    SVGGraphics2D graphics = painted(laid);
     Element root = graphics.getRoot();
-    root.setAttribute("viewBox", "0 0 " + print.width() + " " + print.height());
-    root.setAttribute("width", width.millimetres() + "mm");
-    root.setAttribute("height", width.printed(print.height(), print) + "mm");
-    ByteArrayOutputStream svg = new ByteArrayOutputStream();
-    stream(graphics, root, svg);
-    return new Drawn(png.toByteArray(), svg.toByteArray());
+    width.ifPresent(
+        print -> {
+          root.setAttribute("viewBox", "0 0 " + laid.width() + " " + laid.height());
+          root.setAttribute("width", print.millimetres() + "mm");
+          root.setAttribute("height", print.printed(laid.height(), laid) + "mm");
+        });
+    try {
+      ByteArrayOutputStream png = new ByteArrayOutputStream();
+      png(png, laid, width.map(PrintWidth::pixels).orElse(SCALE * laid.width()));
+      ByteArrayOutputStream svg = new ByteArrayOutputStream();
+      stream(graphics, root, svg);
+      return new Drawn(png.toByteArray(), svg.toByteArray());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 
   /** Writes a PNG image, {@link #SCALE} pixels to a point. */

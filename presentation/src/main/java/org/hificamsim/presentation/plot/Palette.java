@@ -22,27 +22,7 @@ public final class Palette {
   public static final List<Color> LINES =
       List.of(BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, GREY, YELLOW, BLACK);
 
-  /** Of a scale, dark to light: viridis, which people with colour blindness read alike. */
-  private static final int[] SCALE = {0x440154, 0x3B528B, 0x21918C, 0x5EC962, 0xFDE725};
-
   private Palette() {}
-
-  /**
-   * A colour of a scale.
-   *
-   * @param share 0 for the least, dark, and 1 for the most, light
-   */
-  public static Color scale(double share) {
-    double at = Math.max(0, Math.min(1, share)) * (SCALE.length - 1);
-    int low = Math.min((int) at, SCALE.length - 2);
-    int rgb = 0;
-    for (int shift : new int[] {16, 8, 0}) {
-      int from = SCALE[low] >> shift & 255;
-      int to = SCALE[low + 1] >> shift & 255;
-      rgb |= (int) Math.round(from + (at - low) * (to - from)) << shift;
-    }
-    return new Color(rgb);
-  }
 
   /** The colour of the i-th thing; they come round again after the ninth. */
   public static Color line(int i) {

@@ -1,6 +1,7 @@
 package org.hificamsim.presentation.replay;
 
 import java.util.List;
+import org.hificamsim.core.detection.ZoomLevel;
 
 /**
  * Where a camera stands, where it looks and how far.
@@ -25,6 +26,33 @@ public record CameraPose(
     @IfAny List<Double> pans,
     @IfAny List<LevelOptics> lenses,
     @IfAny List<Double> visible) {
+  /**
+   * A zoom level of a camera.
+   *
+   * @param radius of the field of view, metres
+   * @param detected the distances at which a target of the usual size is detected, ascending
+   */
+  public record Level(double radius, List<Interval> detected) {}
+
+  /** A closed range of distances, metres. */
+  public record Interval(double from, double to) {}
+
+  /**
+   * How a camera with optics sees at one zoom level.
+   *
+   * @param viewingAngle full opening angle, radians, (0, 2 pi]
+   * @param density pixels per metre at a distance of one metre; 0 where the scenario names no
+   *     pixels or no lens
+   */
+  public record LevelOptics(double viewingAngle, double density) {
+    /** Of a zoom level: W / (2 tan(theta / 2)), W pixels across an angle of view theta. */
+    static LevelOptics of(ZoomLevel zoom) {
+      boolean known = zoom.pixels() > 0 && zoom.angleOfView() < Math.PI;
+      double across = known ? 2 * StrictMath.tan(zoom.angleOfView() / 2) : 1;
+      return new LevelOptics(zoom.viewingAngle(), known ? zoom.pixels() / across : 0);
+    }
+  }
+
   /** Whether its lists fit each other, as a file may say otherwise. */
   boolean consistent() {
     return !levels.isEmpty()

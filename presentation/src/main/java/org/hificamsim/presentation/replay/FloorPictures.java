@@ -41,9 +41,9 @@ public final class FloorPictures {
    * @param scenarioFile where the scenario was read from
    * @throws InputException when there is no such file, or it is no PNG or JPEG
    */
-  public static List<FloorPicture> of(Path scenarioFile, Scenario scenario) {
+  public static List<Setup.Floor> of(Path scenarioFile, Scenario scenario) {
     return scenario.floorplan().stream()
-        .map(plan -> new FloorPicture(plan.area(), data(scenarioFile, plan)))
+        .map(plan -> new Setup.Floor(plan.area(), data(scenarioFile, plan)))
         .toList();
   }
 
@@ -52,7 +52,7 @@ public final class FloorPictures {
    *
    * @throws InputException when the data are no picture
    */
-  public static BufferedImage image(FloorPicture picture) {
+  public static BufferedImage image(Setup.Floor picture) {
     try {
       String data = picture.data();
       byte[] bytes = Base64.getDecoder().decode(data.substring(data.indexOf(',') + 1));

@@ -7,7 +7,6 @@ import java.util.List;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
-import org.hificamsim.runs.heat.HeatMap.Place;
 
 /**
  * A heat map in few bytes, for a page.
@@ -86,12 +85,8 @@ public record PackedHeat(
   private static void pack(OutputStream out, HeatMap map) throws IOException {
     Scale scale = new Scale(PER_UNIT);
     for (HeatFigure figure : HeatFigure.values()) {
-      long before = 0;
-      for (Place place : map.places()) {
-        long code = scale.packOptional(figure.of(place));
-        Series.write(out, code - before);
-        before = code;
-      }
+      Series.write(
+          out, map.places().stream().mapToLong(place -> scale.packOptional(figure.of(place))));
     }
   }
 }

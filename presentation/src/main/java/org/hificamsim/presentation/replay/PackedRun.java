@@ -3,7 +3,6 @@ package org.hificamsim.presentation.replay;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
-import java.io.OutputStream;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Base64;
@@ -66,16 +65,13 @@ public record PackedRun(
     List<Frame> unpacked = new ArrayList<>(frames);
     try (InputStream in =
         new InflaterInputStream(new ByteArrayInputStream(Base64.getDecoder().decode(data)))) {
-      long at = 0;
-      for (int i = 0; i < frames; i++) {
-        at += Series.read(in);
-        unpacked.add(Frame.blank(setup, at, known));
+      for (long step : Series.read(in, frames)) {
+        unpacked.add(Frame.blank(setup, step, known));
       }
       for (FrameColumn column : columns) {
-        at = 0;
-        for (Frame frame : unpacked) {
-          at += Series.read(in);
-          column.unpack().accept(frame, at);
+        long[] numbers = Series.read(in, frames);
+        for (int i = 0; i < frames; i++) {
+          column.unpack().accept(unpacked.get(i), numbers[i]);
         }
       }
     } catch (IllegalArgumentException e) {
@@ -88,21 +84,11 @@ public record PackedRun(
     return Deflated.base64(
         Deflated.FAST,
         out -> {
-          pack(out, new FrameColumn(Frame::step, (frame, step) -> {}), frames);
+          Series.write(out, frames.stream().mapToLong(Frame::step));
           for (FrameColumn column : columns) {
-            pack(out, column, frames);
+            Series.write(out, frames.stream().mapToLong(column.pack()));
           }
         });
-  }
-
-  private static void pack(OutputStream out, FrameColumn column, List<Frame> frames)
-      throws IOException {
-    long before = 0;
-    for (Frame frame : frames) {
-      long number = column.pack().applyAsLong(frame);
-      Series.write(out, number - before);
-      before = number;
-    }
   }
 
   private static double largestEstimate(List<Frame> frames) {

@@ -1,95 +1,116 @@
 package org.hificamsim.presentation.replay;
 
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.IntFunction;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.IntStream;
+import org.hificamsim.core.detection.DetectedDistances;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.OnAxis;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.world.Cameras;
+import org.hificamsim.presentation.replay.CameraPose.Interval;
+import org.hificamsim.presentation.replay.CameraPose.Level;
+import org.hificamsim.presentation.replay.CameraPose.LevelOptics;
 
-/** Makes the poses of cameras: what each sees from where it is. */
+/**
+ * Makes the poses of cameras: what each sees from where it is, and at which distances it detects
+ * targets of one size; along the heading where the model depends on the bearing.
+ */
 final class Poses {
-  private final DetectedRanges ranges;
+  private final Detection detection;
+  private final double size;
+  private final Map<ZoomLevel, Level> levels = new HashMap<>();
   private final Outlook outlook;
 
   /**
    * @param size of the target whose detected ranges are shown, metres
    */
   Poses(Detection detection, double size, List<Obstacle> obstacles, Field field) {
-    this.ranges = new DetectedRanges(detection, size);
+    this.detection = new Detection(new OnAxis(detection.model()), detection.threshold());
+    this.size = size;
     this.outlook = new Outlook(obstacles, field);
   }
 
   /** A camera at the start; one that is yet to be added stands where the scenario says. */
   CameraPose of(Cameras cameras, int camera, CameraSpec spec) {
-    Eye eye = eye(cameras, camera);
-    List<Level> levels = ranges.levels(eye.zooms, eye.zoom);
-    return eye.pose(
+    List<ZoomLevel> zooms = zooms(cameras.zooms(camera), level -> cameras.zoom(camera, level));
+    List<Level> detecting = levels(zooms);
+    return pose(
         spec.x(),
         spec.y(),
         Math.toRadians(spec.heading()),
-        levels,
-        outlook.from(spec.x(), spec.y(), reach(levels)));
+        zooms,
+        pans(cameras.views(camera), zooms.size(), view -> cameras.pan(camera, view)),
+        outlook.from(spec.x(), spec.y(), reach(detecting)));
   }
 
   /** A camera that is online, which was in another pose before. */
   CameraPose of(NetworkView network, int camera, CameraPose before) {
     double x = network.cameraX(camera);
     double y = network.cameraY(camera);
-    Eye eye = eye(network, camera);
-    List<Level> levels = ranges.levels(eye.zooms, eye.zoom);
-    boolean asBefore = x == before.x() && y == before.y() && levels.equals(before.levels());
-    return eye.pose(
+    List<ZoomLevel> zooms = zooms(network.zooms(camera), level -> network.zoom(camera, level));
+    List<Level> detecting = levels(zooms);
+    boolean asBefore = x == before.x() && y == before.y() && detecting.equals(before.levels());
+    return pose(
         x,
         y,
         network.cameraHeading(camera),
-        levels,
-        asBefore ? before.visible() : outlook.from(x, y, reach(levels)));
+        zooms,
+        pans(network.views(camera), zooms.size(), view -> network.pan(camera, view)),
+        asBefore ? before.visible() : outlook.from(x, y, reach(detecting)));
+  }
+
+  private static List<ZoomLevel> zooms(int count, IntFunction<ZoomLevel> zoom) {
+    return IntStream.range(0, count).mapToObj(zoom).toList();
+  }
+
+  private static List<Double> pans(int views, int zooms, IntToDoubleFunction pan) {
+    List<Double> pans =
+        IntStream.range(0, views / zooms).mapToObj(i -> pan.applyAsDouble(i * zooms)).toList();
+    return pans.equals(List.of(0.0)) ? List.of() : pans;
+  }
+
+  private CameraPose pose(
+      double x,
+      double y,
+      double heading,
+      List<ZoomLevel> zooms,
+      List<Double> pans,
+      List<Double> visible) {
+    List<LevelOptics> lenses = zooms.stream().map(LevelOptics::of).toList();
+    boolean alike = lenses.stream().distinct().count() == 1 && lenses.get(0).density() == 0;
+    return new CameraPose(
+        x,
+        y,
+        heading,
+        zooms.get(0).viewingAngle(),
+        levels(zooms),
+        pans,
+        alike ? List.of() : lenses,
+        visible);
   }
 
   private static double reach(List<Level> levels) {
     return levels.stream().mapToDouble(Level::radius).max().orElse(0);
   }
 
-  private static Eye eye(Cameras of, int camera) {
-    return new Eye(
-        of.views(camera),
-        of.zooms(camera),
-        level -> of.zoom(camera, level),
-        view -> of.pan(camera, view));
+  private List<Level> levels(List<ZoomLevel> zooms) {
+    return zooms.stream().map(zoom -> levels.computeIfAbsent(zoom, this::detecting)).toList();
   }
 
-  private static Eye eye(NetworkView of, int camera) {
-    return new Eye(
-        of.views(camera),
-        of.zooms(camera),
-        level -> of.zoom(camera, level),
-        view -> of.pan(camera, view));
-  }
-
-  /** The views of a camera. */
-  private record Eye(int views, int zooms, IntFunction<ZoomLevel> zoom, IntToDoubleFunction pan) {
-    CameraPose pose(double x, double y, double heading, List<Level> levels, List<Double> visible) {
-      return new CameraPose(
-          x, y, heading, zoom.apply(0).viewingAngle(), levels, pans(), lenses(), visible);
-    }
-
-    private List<Double> pans() {
-      List<Double> pans =
-          IntStream.range(0, views / zooms).mapToObj(i -> pan.applyAsDouble(i * zooms)).toList();
-      return pans.equals(List.of(0.0)) ? List.of() : pans;
-    }
-
-    private List<LevelOptics> lenses() {
-      List<LevelOptics> lenses =
-          IntStream.range(0, zooms).mapToObj(zoom).map(LevelOptics::of).toList();
-      boolean alike = lenses.stream().distinct().count() == 1 && lenses.get(0).density() == 0;
-      return alike ? List.of() : lenses;
-    }
+  private Level detecting(ZoomLevel zoom) {
+    DetectedDistances distances = detection.distances(size, zoom);
+    List<Interval> intervals =
+        IntStream.range(0, distances.intervals())
+            .mapToObj(i -> new Interval(Math.sqrt(distances.from(i)), Math.sqrt(distances.to(i))))
+            .toList();
+    return new Level(zoom.radius(), intervals);
   }
 }

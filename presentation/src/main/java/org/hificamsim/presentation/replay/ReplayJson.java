@@ -1,5 +1,7 @@
 package org.hificamsim.presentation.replay;
 
+import com.fasterxml.jackson.annotation.JsonSubTypes;
+import com.fasterxml.jackson.annotation.JsonTypeInfo;
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.DeserializationFeature;
@@ -18,7 +20,7 @@ import org.hificamsim.core.obstacle.Obstacle;
 public final class ReplayJson {
   private static final ObjectMapper MAPPER =
       new ObjectMapper()
-          .addMixIn(Obstacle.class, ObstacleJson.class)
+          .addMixIn(Obstacle.class, ByKind.class)
           .registerModule(new SimpleModule().addSerializer(double[].class, new NaNAsNull()))
           .enable(DeserializationFeature.FAIL_ON_NULL_CREATOR_PROPERTIES)
           .enable(DeserializationFeature.FAIL_ON_NULL_FOR_PRIMITIVES)
@@ -38,6 +40,15 @@ public final class ReplayJson {
   static ObjectMapper mapper() {
     return MAPPER;
   }
+
+  /** How an obstacle is told from others: by the name of its element in scenarios. */
+  @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "kind")
+  @JsonSubTypes({
+    @JsonSubTypes.Type(value = Obstacle.Wall.class, name = "wall"),
+    @JsonSubTypes.Type(value = Obstacle.Polygon.class, name = "polygon"),
+    @JsonSubTypes.Type(value = Obstacle.Pillar.class, name = "pillar")
+  })
+  private interface ByKind {}
 
   private static final class NaNAsNull extends JsonSerializer<double[]> {
     @Override

@@ -8,6 +8,9 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
  * Records the repeats of a plan for {@code replay.json}: the first ones, as many as fit. Repeats
@@ -17,24 +20,44 @@ public final class ReplayRecorder {
   private static final int MAX_RUNS = 50;
   private static final StepListener NOTHING = (network, coverage) -> {};
 
+  /**
+   * How much is kept.
+   *
+   * @param frames most frames of a run
+   * @param numbers most numbers in all frames of a run together
+   * @param bytes most bytes of all runs together, packed, and of the setup; frames are left out for
+   *     it down to the first and the last one, whatever the cameras' poses take
+   */
+  record Limits(int frames, long numbers, int bytes) {
+    /** A page of less than 5 MB, the memory of a small machine. */
+    static final Limits USUAL = new Limits(20_000, 1 << 23, 4_400_000);
+
+    /** The most frames of one run, 2 or more. */
+    int frames(Setup setup) {
+      return (int) Math.max(2, Math.min(frames, numbers / (1 + setup.numbersPerFrame())));
+    }
+  }
+
   private final Setup setup;
   private final Detection detection;
   private final int repeats;
-  private final RecordingLimits limits;
-  private final Map<Integer, FrameRecorder> tapes = new ConcurrentSkipListMap<>();
+  private final int mostFrames;
+  private final int mostBytes; // 0 beside a large setup: one run is kept, of two frames
+  private final Map<Integer, Tape> tapes = new ConcurrentSkipListMap<>();
 
   /**
    * @param repeats how many there will be
    */
   public ReplayRecorder(Setup setup, Detection detection, int repeats) {
-    this(setup, detection, repeats, RecordingLimits.USUAL);
+    this(setup, detection, repeats, Limits.USUAL);
   }
 
-  ReplayRecorder(Setup setup, Detection detection, int repeats, RecordingLimits limits) {
+  ReplayRecorder(Setup setup, Detection detection, int repeats, Limits limits) {
     this.setup = setup;
     this.detection = detection;
     this.repeats = repeats;
-    this.limits = limits.beside(setup);
+    this.mostFrames = limits.frames(setup);
+    this.mostBytes = Math.max(0, limits.bytes() - ReplayJson.of(setup).length());
   }
 
   /** The listener that records one repeat. */
@@ -42,7 +65,7 @@ public final class ReplayRecorder {
     if (run >= MAX_RUNS || full()) {
       return NOTHING;
     }
-    FrameRecorder tape = new FrameRecorder(setup, detection, run, limits);
+    Tape tape = new Tape(run);
     tapes.put(run, tape);
     return tape;
   }
@@ -50,27 +73,84 @@ public final class ReplayRecorder {
   /** Whether the first repeats that have ended already fill the file: later ones are not kept. */
   private boolean full() {
     long bytes = 0;
-    for (int run = 0; tapes.containsKey(run) && tapes.get(run).packed() != null; run++) {
-      bytes += tapes.get(run).packed().bytes();
+    for (int run = 0; tapes.containsKey(run) && tapes.get(run).packed != null; run++) {
+      bytes += tapes.get(run).packed.bytes();
     }
-    return bytes > limits.bytes();
+    return bytes > mostBytes;
   }
 
   /** Writes what was recorded. */
   public void write(OutputStream out) throws IOException {
-    ReplayJson.mapper().writeValue(out, replay());
-  }
-
-  private Replay replay() {
     List<PackedRun> runs = new ArrayList<>();
     long bytes = 0;
-    for (FrameRecorder tape : tapes.values()) {
-      bytes += tape.packed().bytes();
-      if (bytes > limits.bytes() && !runs.isEmpty()) {
-        break;
+    for (Tape tape : tapes.values()) {
+      bytes += tape.packed.bytes();
+      if (bytes <= mostBytes || runs.isEmpty()) {
+        runs.add(tape.packed);
       }
-      runs.add(tape.packed());
     }
-    return new Replay(Replay.FORMAT, repeats, setup, runs);
+    ReplayJson.mapper().writeValue(out, new Replay(Replay.FORMAT, repeats, setup, runs));
+  }
+
+  /**
+   * Records one run: every step as long as they fit, then every other one, every fourth, and so on.
+   */
+  private final class Tape implements StepListener {
+    private final int run;
+    private final List<Frame> frames = new ArrayList<>();
+    private final List<Move> moves = new ArrayList<>();
+    private Snapshots snapshots;
+    private Frame last;
+    private long every = 1;
+    private volatile PackedRun packed; // null before the run has ended
+
+    Tape(int run) {
+      this.run = run;
+    }
+
+    @Override
+    public void started(NetworkView network, ZoomPolicy policy) {
+      snapshots = new Snapshots(setup, detection, policy);
+    }
+
+    /** Targets may move before the run ends, so that the last frame is taken here too. */
+    @Override
+    public void stepped(NetworkView network, StepCoverage coverage) {
+      moves.addAll(snapshots.moves(network));
+      last = snapshots.take(network);
+      if (last.step() % every == 0) {
+        frames.add(last);
+        if (frames.size() > mostFrames) {
+          thin();
+        }
+      }
+    }
+
+    @Override
+    public void ended(NetworkView network) {
+      PackedRun all = pack(snapshots.estimated(network));
+      while (all.bytes() > mostBytes && frames.size() > 2) {
+        thin();
+        all = pack(all.estimated());
+      }
+      packed = all;
+      frames.clear();
+    }
+
+    private void thin() {
+      every *= 2;
+      frames.removeIf(frame -> frame.step() % every != 0);
+    }
+
+    private PackedRun pack(String estimated) {
+      List<Frame> all = new ArrayList<>(frames);
+      if (last.step() % every != 0) {
+        all.add(last);
+      }
+      return PackedRun.of(
+          setup,
+          new RecordedRun(
+              run, setup.seed() + run, last.step() + 1, every, estimated, List.copyOf(moves), all));
+    }
   }
 }

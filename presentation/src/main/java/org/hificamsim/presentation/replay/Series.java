@@ -4,6 +4,7 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.util.stream.LongStream;
 
 /**
  * Whole numbers as bytes: each as its difference to the one before, signs in the last bit, seven
@@ -24,7 +25,15 @@ final class Series {
     return (code >>> 1) ^ -(code & 1);
   }
 
-  static void write(OutputStream out, long difference) throws IOException {
+  static void write(OutputStream out, LongStream numbers) throws IOException {
+    long before = 0;
+    for (long number : numbers.toArray()) {
+      add(out, number - before);
+      before = number;
+    }
+  }
+
+  private static void add(OutputStream out, long difference) throws IOException {
     long rest = zigzag(difference);
     while ((rest & -MORE) != 0) {
       out.write((int) (rest & (MORE - 1)) | MORE);
@@ -34,9 +43,19 @@ final class Series {
   }
 
   /**
-   * @throws EOFException when there is none
+   * Reads so many numbers.
+   *
+   * @throws EOFException when there are fewer
    */
-  static long read(InputStream in) throws IOException {
+  static long[] read(InputStream in, int count) throws IOException {
+    long[] numbers = new long[count];
+    for (int i = 0; i < count; i++) {
+      numbers[i] = (i == 0 ? 0 : numbers[i - 1]) + next(in);
+    }
+    return numbers;
+  }
+
+  private static long next(InputStream in) throws IOException {
     long code = 0;
     for (int shift = 0; shift < Long.SIZE; shift += BITS) {
       int next = in.read();

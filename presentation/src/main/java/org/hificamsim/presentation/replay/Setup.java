@@ -40,12 +40,30 @@ public record Setup(
     long seed,
     double targetSize,
     boolean onAxis,
-    List<CameraSetup> cameras,
-    List<TargetSetup> targets,
+    List<Camera> cameras,
+    List<Target> targets,
     @IfAny List<Double> widths,
     @IfAny List<Integer> slow,
     @IfAny List<Obstacle> obstacles,
-    @IfAny List<FloorPicture> floor) {
+    @IfAny List<Floor> floor) {
+  /** A camera at the start, or where an event will add it. */
+  public record Camera(String name, CameraPose pose) {}
+
+  /**
+   * A target.
+   *
+   * @param size edge of its bounding box, metres
+   */
+  public record Target(String name, double size) {}
+
+  /**
+   * A picture of the place, to be drawn under the field.
+   *
+   * @param area what it shows, metres
+   * @param data the picture as a data URI, PNG or JPEG
+   */
+  public record Floor(Field area, String data) {}
+
   private static final Pattern BY_CHANCE = Pattern.compile("@(chance|probability)");
 
   /**
@@ -54,15 +72,15 @@ public record Setup(
    * @param floor pictures under the field
    */
   public static Setup of(
-      World world, Detection detection, String policy, long seed, List<FloorPicture> floor) {
-    List<TargetSetup> targets =
+      World world, Detection detection, String policy, long seed, List<Floor> floor) {
+    List<Target> targets =
         IntStream.range(0, world.targets().count())
-            .mapToObj(i -> new TargetSetup(world.targets().name(i), world.targets().size(i)))
+            .mapToObj(i -> new Target(world.targets().name(i), world.targets().size(i)))
             .toList();
     double size = Reach.usualTarget(world);
     List<Obstacle> obstacles = world.scenario().obstacles();
     Poses poses = new Poses(detection, size, obstacles, world.scenario().field());
-    List<CameraSetup> cameras =
+    List<Camera> cameras =
         IntStream.range(0, world.cameras().count()).mapToObj(i -> camera(world, i, poses)).toList();
     return new Setup(
         world.scenario().name(),
@@ -82,8 +100,8 @@ public record Setup(
         floor);
   }
 
-  private static CameraSetup camera(World world, int camera, Poses poses) {
-    return new CameraSetup(
+  private static Camera camera(World world, int camera, Poses poses) {
+    return new Camera(
         world.cameras().name(camera), poses.of(world.cameras(), camera, world.cameraSpec(camera)));
   }
 

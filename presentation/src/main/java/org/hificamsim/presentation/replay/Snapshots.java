@@ -1,7 +1,6 @@
 package org.hificamsim.presentation.replay;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
@@ -16,6 +15,7 @@ public final class Snapshots {
   private final CameraPose[] poses;
   private String estimated;
   private int revision = Integer.MIN_VALUE;
+  private boolean forgotten;
 
   /**
    * @param policy what decides in the run
@@ -24,7 +24,7 @@ public final class Snapshots {
     this.setup = setup;
     this.made = new Poses(detection, setup.targetSize(), setup.obstacles(), setup.field());
     this.policy = policy;
-    this.poses = setup.cameras().stream().map(CameraSetup::pose).toArray(CameraPose[]::new);
+    this.poses = setup.cameras().stream().map(Setup.Camera::pose).toArray(CameraPose[]::new);
   }
 
   /** What the agents' estimates are ("mean reward", "Q"); empty where they have none. */
@@ -62,11 +62,16 @@ public final class Snapshots {
     return frame;
   }
 
+  /** Has the next call of {@link #moves} say of every camera where it is. */
+  public void forgetPoses() {
+    forgotten = true;
+  }
+
   /**
    * The cameras that stand, look or see otherwise than at the call before, or than at the start.
    */
   public List<Move> moves(NetworkView network) {
-    if (network.revision() == revision) {
+    if (network.revision() == revision && !forgotten) {
       return List.of();
     }
     revision = network.revision();
@@ -74,16 +79,12 @@ public final class Snapshots {
     for (int camera = 0; camera < network.cameras(); camera++) {
       CameraPose before = poses[camera];
       CameraPose pose = network.online(camera) ? made.of(network, camera, before) : before;
-      if (!pose.equals(poses[camera])) {
+      if (forgotten || !pose.equals(before)) {
         poses[camera] = pose;
         moves.add(new Move(network.step(), camera, pose));
       }
     }
+    forgotten = false;
     return moves;
-  }
-
-  /** Where every camera is, as the last call of {@link #moves} found it. */
-  public List<CameraPose> poses() {
-    return Arrays.asList(poses.clone());
   }
 }

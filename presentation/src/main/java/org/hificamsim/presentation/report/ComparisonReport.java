@@ -5,12 +5,20 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.stream.StreamSupport;
+import java.util.zip.Deflater;
+import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.presentation.figures.PolicyColors;
+import org.hificamsim.presentation.replay.Deflated;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
@@ -35,6 +43,8 @@ final class ComparisonReport {
           AggregateFiles.IMPROVEMENT.file(),
           AggregateFiles.PAIRS.file());
 
+  private static final int MAX_PICTURES = 3_000_000; // bytes
+  private static final double ROUNDING = 1e-9;
   private static final int MAX_ROWS = 5_000;
   private static final int MAX_SUMMARY_ROWS = 20_000;
 
@@ -63,7 +73,7 @@ final class ComparisonReport {
     if (ComparisonFiles.SUMMARY.isIn(folder)) {
       report.addComparison();
     }
-    report.data.set("pictures", Pictures.of(folder));
+    report.addPictures();
     ResultFolder files = new ResultFolder(folder);
     report.data.put("command", files.command());
     report.data.put("version", files.version());
@@ -89,7 +99,7 @@ final class ComparisonReport {
   private void addComparison() throws IOException {
     CsvRows summary = ComparisonFiles.SUMMARY.read(folder);
     CsvRows results = ComparisonFiles.RESULTS.read(folder);
-    ComparisonCheck.check(summary, results);
+    check(summary, results);
     write(data.putObject("summary"), summary, MAX_SUMMARY_ROWS);
     write(data.putObject("results"), results, MAX_ROWS);
     JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
@@ -98,6 +108,55 @@ final class ComparisonReport {
       data.set("curves", CaseCurves.of(folder, settings));
     }
     addColors(summary);
+  }
+
+  /** A page must not mix two comparisons: a case's mean performance must be that of its runs. */
+  private static void check(CsvRows summary, CsvRows results) {
+    Map<List<String>, SummaryStatistics> runs = new HashMap<>();
+    for (CsvRow row : results.rows()) {
+      runs.computeIfAbsent(Table.caseOf(row), any -> new SummaryStatistics())
+          .addValue(row.numberOrNaN("performance"));
+    }
+    for (CsvRow row : summary.rows()) {
+      double mean = row.numberOrNaN("mean");
+      row.numberOrNaN("low");
+      row.numberOrNaN("high");
+      SummaryStatistics own = runs.get(Table.caseOf(row));
+      if (own != null && row.text("metric").equals("performance")) {
+        check(row, mean, own);
+      }
+    }
+  }
+
+  private static void check(CsvRow row, double mean, SummaryStatistics own) {
+    boolean same = Math.abs(mean - own.getMean()) <= ROUNDING * Math.max(1, Math.abs(mean));
+    if (!same || row.numberOrNaN("runs") != own.getN()) {
+      throw row.place(0)
+          .error(
+              "mean performance %s of %s runs, but %s has %s of %s, expected the files of one comparison"
+                  .formatted(
+                      row.text("mean"),
+                      row.text("runs"),
+                      ComparisonFiles.RESULTS.file(),
+                      own.getMean(),
+                      own.getN()));
+    }
+  }
+
+  /** The pictures (SVG), deflated; without their data once they are too many. */
+  private void addPictures() throws IOException {
+    ArrayNode pictures = data.putArray("pictures");
+    int bytes = 0;
+    try (DirectoryStream<Path> files = Files.newDirectoryStream(folder, "*.svg")) {
+      for (Path file : StreamSupport.stream(files.spliterator(), false).sorted().toList()) {
+        String packed = Deflated.base64(Deflater.BEST_COMPRESSION, out -> Files.copy(file, out));
+        bytes += packed.length();
+        pictures
+            .addObject()
+            .put("name", file.getFileName().toString())
+            .put("data", bytes <= MAX_PICTURES ? packed : "");
+      }
+    }
   }
 
   private void addColors(CsvRows summary) {

@@ -4,15 +4,26 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.io.StringWriter;
 import java.nio.file.Path;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.NumberRows;
+import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.PackedHeat;
+import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Replay;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.heat.HeatTable;
 import org.hificamsim.runs.output.ResultFolder;
+import org.hificamsim.runs.output.RunTables;
+import org.hificamsim.runs.output.StepCursor;
+import org.hificamsim.runs.output.StepRow;
 
 /** The page of a run that was recorded: made from its folder alone. */
 final class RunReport {
@@ -86,12 +97,48 @@ final class RunReport {
 
   /** What the page derives from the frames must be what {@code steps.csv} says. */
   private void checkSteps() throws IOException {
-    StepsCheck check = new StepsCheck();
+    Map<String, String> recorded = new HashMap<>();
     for (int i = 0; i < replay.runs().size(); i++) {
-      check.expect(replay.recording(folder, i));
+      addRows(recorded, replay.recording(folder, i));
     }
-    Path steps = check.read(folder).getFileName();
-    checkPerformance((double) check.performance() / replay.repeat(), steps);
+    long[] sum = {0};
+    Path file =
+        StepRow.each(
+            folder,
+            row -> {
+              check(row, recorded.remove(row.run() + "," + row.step()));
+              sum[0] += row.kMin();
+            });
+    if (!recorded.isEmpty()) {
+      String[] missing = Collections.min(recorded.keySet()).split(",");
+      throw new InputException(
+          "%s: no row for run %s and step %s, expected the file of the run that was recorded"
+              .formatted(file, missing[0], missing[1]));
+    }
+    checkPerformance((double) sum[0] / replay.repeat(), file.getFileName());
+  }
+
+  /** The rows of {@code steps.csv} that a recording makes, by run and step. */
+  private static void addRows(Map<String, String> rows, RecordedRun recording) throws IOException {
+    StringWriter text = new StringWriter();
+    StepCursor at = new StepCursor();
+    try (NumberRows row = new NumberRows(text, "", ',', "")) {
+      for (Frame frame : recording.frames()) {
+        at.at(recording.run(), frame.step(), frame.measure());
+        RunTables.steps(frame.measure().byChance()).add(at, row);
+        String which = recording.run() + "," + frame.step();
+        rows.put(which, text.toString().substring(which.length() + 1));
+        text.getBuffer().setLength(0);
+      }
+    }
+  }
+
+  private static void check(StepRow row, String recorded) {
+    if (recorded != null && !(row.measures() + ",").startsWith(recorded + ",")) {
+      throw row.error(
+          "'%s', but the recorded run has %s there, expected the files of one run"
+              .formatted(row.measures(), recorded));
+    }
   }
 
   private void checkPerformance(double mean, Path steps) {
@@ -107,16 +154,8 @@ final class RunReport {
   private ObjectNode figures() {
     ObjectNode figures = JSON.createObjectNode();
     ObjectNode settings = figures.putObject("settings");
-    summary
-        .fields()
-        .forEachRemaining(
-            field -> {
-              boolean figure =
-                  field.getKey().equals("runs") || field.getKey().equals("interval_95");
-              if (!figure) {
-                settings.set(field.getKey(), field.getValue());
-              }
-            });
+    settings.setAll((ObjectNode) summary);
+    settings.remove(List.of("runs", "interval_95"));
     figures.put("repeat", replay.repeat());
     ObjectNode metrics = figures.putObject("metrics");
     for (Metric metric : Metric.ofRuns()) {

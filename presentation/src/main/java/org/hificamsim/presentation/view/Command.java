@@ -16,7 +16,10 @@ import java.util.Arrays;
 import java.util.Locale;
 import org.hificamsim.core.InputException;
 
-/** What the page may ask for, each by the name of its record in lower case. */
+/**
+ * What the page may ask for, each by the name of its record in lower case. {@link LiveRun} and
+ * {@link LiveSession} say what the values are.
+ */
 @JsonTypeInfo(use = JsonTypeInfo.Id.NAME, property = "command")
 public sealed interface Command {
   /**
@@ -26,7 +29,6 @@ public sealed interface Command {
    */
   void obey(LiveSession session);
 
-  /** Step after step, until paused. */
   record Run() implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -34,7 +36,6 @@ public sealed interface Command {
     }
   }
 
-  /** No more steps. */
   record Pause() implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -42,11 +43,6 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * Some steps at once.
-   *
-   * @param steps 1 to 1000
-   */
   record Step(int steps) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -54,11 +50,6 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * How fast to run.
-   *
-   * @param perSecond steps per second, 1 to 1000
-   */
   record Speed(int perSecond) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -66,11 +57,6 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * Everything from the start.
-   *
-   * @param keepCameras whether cameras stay where they were put, and those that were added
-   */
   record Restart(long seed, boolean keepCameras) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -78,12 +64,6 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * A camera is put elsewhere, in all simulations.
-   *
-   * @param x metres, within the field
-   * @param y metres, within the field
-   */
   record Drag(int camera, double x, double y) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -91,11 +71,6 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * A camera looks another way, in all simulations.
-   *
-   * @param heading degrees, 0 is +y and 90 is +x
-   */
   record Turn(int camera, double heading) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -103,13 +78,6 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * A camera more, in all simulations: the targets go on, learning begins again.
-   *
-   * @param like the camera that has its kind and heading
-   * @param x metres, within the field
-   * @param y metres, within the field
-   */
   record Add(int like, double x, double y) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -117,20 +85,13 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * A camera stays in a view, whatever its policy chooses, in all simulations.
-   *
-   * @param view -1 to leave it to the policy again
-   */
   record Hold(int camera, int view) implements Command {
     @Override
     public void obey(LiveSession session) {
       session.change(run -> run.hold(camera, view));
-      session.tellState();
     }
   }
 
-  /** A solid wall more, its ends in metres: learning begins again. */
   record Wall(double x1, double y1, double x2, double y2) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -138,11 +99,6 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * An obstacle less: learning begins again.
-   *
-   * @param obstacle its number in the scenario, from 0
-   */
   record Remove(int obstacle) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -150,11 +106,6 @@ public sealed interface Command {
     }
   }
 
-  /**
-   * Another detection model, threshold or policy: the targets go on, learning begins again.
-   *
-   * @param side which simulation, from 0
-   */
   record Choose(int side, String detection, Double threshold, String policy) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -162,7 +113,6 @@ public sealed interface Command {
     }
   }
 
-  /** A second simulation of the same targets, or no longer. */
   record Compare(boolean on) implements Command {
     @Override
     public void obey(LiveSession session) {
@@ -170,11 +120,10 @@ public sealed interface Command {
     }
   }
 
-  /** A heat map of the steps from now on, in all simulations, or none any more. */
   record Heat(boolean on) implements Command {
     @Override
     public void obey(LiveSession session) {
-      session.heat(on);
+      session.change(run -> run.heat(on));
     }
   }
 

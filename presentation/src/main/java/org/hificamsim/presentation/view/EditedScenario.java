@@ -2,6 +2,7 @@ package org.hificamsim.presentation.view;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
@@ -35,21 +36,13 @@ final class EditedScenario {
     now = original;
   }
 
-  /**
-   * Moves a camera; metres.
-   *
-   * @throws InputException when the place is not in the field, or in a solid obstacle
-   */
+  /** Moves a camera; refuses a place that is not in the field, or in a solid obstacle. */
   void move(String name, double x, double y) {
     checkPlace(x, y);
     change(name, camera -> camera.with(CameraSpec.X, x).with(CameraSpec.Y, y));
   }
 
-  /**
-   * Turns a camera; degrees.
-   *
-   * @throws InputException when the heading is not finite
-   */
+  /** Turns a camera; degrees. */
   void turn(String name, double heading) {
     if (!Double.isFinite(heading)) {
       throw new InputException("heading is %s, expected degrees".formatted(heading));
@@ -61,18 +54,12 @@ final class EditedScenario {
     now = now.withCameras(camera -> camera.name().equals(name) ? change.apply(camera) : camera);
   }
 
-  /**
-   * Adds a camera that is like another one but for its place, after those of the start; metres.
-   *
-   * @throws InputException when the place is not in the field
-   */
+  /** Adds a camera that is like another one but for its place, after those of the start. */
   void add(String like, double x, double y) {
     checkPlace(x, y);
     CameraSpec added =
-        now.everyCamera()
-            .filter(camera -> camera.name().equals(like))
-            .findFirst()
-            .get()
+        camera(like)
+            .orElseThrow()
             .with(CameraSpec.NAME, freeName())
             .with(CameraSpec.X, x)
             .with(CameraSpec.Y, y);
@@ -81,12 +68,7 @@ final class EditedScenario {
     now = now.with(Scenario.CAMERAS, more);
   }
 
-  /**
-   * Adds a solid wall after the other obstacles; metres.
-   *
-   * @throws InputException when its ends are one point or not in the field, or a camera or target
-   *     would stand in it
-   */
+  /** Adds a solid wall after the other obstacles, where it hits no camera and no target. */
   void wall(double x1, double y1, double x2, double y2) {
     checkInField(x1, y1);
     checkInField(x2, y2);
@@ -109,11 +91,7 @@ final class EditedScenario {
     now = now.with(Scenario.OBSTACLES, more);
   }
 
-  /**
-   * Takes an obstacle away.
-   *
-   * @throws InputException when there is none of this number
-   */
+  /** Takes an obstacle away. */
   void remove(int number) {
     List<Obstacle> rest = new ArrayList<>(now.obstacles());
     if (number < 0 || number >= rest.size()) {
@@ -139,14 +117,14 @@ final class EditedScenario {
 
   private String freeName() {
     int number = 1;
-    while (isTaken(ADDED + number)) {
+    while (camera(ADDED + number).isPresent()) {
       number++;
     }
     return ADDED + number;
   }
 
-  private boolean isTaken(String name) {
-    return now.everyCamera().anyMatch(camera -> camera.name().equals(name));
+  private Optional<CameraSpec> camera(String name) {
+    return now.everyCamera().filter(camera -> camera.name().equals(name)).findFirst();
   }
 
   private void checkPlace(double x, double y) {

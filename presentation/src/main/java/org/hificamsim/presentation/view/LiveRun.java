@@ -12,8 +12,8 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
-import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.PackedHeat;
+import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -29,7 +29,7 @@ public final class LiveRun {
   private final String firstName;
   private final DetectionSpec first;
   private final List<LiveChoice> choices = new ArrayList<>();
-  private final List<FloorPicture> floor;
+  private final List<Setup.Floor> floor;
   private final Map<String, Integer> held = new HashMap<>();
   private List<LiveSide> sides = new ArrayList<>();
   private long seed;
@@ -46,7 +46,7 @@ public final class LiveRun {
       Scenario scenario,
       LiveChoice choice,
       long seed,
-      List<FloorPicture> floor) {
+      List<Setup.Floor> floor) {
     this.floor = List.copyOf(floor);
     this.catalogue = catalogue;
     this.scenario = new EditedScenario(scenario);

@@ -1,7 +1,6 @@
 package org.hificamsim.presentation.view;
 
 import com.fasterxml.jackson.annotation.JsonInclude;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
@@ -11,57 +10,22 @@ import java.util.function.Supplier;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.scenario.ScenarioWriter;
-import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.ReplayJson;
-import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.RunFault;
 
 /**
  * A live run on a thread of its own: it steps by the clock and does what commands say between two
- * steps, in their order. Everything that touches the run goes through its queue.
+ * steps, in their order. Everything that touches the run goes through its queue; pages are shown
+ * its feed.
  */
 public final class LiveSession implements AutoCloseable {
   private static final int MAX_PER_SECOND = 1000;
   private static final int MAX_STEPS = 1000;
 
-  /** A heat map is sent so often while the simulation runs. */
+  /** A heat map is shown so often while the simulation runs. */
   private static final long BETWEEN_HEATS = TimeUnit.MILLISECONDS.toNanos(500);
 
   private static final long LATEST = TimeUnit.MILLISECONDS.toNanos(200);
-
-  /** Who hears what happens, on the session's thread: must not wait for anything. */
-  interface Watcher {
-    /**
-     * The simulations are others.
-     *
-     * @param json a {@link SetupMessage}
-     * @param fresh whether the steps sent before are to be forgotten
-     */
-    void setup(String json, boolean fresh);
-
-    /** A step has been done. */
-    void step(LiveStep step);
-
-    /**
-     * Running, speed or fault have changed.
-     *
-     * @param json a {@link StateMessage}
-     */
-    void state(String json);
-
-    /**
-     * There is another heat map.
-     *
-     * @param json a list of {@link PackedHeat}, one for each simulation
-     */
-    void heat(String json);
-  }
-
-  /** What runs. */
-  record SetupMessage(boolean fresh, List<SideMessage> sides) {}
-
-  /** One simulation. */
-  record SideMessage(Setup setup, String estimated) {}
 
   /**
    * How it runs.
@@ -70,7 +34,7 @@ public final class LiveSession implements AutoCloseable {
    * @param held cameras that somebody holds in a view
    * @param heat whether there is a heat map
    */
-  record StateMessage(
+  private record StateMessage(
       boolean running,
       int perSecond,
       long next,
@@ -80,10 +44,8 @@ public final class LiveSession implements AutoCloseable {
       @JsonInclude(JsonInclude.Include.NON_DEFAULT) boolean heat) {}
 
   private final LiveRun run;
+  private final LiveFeed feed;
   private final LinkedBlockingQueue<Runnable> queue = new LinkedBlockingQueue<>();
-  private final List<Watcher> watchers = new ArrayList<>();
-  private final int kept;
-  private final StepBuffer history;
   private final Thread thread = new Thread(this::work, "simulation");
   private final CompletableFuture<Object> end = new CompletableFuture<>();
   private boolean running;
@@ -95,11 +57,16 @@ public final class LiveSession implements AutoCloseable {
   /** A session that is paused after the first step. */
   public LiveSession(LiveRun run) {
     this.run = run;
-    this.kept = StepBuffer.most(run.sides().get(0).setup());
-    this.history = new StepBuffer(kept);
-    step();
+    this.feed = LiveFeed.of(run.sides().get(0).setup());
+    renew(begun -> {});
+    showState();
     thread.setDaemon(true);
     thread.start();
+  }
+
+  /** What pages are shown. */
+  LiveFeed feed() {
+    return feed;
   }
 
   /**
@@ -112,6 +79,8 @@ public final class LiveSession implements AutoCloseable {
     return inTurn(
         () -> {
           command.obey(this);
+          showState();
+          showHeat();
           return null;
         });
   }
@@ -139,28 +108,6 @@ public final class LiveSession implements AutoCloseable {
   /** Completes with {@link SessionEnded}, whose cause is the error that has broken it, if any. */
   CompletableFuture<Object> end() {
     return end;
-  }
-
-  /** Tells somebody all that there is, and from then on whatever happens. */
-  void watch(Watcher watcher) {
-    queue.add(
-        () -> {
-          watcher.setup(setup(true), true);
-          history.all().forEach(watcher::step);
-          watcher.state(state());
-          watchers.add(watcher);
-          tellHeat();
-        });
-  }
-
-  /** How many steps are kept for those who come later. */
-  int kept() {
-    return kept;
-  }
-
-  /** Tells somebody nothing more. */
-  void unwatch(Watcher watcher) {
-    queue.add(() -> watchers.remove(watcher));
   }
 
   private void work() {
@@ -191,36 +138,33 @@ public final class LiveSession implements AutoCloseable {
     due = Math.max(due, now - LATEST) + TimeUnit.SECONDS.toNanos(1) / perSecond;
     step();
     if (now - heatDue >= 0) {
-      tellHeat();
+      showHeat();
     }
   }
 
   @SuppressWarnings("CatchingUnchecked") // a user's own policy may fail in any way
   private void step() {
     try {
-      LiveStep step = run.step();
-      history.add(step);
-      watchers.forEach(watcher -> watcher.step(step));
+      feed.add(run.step());
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
       fault = Place.printable("step %s: %s".formatted(run.next(), RunFault.describe(e)));
       running = false;
-      tellState();
+      showState();
     }
   }
 
+  /** Does step after step, until paused. */
   void run() {
     running = true;
     fault = "";
     due = System.nanoTime();
-    tellState();
   }
 
   void pause() {
     running = false;
-    tellState();
-    tellHeat();
   }
 
+  /** Does some steps at once, 1 to 1000. */
   void steps(int steps) {
     between("steps", steps, 1, MAX_STEPS);
     running = false;
@@ -228,15 +172,13 @@ public final class LiveSession implements AutoCloseable {
     for (int i = 0; i < steps && fault.isEmpty(); i++) {
       step();
     }
-    tellState();
-    tellHeat();
   }
 
+  /** Sets how many steps a second are done, 1 to 1000. */
   void speed(int newPerSecond) {
     between("perSecond", newPerSecond, 1, MAX_PER_SECOND);
     perSecond = newPerSecond;
     due = System.nanoTime();
-    tellState();
   }
 
   /** Does something to the run that is seen from the next step on. */
@@ -247,56 +189,33 @@ public final class LiveSession implements AutoCloseable {
   /** Does something to the run by which it begins again; the first step follows at once. */
   void renew(Consumer<LiveRun> change) {
     change.accept(run);
-    history.clear();
     fault = "";
-    tellSetup(true);
+    feed.begin(sides());
     step();
-    tellHeat();
-  }
-
-  void heat(boolean on) {
-    run.heat(on);
-    heatDue = System.nanoTime();
-    tellState();
   }
 
   void choose(int side, LiveChoice choice) {
     run.choose(side, choice);
-    history.replaceAll(step -> step.withoutEstimates(side));
     fault = "";
-    tellSetup(false);
+    feed.choose(side, sides());
   }
 
-  private void tellSetup(boolean fresh) {
-    String json = setup(fresh);
-    watchers.forEach(watcher -> watcher.setup(json, fresh));
-    tellState();
+  private List<LiveFeed.SideMessage> sides() {
+    return run.sides().stream()
+        .map(side -> new LiveFeed.SideMessage(side.setup(), side.estimated()))
+        .toList();
   }
 
-  /** Tells everybody how the run goes on. */
-  void tellState() {
-    String json = state();
-    watchers.forEach(watcher -> watcher.state(json));
+  private void showState() {
+    feed.state(
+        ReplayJson.of(
+            new StateMessage(
+                running, perSecond, run.next(), run.seed(), fault, run.held(), run.heat())));
   }
 
-  private void tellHeat() {
-    if (run.heat() && !watchers.isEmpty()) {
-      String json = ReplayJson.of(run.heats());
-      watchers.forEach(watcher -> watcher.heat(json));
-      heatDue = System.nanoTime() + BETWEEN_HEATS;
-    }
-  }
-
-  private String setup(boolean fresh) {
-    List<SideMessage> sides =
-        run.sides().stream().map(side -> new SideMessage(side.setup(), side.estimated())).toList();
-    return ReplayJson.of(new SetupMessage(fresh, sides));
-  }
-
-  private String state() {
-    return ReplayJson.of(
-        new StateMessage(
-            running, perSecond, run.next(), run.seed(), fault, run.held(), run.heat()));
+  private void showHeat() {
+    feed.heat(ReplayJson.of(run.heats()));
+    heatDue = System.nanoTime() + BETWEEN_HEATS;
   }
 
   private static void between(String name, int value, int least, int most) {

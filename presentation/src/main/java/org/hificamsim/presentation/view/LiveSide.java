@@ -1,6 +1,5 @@
 package org.hificamsim.presentation.view;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -14,8 +13,6 @@ import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.World;
-import org.hificamsim.presentation.replay.CameraPose;
-import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.Setup;
@@ -32,7 +29,6 @@ final class LiveSide {
   private final Detection detection;
   private HeatRecorder heat;
   private long heatFrom;
-  private boolean begun;
   private LiveStep.Side last;
 
   /**
@@ -50,7 +46,7 @@ final class LiveSide {
       String policySpec,
       long seed,
       long next,
-      List<FloorPicture> floor,
+      List<Setup.Floor> floor,
       Map<String, Integer> held) {
     this.world = world;
     this.detection = detection;
@@ -65,6 +61,7 @@ final class LiveSide {
     }
     this.setup = Setup.of(world, detection, policySpec, seed, floor);
     this.snapshots = new Snapshots(setup, detection, policy);
+    snapshots.forgetPoses(); // whoever watches may know them from another simulation
     this.simulation =
         new Simulation(world, detection, new HeldViews(policy, held), seed, List.of(this::record))
             .continuingAt(next);
@@ -78,10 +75,6 @@ final class LiveSide {
 
   private void record(NetworkView network, StepCoverage coverage) {
     List<Move> moves = snapshots.moves(network);
-    if (!begun) {
-      begun = true;
-      moves = allPoses(network);
-    }
     last = new LiveStep.Side(snapshots.take(network), moves);
     if (heat != null) {
       heatFrom = heat.steps() == 0 ? network.step() : heatFrom;
@@ -101,21 +94,11 @@ final class LiveSide {
         : Optional.of(PackedHeat.of(heat.map(), heatFrom, heat.steps()));
   }
 
-  /** Where every camera is: whoever watches may know them from another simulation. */
-  private List<Move> allPoses(NetworkView network) {
-    List<Move> moves = new ArrayList<>();
-    List<CameraPose> poses = snapshots.poses();
-    for (int camera = 0; camera < poses.size(); camera++) {
-      moves.add(new Move(network.step(), camera, poses.get(camera)));
-    }
-    return moves;
-  }
-
   /**
    * Has the next step tell where every camera is, for those who have forgotten the steps before.
    */
   void tellPosesAgain() {
-    begun = false;
+    snapshots.forgetPoses();
   }
 
   World world() {

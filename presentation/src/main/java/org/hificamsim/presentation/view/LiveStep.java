@@ -18,6 +18,11 @@ public record LiveStep(List<Side> sides) {
    */
   public record Side(Frame frame, List<Move> moves) {}
 
+  /** Which step, from 0. */
+  long number() {
+    return sides.get(0).frame().step();
+  }
+
   /** This step, with the moves of one that is left out before it. */
   LiveStep after(LiveStep left) {
     List<Side> merged = new ArrayList<>();

@@ -11,6 +11,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
+import java.util.concurrent.Executor;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Future;
 import java.util.concurrent.SynchronousQueue;
@@ -60,8 +61,10 @@ public final class ViewServer implements AutoCloseable {
           new SynchronousQueue<>(), // one request more is not answered
           Parallel.daemons("view"));
   private final Guard guard;
-  private final OpenPages pages;
+  private final Executor afterGrace;
   private final CompletableFuture<Object> closed = new CompletableFuture<>();
+  private int pages; // that are open
+  private int visits; // pages that have ever been
 
   /**
    * Opens the port.
@@ -76,7 +79,7 @@ public final class ViewServer implements AutoCloseable {
     this.page = html.getBytes(StandardCharsets.UTF_8);
     this.server = open(port);
     this.guard = new Guard(server.getAddress().getPort());
-    this.pages = new OpenPages(MAX_PAGES, grace, () -> closed.complete(null));
+    this.afterGrace = CompletableFuture.delayedExecutor(grace.toMillis(), TimeUnit.MILLISECONDS);
     server.setExecutor(threads);
     server.createContext("/", this::handle);
     server.start();
@@ -203,30 +206,50 @@ public final class ViewServer implements AutoCloseable {
   }
 
   private void events(HttpExchange exchange) throws IOException, InterruptedException {
-    EventStream stream = new EventStream(session.kept());
-    if (!pages.opened(stream)) {
+    if (!opened()) {
       Reply.line(exchange, 503, "too many pages are open");
       return;
     }
     try {
-      session.watch(stream);
+      LiveFeed.Reader reader = session.feed().new Reader();
       Reply.begin(exchange, 200, "text/event-stream", 0);
       OutputStream out = exchange.getResponseBody();
-      for (String text = stream.take(); text != null; text = stream.take()) {
-        out.write(text.getBytes(StandardCharsets.UTF_8));
+      while (!closed.isDone()) {
+        out.write(reader.take().getBytes(StandardCharsets.UTF_8));
         out.flush();
         TimeUnit.MILLISECONDS.sleep(BETWEEN_EVENTS);
       }
     } finally {
-      session.unwatch(stream);
-      pages.closed(stream);
+      gone();
+    }
+  }
+
+  private synchronized boolean opened() {
+    if (pages == MAX_PAGES) {
+      return false;
+    }
+    pages++;
+    visits++;
+    return true;
+  }
+
+  /** Ends the server unless a page is open after the grace, or was in between. */
+  private synchronized void gone() {
+    pages--;
+    int known = visits;
+    afterGrace.execute(() -> endUnlessVisited(known));
+  }
+
+  private synchronized void endUnlessVisited(int known) {
+    if (pages == 0 && visits == known) {
+      closed.complete(null);
     }
   }
 
   /** Ends the streams, lets answers that are under way get through, and closes the port. */
   @Override
   public void close() {
-    pages.close();
+    closed.complete(null);
     threads.shutdown();
     try {
       threads.awaitTermination(LAST_ANSWERS, TimeUnit.MILLISECONDS);
@@ -235,6 +258,5 @@ public final class ViewServer implements AutoCloseable {
     }
     server.stop(0);
     threads.shutdownNow();
-    closed.complete(null);
   }
 }

@@ -4,11 +4,8 @@ import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.presentation.replay.CameraSetup;
-import org.hificamsim.presentation.replay.FloorPicture;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Setup;
-import org.hificamsim.presentation.replay.TargetSetup;
 
 /** A hall of 30 by 20 metres, in which pictures are tested. */
 final class Hall {
@@ -22,12 +19,12 @@ final class Hall {
    * @param slow the numbers of cameras that need time for a move
    */
   static Setup setup(
-      List<CameraSetup> cameras,
-      List<TargetSetup> targets,
+      List<Setup.Camera> cameras,
+      List<Setup.Target> targets,
       List<Double> widths,
       List<Integer> slow,
       List<Obstacle> obstacles,
-      List<FloorPicture> floor) {
+      List<Setup.Floor> floor) {
     return new Setup(
         "hall",
         FIELD,

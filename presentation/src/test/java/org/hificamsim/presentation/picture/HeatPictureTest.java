@@ -19,7 +19,6 @@ import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
-import org.hificamsim.presentation.replay.TargetSetup;
 import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatFigure;
 import org.hificamsim.runs.heat.HeatMap;
@@ -196,7 +195,7 @@ class HeatPictureTest {
     Setup setup =
         Hall.setup(
             List.of(),
-            List.of(new TargetSetup("a", 0.5)),
+            List.of(new Setup.Target("a", 0.5)),
             List.of(),
             List.of(),
             List.of(),

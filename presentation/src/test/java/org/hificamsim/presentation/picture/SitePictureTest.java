@@ -17,15 +17,12 @@ import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.replay.CameraPose;
-import org.hificamsim.presentation.replay.CameraSetup;
-import org.hificamsim.presentation.replay.FloorPicture;
+import org.hificamsim.presentation.replay.CameraPose.Interval;
+import org.hificamsim.presentation.replay.CameraPose.Level;
+import org.hificamsim.presentation.replay.CameraPose.LevelOptics;
 import org.hificamsim.presentation.replay.Frame;
-import org.hificamsim.presentation.replay.Interval;
-import org.hificamsim.presentation.replay.Level;
-import org.hificamsim.presentation.replay.LevelOptics;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.presentation.replay.Setup;
-import org.hificamsim.presentation.replay.TargetSetup;
 import org.junit.jupiter.api.Test;
 
 /** Pictures of a camera at (5, 10) that looks east, with a wall at x = 10 in its way. */
@@ -125,7 +122,7 @@ class SitePictureTest {
     assertEquals(NO_CAMERA, at(image, 20 + off, 2 + off));
   }
 
-  private static FloorPicture floor() throws IOException {
+  private static Setup.Floor floor() throws IOException {
     BufferedImage red = new BufferedImage(4, 4, BufferedImage.TYPE_INT_RGB);
     red.createGraphics().fillRect(0, 0, 4, 4);
     for (int i = 0; i < 16; i++) {
@@ -134,11 +131,11 @@ class SitePictureTest {
     ByteArrayOutputStream png = new ByteArrayOutputStream();
     ImageIO.write(red, "png", png);
     String data = Base64.getEncoder().encodeToString(png.toByteArray());
-    return new FloorPicture(new Field(0, 30, 10, 20), "data:image/png;base64," + data);
+    return new Setup.Floor(new Field(0, 30, 10, 20), "data:image/png;base64," + data);
   }
 
   private static Setup setup(
-      List<Obstacle> obstacles, List<Double> visible, List<FloorPicture> floor) {
+      List<Obstacle> obstacles, List<Double> visible, List<Setup.Floor> floor) {
     Level level = new Level(30, List.of(new Interval(0, 10)));
     CameraPose pose =
         new CameraPose(
@@ -151,8 +148,8 @@ class SitePictureTest {
             List.of(new LevelOptics(Math.PI / 3, 500)),
             visible);
     return Hall.setup(
-        List.of(new CameraSetup("cam", pose)),
-        List.of(new TargetSetup("a", 0.5), new TargetSetup("b", 0.5)),
+        List.of(new Setup.Camera("cam", pose)),
+        List.of(new Setup.Target("a", 0.5), new Setup.Target("b", 0.5)),
         List.of(0.5, 2.0),
         List.of(0),
         obstacles,

@@ -9,10 +9,10 @@ import java.awt.image.BufferedImage;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
@@ -96,12 +96,8 @@ class FigureFileTest {
     double[] noise = new Random(seed).doubles(500).toArray();
     XyPanel panel =
         new XyPanel("noise", "x", "y").x(0, 500).y(0, 1).straight(Curve.of(noise), Palette.BLUE);
-    try {
-      return FigureFile.draw(
-          new Figure("Noise " + seed, "", List.of(), List.of(panel), 1, 300, 200));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    return FigureFile.draw(
+        new Figure("Noise " + seed, "", List.of(), List.of(panel), 1, 300, 200), Optional.empty());
   }
 
   @Test
@@ -136,7 +132,7 @@ class FigureFileTest {
       throws Exception {
     for (int millimetres : new int[] {88, 180}) {
       try (OutputFolder out = new OutputFolder(folder)) {
-        FigureFile.draw(figure(), new PrintWidth(millimetres)).write(out, "a");
+        FigureFile.draw(figure(), Optional.of(new PrintWidth(millimetres))).write(out, "a");
         out.commit(List.of());
       }
       Element root =

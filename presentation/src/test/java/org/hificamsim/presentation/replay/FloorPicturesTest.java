@@ -27,7 +27,7 @@ class FloorPicturesTest {
   @Test
   void aSmallPictureIsTakenAsItIs() throws IOException {
     draw(60, 40, "png", "plan.png");
-    FloorPicture picture = read("plan.png").get(0);
+    Setup.Floor picture = read("plan.png").get(0);
     assertTrue(picture.data().startsWith("data:image/png;base64,"));
     assertEquals(new Field(0, 30, 0, 20), picture.area());
     assertEquals(60, FloorPictures.image(picture).getWidth());
@@ -38,7 +38,7 @@ class FloorPicturesTest {
   @Test
   void aLargePictureIsScaledDown() throws IOException {
     draw(9000, 300, "png", "plan.png");
-    FloorPicture picture = read("plan.png").get(0);
+    Setup.Floor picture = read("plan.png").get(0);
     assertEquals(2000, FloorPictures.image(picture).getWidth());
     assertEquals(67, FloorPictures.image(picture).getHeight(), 1);
     assertTrue(picture.data().length() < 1_400_000, picture.data().length() + " characters");
@@ -66,11 +66,11 @@ class FloorPicturesTest {
     Field field = new Field(0, 1, 0, 1);
     for (String data : List.of("", "data:image/png;base64,AAAA", "data:image/png;base64,?")) {
       assertThrows(
-          InputException.class, () -> FloorPictures.image(new FloorPicture(field, data)), data);
+          InputException.class, () -> FloorPictures.image(new Setup.Floor(field, data)), data);
     }
   }
 
-  private List<FloorPicture> read(String name) throws IOException {
+  private List<Setup.Floor> read(String name) throws IOException {
     return FloorPictures.of(folder.resolve("hall.xml"), scenario(name));
   }
 

@@ -40,7 +40,7 @@ class ReplayRecorderTest {
   @ValueSource(strings = {"epsilon-greedy", "softmax", "ucb1", "sarsa", "qb-sarsa", "zoom-out"})
   void givesBackEveryStepToTheMillimetre(String policy) throws IOException {
     RunPlan plan = plan("cluster-random", policy, 300, 1);
-    List<Frame> seen = record(plan, RecordingLimits.USUAL);
+    List<Frame> seen = record(plan, ReplayRecorder.Limits.USUAL);
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(300, recording.frames().size());
     assertEquals(policy.equals("zoom-out"), recording.estimated().isEmpty());
@@ -52,7 +52,7 @@ class ReplayRecorderTest {
   @Test
   void thinsALongRunAndKeepsItsLastStep() throws IOException {
     RunPlan plan = plan("lattice-random", "sarsa", 1000, 1);
-    List<Frame> seen = record(plan, new RecordingLimits(100, 1 << 20, 1 << 20));
+    List<Frame> seen = record(plan, new ReplayRecorder.Limits(100, 1 << 20, 1 << 20));
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(1000, recording.steps());
     assertEquals(16, recording.every());
@@ -66,7 +66,9 @@ class ReplayRecorderTest {
 
   @Test
   void thinsUntilTheBytesFit() throws IOException {
-    record(plan("lattice-random", "sarsa", 1000, 1), new RecordingLimits(10_000, 1 << 20, 20_000));
+    record(
+        plan("lattice-random", "sarsa", 1000, 1),
+        new ReplayRecorder.Limits(10_000, 1 << 20, 20_000));
     Replay replay = Replay.read(folder);
     assertTrue(replay.runs().get(0).every() > 1);
     long bytes = Files.size(folder.resolve(ResultFolder.REPLAY));
@@ -75,7 +77,7 @@ class ReplayRecorderTest {
 
   @Test
   void keepsTheFirstAndTheLastStepsOfOneRunWhereTheSetupAloneIsTooLarge() throws IOException {
-    record(plan("lattice-random", "sarsa", 100, 2), new RecordingLimits(10_000, 1 << 20, 10));
+    record(plan("lattice-random", "sarsa", 100, 2), new ReplayRecorder.Limits(10_000, 1 << 20, 10));
     Replay replay = Replay.read(folder);
     assertEquals(1, replay.runs().size());
     List<Frame> frames = replay.recording(folder, 0).frames();
@@ -87,14 +89,15 @@ class ReplayRecorderTest {
   @Test
   void keepsAsManyRepeatsAsFit() throws IOException {
     RunPlan plan = plan("lattice-random", "sarsa", 200, 5);
-    record(plan, RecordingLimits.USUAL);
+    record(plan, ReplayRecorder.Limits.USUAL);
     Replay all = Replay.read(folder);
     assertEquals(5, all.runs().size());
     assertEquals(4, all.runs().get(4).seed());
     int setup = ReplayJson.of(all.setup()).length();
     record(
         plan,
-        new RecordingLimits(1000, 1 << 20, setup + 2 * all.runs().get(0).data().length() + 2000));
+        new ReplayRecorder.Limits(
+            1000, 1 << 20, setup + 2 * all.runs().get(0).data().length() + 2000));
     assertEquals(2, Replay.read(folder).runs().size());
     assertEquals(5, Replay.read(folder).repeat());
   }
@@ -112,7 +115,7 @@ class ReplayRecorderTest {
 <event timestep="3" participant="camera" event="change" name="Cam_01" x="1.5" y="-1" heading="90" viewing_angle="-1" range="-1"/>
 <event timestep="5" participant="camera" event="error" name="Cam_02" duration="-1"/>
 </events></simulation>"""));
-    record(plan(scenario, "epsilon-greedy", 10, 1), RecordingLimits.USUAL);
+    record(plan(scenario, "epsilon-greedy", 10, 1), ReplayRecorder.Limits.USUAL);
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(1, recording.moves().size(), recording.moves().toString());
     Move move = recording.moves().get(0);
@@ -127,7 +130,7 @@ class ReplayRecorderTest {
   void givesBackWhatMovingCamerasSeeAndWhatStandsInTheirWay() throws IOException {
     Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
     RunPlan plan = plan(hall, "epsilon-greedy:epsilon=0.5", 100, 1);
-    List<Frame> seen = record(plan, RecordingLimits.USUAL);
+    List<Frame> seen = record(plan, ReplayRecorder.Limits.USUAL);
     Replay replay = Replay.read(folder);
     List<Frame> frames = replay.recording(folder, 0).frames();
     int blind = 0;
@@ -151,7 +154,7 @@ class ReplayRecorderTest {
 
   @Test
   void saysNothingOfWhatAScenarioDoesNotHave() throws IOException {
-    record(plan("lattice-random", "zoom-out", 3, 1), RecordingLimits.USUAL);
+    record(plan("lattice-random", "zoom-out", 3, 1), ReplayRecorder.Limits.USUAL);
     String json = Files.readString(folder.resolve(ResultFolder.REPLAY));
     for (String name :
         List.of("pans", "lenses", "visible", "widths", "slow", "obstacles", "floor", "seeing")) {
@@ -161,12 +164,12 @@ class ReplayRecorderTest {
 
   @Test
   void tellsTheRangesInWhichTargetsAreDetected() throws IOException {
-    record(plan("lattice-random", "zoom-out", 1, 1), RecordingLimits.USUAL);
+    record(plan("lattice-random", "zoom-out", 1, 1), ReplayRecorder.Limits.USUAL);
     Setup setup = Replay.read(folder).setup();
     assertEquals("lattice-random", setup.scenario());
     assertEquals(0.66, setup.targetSize());
-    for (Level level : setup.cameras().get(0).pose().levels()) {
-      for (Interval interval : level.detected()) {
+    for (CameraPose.Level level : setup.cameras().get(0).pose().levels()) {
+      for (CameraPose.Interval interval : level.detected()) {
         assertTrue(interval.from() <= interval.to() && interval.to() <= level.radius());
       }
     }
@@ -199,7 +202,7 @@ class ReplayRecorderTest {
       })
   void refusesAPlaceThatDoesNotFitInOneLine(String change) throws IOException {
     Path hall = SCENARIOS.resolveSibling("src/test/resources/seen/hall.xml");
-    record(plan(hall, "zoom-out", 3, 1), RecordingLimits.USUAL);
+    record(plan(hall, "zoom-out", 3, 1), ReplayRecorder.Limits.USUAL);
     Path file = folder.resolve(ResultFolder.REPLAY);
     String[] words = change.split("\\|");
     String json = Files.readString(file);
@@ -212,7 +215,7 @@ class ReplayRecorderTest {
 
   @Test
   void refusesDataThatEndEarly() throws IOException {
-    record(plan("lattice-random", "sarsa", 50, 1), RecordingLimits.USUAL);
+    record(plan("lattice-random", "sarsa", 50, 1), ReplayRecorder.Limits.USUAL);
     Path file = folder.resolve(ResultFolder.REPLAY);
     Files.writeString(file, Files.readString(file).replaceFirst("\"frames\":50", "\"frames\":49"));
     Files.writeString(file, Files.readString(file).replaceFirst("(\"data\":\".{400})[^\"]*", "$1"));
@@ -236,7 +239,7 @@ class ReplayRecorderTest {
   }
 
   /** Records a plan into the folder; returns the first run's frames as they were. */
-  private List<Frame> record(RunPlan plan, RecordingLimits limits) throws IOException {
+  private List<Frame> record(RunPlan plan, ReplayRecorder.Limits limits) throws IOException {
     World world = new World(plan.scenario(), catalogue.movements(), 0);
     Setup setup = Setup.of(world, plan.detection(), plan.policy(), 0, List.of());
     ReplayRecorder recorder = new ReplayRecorder(setup, plan.detection(), plan.repeats(), limits);

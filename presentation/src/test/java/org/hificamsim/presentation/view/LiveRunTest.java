@@ -409,20 +409,20 @@ class LiveRunTest {
   }
 
   @Test
-  void aFullBufferKeepsTheShapeTheLastStepAndEveryMove() {
+  void aFullFeedKeepsTheShapeTheLastStepAndEveryMove() {
     LiveRun live = live("lattice-random", 0);
-    StepBuffer buffer = new StepBuffer(10);
+    LiveFeed feed = new LiveFeed(10);
     for (int step = 0; step < 100; step++) {
       if (step % 7 == 0) {
         live.drag(0, step / 100.0, 0);
       }
-      buffer.add(live.step());
-      List<LiveStep> all = buffer.all();
+      feed.add(live.step());
+      List<LiveStep> all = feed.steps();
       assertTrue(all.size() <= 10);
       assertEquals(step, frame(all.get(all.size() - 1), 0).step());
     }
     List<Double> moved =
-        buffer.all().stream()
+        feed.steps().stream()
             .flatMap(step -> step.sides().get(0).moves().stream())
             .filter(move -> move.camera() == 0)
             .map(move -> move.pose().x())

@@ -1,4 +1,0 @@
-package org.hificamsim.presentation.replay;
-
-/** A closed range of distances, metres. */
-public record Interval(double from, double to) {}
