@@ -21,13 +21,13 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final CameraTask<AbstractBanditZoomPolicy> LEARNING =
       (network, policy, from, to) -> policy.learn(network, from, to);
 
-  private Utility.Reading reading = Utility.Reading.OBJECTIVE;
+  private Utility.Reading reading;
   private Utility utility;
   private ViewTable table;
   private double[] means;
   private long[] pulls;
 
-  /** Reads the option {@code utility}. */
+  /** Reads the option {@code utility}; the last of a bandit's options. */
   final void readUtility(Options options) {
     reading = Utility.from(options);
   }

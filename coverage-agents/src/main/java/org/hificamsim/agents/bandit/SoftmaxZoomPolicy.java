@@ -1,7 +1,6 @@
 package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
-import org.hificamsim.agents.choice.CameraRandoms;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -16,20 +15,10 @@ public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
   private double[] weights;
   private SplittableRandom[] randoms;
 
-  /**
-   * @param temperature in targets, above 0: the smaller, the closer to always taking the best view
-   */
-  public SoftmaxZoomPolicy(double temperature) {
-    this.temperature = temperature;
-  }
-
-  /** The policy with its option; the default temperature is CamSim's. */
-  public static SoftmaxZoomPolicy from(Options options) {
-    SoftmaxZoomPolicy policy =
-        new SoftmaxZoomPolicy(
-            options.number("temperature", 0.1, 1e-6, 1e6, "in targets; smaller is greedier"));
-    policy.readUtility(options);
-    return policy;
+  /** Reads the temperature, by default CamSim's, and what is rewarded. */
+  public SoftmaxZoomPolicy(Options options) {
+    temperature = options.number("temperature", 0.1, 1e-6, 1e6, "in targets; smaller is greedier");
+    readUtility(options);
   }
 
   @Override
@@ -41,7 +30,7 @@ public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
     weights = new double[means().length];
-    randoms = CameraRandoms.split(network, random);
+    randoms = split(network, random);
   }
 
   @Override

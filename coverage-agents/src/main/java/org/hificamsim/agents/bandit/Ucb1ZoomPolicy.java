@@ -23,22 +23,12 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
   private double[] bounds;
   private double scale;
 
-  /**
-   * @param exploration the factor c on the width of the confidence interval, 0 or more
-   */
-  public Ucb1ZoomPolicy(double exploration, Ties ties) {
-    this.exploration = exploration;
-    this.ties = ties;
-  }
-
-  /** The policy with its options; c is the square root of 2 by default, as published. */
-  public static Ucb1ZoomPolicy from(Options options) {
-    Ucb1ZoomPolicy policy =
-        new Ucb1ZoomPolicy(
-            options.number("c", Math.sqrt(2), 0, 1e6, "factor on the confidence interval's width"),
-            Ties.from(options, Ties.WIDEST));
-    policy.readUtility(options);
-    return policy;
+  /** Reads the options; c is the square root of 2 by default, as published. */
+  public Ucb1ZoomPolicy(Options options) {
+    exploration =
+        options.number("c", Math.sqrt(2), 0, 1e6, "factor on the confidence interval's width");
+    ties = Ties.from(options);
+    readUtility(options);
   }
 
   @Override

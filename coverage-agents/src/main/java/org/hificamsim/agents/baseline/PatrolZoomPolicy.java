@@ -31,19 +31,11 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
   private final Zoom zoom;
   private PanPatrol[] patrols = {};
 
-  /**
-   * @param dwell steps that a camera stays in each view, 1 or more
-   */
-  public PatrolZoomPolicy(int dwell, Zoom zoom) {
-    this.dwell = dwell;
-    this.zoom = zoom;
-  }
-
-  /** The policy with its options {@code dwell} and {@code zoom}. */
-  public static PatrolZoomPolicy from(Options options) {
-    return new PatrolZoomPolicy(
-        options.integer("dwell", 1, 1, MAX_DWELL, "steps that a camera stays at each pan angle"),
-        options.choice("zoom", Zoom.WIDEST, "the zoom level: widest, middle, narrowest"));
+  /** Reads the options {@code dwell} and {@code zoom}. */
+  public PatrolZoomPolicy(Options options) {
+    dwell =
+        options.integer("dwell", 1, 1, MAX_DWELL, "steps that a camera stays at each pan angle");
+    zoom = options.choice("zoom", Zoom.WIDEST, "the zoom level: widest, middle, narrowest");
   }
 
   @Override

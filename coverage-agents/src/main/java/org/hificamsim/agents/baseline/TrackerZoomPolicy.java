@@ -28,32 +28,23 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   private NearestTarget[] nearest = {};
   private PanPatrol[] patrols = {};
 
-  /**
-   * @param margin share of half the opening angle, and of the reach, that is to stay free, [0, 1)
-   * @param dwell steps that a camera which searches stays in each view, 1 or more
-   * @param search the zoom level that it searches with
-   */
-  public TrackerZoomPolicy(double margin, int dwell, PatrolZoomPolicy.Zoom search) {
-    this.margin = margin;
-    this.dwell = dwell;
-    this.search = search;
-  }
-
-  /** The policy with its options {@code margin} and {@code dwell}. */
-  public static TrackerZoomPolicy from(Options options) {
-    return new TrackerZoomPolicy(
+  /** Reads the options {@code margin}, {@code dwell} and {@code search}. */
+  public TrackerZoomPolicy(Options options) {
+    margin =
         options.number(
-            "margin", 0.2, 0, MAX_MARGIN, "share of the angle and reach kept free beyond a target"),
+            "margin", 0.2, 0, MAX_MARGIN, "share of the angle and reach kept free beyond a target");
+    dwell =
         options.integer(
             "dwell",
             1,
             1,
             PatrolZoomPolicy.MAX_DWELL,
-            "steps that a camera which searches stays at each pan angle"),
+            "steps that a camera which searches stays at each pan angle");
+    search =
         options.choice(
             "search",
             PatrolZoomPolicy.Zoom.WIDEST,
-            "the zoom level to search with: widest, middle, narrowest"));
+            "the zoom level to search with: widest, middle, narrowest");
   }
 
   @Override

@@ -4,11 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import org.hificamsim.agents.choice.EpsilonGreedyChoice;
-import org.hificamsim.agents.choice.EpsilonSchedule;
-import org.hificamsim.agents.choice.Exploration;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
 class EpsilonGreedyZoomPolicyTest {
@@ -80,7 +79,7 @@ class EpsilonGreedyZoomPolicyTest {
   }
 
   private static EpsilonGreedyZoomPolicy greedy(double epsilon, Ties ties) {
-    return new EpsilonGreedyZoomPolicy(
-        new EpsilonGreedyChoice(new EpsilonSchedule(epsilon, 1, 0), Exploration.OTHER), ties);
+    String options = "epsilon=" + epsilon + ",ties=" + Spelling.of(ties);
+    return new EpsilonGreedyZoomPolicy(Options.parse("epsilon-greedy", options));
   }
 }

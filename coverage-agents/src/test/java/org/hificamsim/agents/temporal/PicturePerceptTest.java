@@ -2,7 +2,6 @@ package org.hificamsim.agents.temporal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.List;
 import org.hificamsim.agents.baseline.FixedZoomPolicy;
 import org.hificamsim.agents.toy.RealWorld;
 import org.hificamsim.core.detection.DetectionModel;
@@ -46,7 +45,7 @@ class PicturePerceptTest {
   @Test
   void farIsWhatTheModelHardlyReaches() {
     DetectionModel weak = new OnlyNear(5);
-    ZoomPolicy still = new FixedZoomPolicy(List.of(0), List.of());
+    ZoomPolicy still = new FixedZoomPolicy(Options.none("fixed"));
     Simulation run = RealWorld.run(CAMERA + at(-20, 2.4) + at(20, 2.6), weak, still, 1);
     run.step();
     assertEquals(0b100_001, new PicturePercept(true).look(run.network(), 0));
@@ -91,7 +90,7 @@ class PicturePerceptTest {
     int colon = policy.indexOf(':');
     Options options =
         colon < 0 ? Options.none(policy) : Options.parse("fixed", policy.substring(colon + 1));
-    Simulation run = RealWorld.run(CAMERA + targets, FixedZoomPolicy.from(options), 1);
+    Simulation run = RealWorld.run(CAMERA + targets, new FixedZoomPolicy(options), 1);
     run.step();
     return run;
   }
