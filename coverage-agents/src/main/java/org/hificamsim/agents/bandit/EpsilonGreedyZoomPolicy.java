@@ -44,6 +44,6 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
   @Override
   protected int choose(NetworkView network, int camera) {
     int views = network.views(camera);
-    return choice.choose(camera, views, breaking.best(camera, means(), offset(camera), views));
+    return choice.choose(camera, views, breaking.best(camera, means(camera), 0, views));
   }
 }

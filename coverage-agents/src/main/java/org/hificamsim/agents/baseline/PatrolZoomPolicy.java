@@ -27,9 +27,47 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
     }
   }
 
+  /** A camera's way over its pan angles, back and forth. */
+  static final class Round {
+    private final int dwell;
+    private int left;
+    private int direction = 1;
+
+    /**
+     * @param dwell steps that the camera stays in each view, 1 or more
+     */
+    Round(int dwell) {
+      this.dwell = dwell;
+      left = dwell;
+    }
+
+    /** The camera's next view; first of all one with the zoom level that was asked for. */
+    int next(NetworkView network, int camera, int zoom) {
+      int view = network.view(camera);
+      int pan = network.panOf(camera, view);
+      boolean zoomed = view != network.viewAt(camera, pan, zoom);
+      if (!zoomed && left > 0) {
+        left--;
+        return view;
+      }
+      left = dwell - 1;
+      int next = zoomed ? pan : turn(pan, network.pans(camera));
+      return network.viewAt(camera, next, zoom);
+    }
+
+    private int turn(int pan, int pans) {
+      if (pans == 1) {
+        return pan;
+      }
+      boolean atEnd = pan + direction < 0 || pan + direction >= pans;
+      direction = atEnd ? -direction : direction;
+      return pan + direction;
+    }
+  }
+
   private final int dwell;
   private final Zoom zoom;
-  private PanPatrol[] patrols = {};
+  private Round[] rounds = {};
 
   /** Reads the options {@code dwell} and {@code zoom}. */
   public PatrolZoomPolicy(Options options) {
@@ -45,12 +83,12 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    patrols = new PanPatrol[network.cameras()];
-    Arrays.setAll(patrols, camera -> new PanPatrol(dwell));
+    rounds = new Round[network.cameras()];
+    Arrays.setAll(rounds, camera -> new Round(dwell));
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    return patrols[camera].next(network, camera, zoom.of(network.zooms(camera)));
+    return rounds[camera].next(network, camera, zoom.of(network.zooms(camera)));
   }
 }

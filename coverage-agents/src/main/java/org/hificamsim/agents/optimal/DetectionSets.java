@@ -1,8 +1,6 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.Arrays;
-import java.util.stream.IntStream;
-import org.hificamsim.agents.choice.ViewTable;
 import org.hificamsim.agents.search.CoverageProblem;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -16,8 +14,7 @@ import org.hificamsim.core.policy.NetworkView;
  */
 final class DetectionSets implements ConfigurationSets {
   private final boolean mostTargets;
-  private final ViewTable table;
-  private final int[] candidates;
+  private final int[][] candidates; // by camera
   private final int[] counts; // of candidates, by camera
   private final CoverageProblem problem;
   private final int[] placeOf;
@@ -36,14 +33,15 @@ final class DetectionSets implements ConfigurationSets {
    */
   DetectionSets(NetworkView network, boolean mostTargets) {
     this.mostTargets = mostTargets;
-    table = new ViewTable(network);
-    candidates = new int[table.size()];
+    candidates = new int[network.cameras()][];
+    Arrays.setAll(candidates, camera -> new int[network.views(camera)]);
+    int all = Arrays.stream(candidates).mapToInt(views -> views.length).sum();
+    int most = Arrays.stream(candidates).mapToInt(views -> views.length).max().orElse(0);
     counts = new int[network.cameras()];
-    problem = new CoverageProblem(network.cameras(), table.size(), network.targets());
+    problem = new CoverageProblem(network.cameras(), all, network.targets());
     placeOf = new int[network.targets()];
-    viewOf = new int[table.size()];
+    viewOf = new int[all];
     allWords = CoverageProblem.wordsFor(network.targets());
-    int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
     seen = new long[most * allWords];
     masks = new long[most * allWords];
     order = new int[most];
@@ -57,7 +55,7 @@ final class DetectionSets implements ConfigurationSets {
 
   /** Adds a candidate after the camera's others. */
   void add(int camera, int view) {
-    candidates[table.offset(camera) + counts[camera]] = view;
+    candidates[camera][counts[camera]] = view;
     counts[camera]++;
   }
 
@@ -68,7 +66,7 @@ final class DetectionSets implements ConfigurationSets {
 
   /** The camera's i-th candidate. */
   int candidate(int camera, int i) {
-    return candidates[table.offset(camera) + i];
+    return candidates[camera][i];
   }
 
   /**
@@ -76,11 +74,11 @@ final class DetectionSets implements ConfigurationSets {
    * other the first stays.
    */
   void removeDominated(NetworkView network, int camera) {
-    int first = table.offset(camera);
+    int[] views = candidates[camera];
     for (int i = counts[camera] - 1; i >= 0; i--) {
       if (dominated(network, camera, i)) {
         counts[camera]--;
-        System.arraycopy(candidates, first + i + 1, candidates, first + i, counts[camera] - i);
+        System.arraycopy(views, i + 1, views, i, counts[camera] - i);
       }
     }
   }

@@ -27,9 +27,6 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   private static final int NONE = -1;
   private static final double LARGE = 1e6;
 
-  private static final CameraTask<AbstractTemporalDifferenceZoomPolicy> LOOKING =
-      (network, policy, from, to) -> policy.look(network, from, to);
-
   private static final CameraTask<AbstractTemporalDifferenceZoomPolicy> MEASURING =
       (network, policy, from, to) -> policy.measure(network, from, to);
 
@@ -43,7 +40,7 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   private final Ties ties;
   private final EpsilonGreedyChoice choice;
   private ActionValues q;
-  private PicturePercept[] pictures; // none where a percept is the number of targets detected
+  private PicturePercept picture; // null where a percept is the number of targets detected
   private int[] lastState;
   private int[] lastAction;
   private double[] lastUtility;
@@ -94,8 +91,10 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     q = new ActionValues(network, states, ties, initialValue);
-    pictures = new PicturePercept[states.parts() == 0 ? 0 : network.cameras()];
-    Arrays.setAll(pictures, camera -> new PicturePercept(states.parts() > PicturePercept.THIRDS));
+    picture =
+        states.parts() == 0
+            ? null
+            : new PicturePercept(network.cameras(), states.parts() > PicturePercept.THIRDS);
     choice.begin(network, random);
     lastState = new int[network.cameras()];
     lastAction = new int[network.cameras()];
@@ -112,22 +111,16 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
 
   @Override
   public final void decide(NetworkView network, int[] views) {
-    if (pictures.length > 0) {
-      network.divide(this, LOOKING);
+    if (picture != null) {
+      picture.look(network);
     }
     prepare(network);
     super.decide(network, views);
   }
 
-  private void look(NetworkView network, int from, int to) {
-    for (int camera = from; camera < to; camera++) {
-      pictures[camera].look(network, camera);
-    }
-  }
-
   /** What the camera perceived before the decision that is under way, from 0. */
   protected final int percept(NetworkView network, int camera) {
-    return pictures.length == 0 ? network.detected(camera) : pictures[camera].parts();
+    return picture == null ? network.detected(camera) : picture.of(camera);
   }
 
   /** What a count does not tell is measured at once: targets move on before the next decision. */
@@ -224,10 +217,8 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   @Override
   public final String estimates(
       NetworkView network, int camera, double[] estimates, double[] counts) {
-    if (pictures.length > 0) {
-      pictures[camera].look(network, camera);
-    }
-    int state = q.state(camera, network.view(camera), percept(network, camera));
+    int percept = picture == null ? network.detected(camera) : picture.now(network, camera);
+    int state = q.state(camera, network.view(camera), percept);
     for (int view = 0; view < network.views(camera); view++) {
       estimates[view] = q.value(camera, state, view);
       counts[view] = Double.NaN;

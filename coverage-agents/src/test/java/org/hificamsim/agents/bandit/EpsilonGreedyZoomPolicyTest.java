@@ -51,9 +51,9 @@ class EpsilonGreedyZoomPolicyTest {
       network.observe();
       arms.learn(network);
     }
-    assertEquals(1.5, arms.means()[3]);
-    assertEquals(4, arms.pulls()[3]);
-    assertEquals(0, arms.means()[0]);
+    assertEquals(1.5, arms.means(0)[3]);
+    assertEquals(4, arms.pulls(0)[3]);
+    assertEquals(0, arms.means(0)[0]);
   }
 
   @Test
@@ -75,7 +75,7 @@ class EpsilonGreedyZoomPolicyTest {
     EpsilonGreedyZoomPolicy arms = network.begin(greedy(0, Ties.WIDEST), 1);
     network.switchCamera(0, false);
     arms.learn(network);
-    assertEquals(0, arms.pulls()[3]);
+    assertEquals(0, arms.pulls(0)[3]);
   }
 
   private static EpsilonGreedyZoomPolicy greedy(double epsilon, Ties ties) {
