@@ -11,8 +11,8 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.worlds.ActionKind;
+import org.hificamsim.worlds.Block;
 import org.hificamsim.worlds.Rewards;
-import org.hificamsim.worlds.Section;
 import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
 import org.openjdk.jmh.annotations.Benchmark;
@@ -74,8 +74,8 @@ public class WorldsBenchmark {
             () -> Rewards.registry().create(reward),
             EPISODE,
             true);
-    worlds = Worlds.of(settings, WORLDS, 1, 0, ByteBuffer::allocateDirect);
-    Section section = worlds.block().sections().get(0);
+    worlds = new Worlds(settings, WORLDS, 1, 0, ByteBuffer::allocateDirect);
+    Block.Section section = worlds.block().sections().get(0);
     actions = worlds.memory().slice(section.offset(), section.bytes());
     actions.order(ByteOrder.nativeOrder());
     most = worlds.choices().get(0);

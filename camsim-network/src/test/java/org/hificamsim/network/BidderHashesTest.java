@@ -52,7 +52,7 @@ class BidderHashesTest {
   private static BidderHashes hashes(World world) {
     int count = world.cameras().count();
     Detection detection = Detection.of(new CamSimVisibilityDetection());
-    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
+    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection, 0));
     Agent[] agents = new Agent[count];
     BidderHashes hashes = new BidderHashes(world.cameras(), sightings, agents);
     Agent.Shared shared =

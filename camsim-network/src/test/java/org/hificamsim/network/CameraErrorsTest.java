@@ -68,7 +68,7 @@ class CameraErrorsTest {
 
   private void makeAgents(NetworkSettings settings) {
     Detection detection = Detection.of(new CamSimVisibilityDetection());
-    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection));
+    Sightings sightings = new Sightings(world, Visibility.asInCamSim(detection, 0));
     Agent.Shared shared =
         new Agent.Shared(
             world.cameras(),

@@ -35,18 +35,18 @@ public final class CoveragePolicies {
             "every camera ahead at its narrowest zoom level",
             () -> new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST))
         .register(
-            FixedZoomPolicy.NAME, "given views, one for all or one each", FixedZoomPolicy::from)
+            FixedZoomPolicy.NAME, "given views, one for all or one each", FixedZoomPolicy::new)
         .register(RandomZoomPolicy.NAME, "a uniformly drawn view each step", RandomZoomPolicy::new)
         .register(
-            PatrolZoomPolicy.NAME, "sweeps over the pan angles, to and fro", PatrolZoomPolicy::from)
+            PatrolZoomPolicy.NAME, "sweeps over the pan angles, to and fro", PatrolZoomPolicy::new)
         .register(
             TrackerZoomPolicy.NAME,
             "keeps the nearest target that it sees in the middle of its picture",
-            TrackerZoomPolicy::from)
+            TrackerZoomPolicy::new)
         .register(
             GreedyZoomPolicy.NAME,
             "each camera's view with most targets now, with global knowledge",
-            GreedyZoomPolicy::from)
+            GreedyZoomPolicy::new)
         .register(
             OptimalZoomPolicy.NAME,
             "the best score of each step (k_min by default), exactly, with global knowledge",
@@ -54,38 +54,38 @@ public final class CoveragePolicies {
         .register(
             OptimalExpectedZoomPolicy.NAME,
             "the exactly best least expected coverage of each step, before luck is drawn",
-            OptimalExpectedZoomPolicy::from)
+            OptimalExpectedZoomPolicy::new)
         .register(
             OneHopZoomPolicy.NAME,
             "the best score that cameras reach within the step, exactly, with global knowledge",
-            OneHopZoomPolicy::from)
+            OneHopZoomPolicy::new)
         .register(
             BestFixedZoomPolicy.NAME,
             "the best constant configuration of the very run, in hindsight",
-            BestFixedZoomPolicy::from)
+            BestFixedZoomPolicy::new)
         .register(
             EpsilonGreedyZoomPolicy.NAME,
             "bandit: the view with the best average count, sometimes another",
-            EpsilonGreedyZoomPolicy::from)
+            EpsilonGreedyZoomPolicy::new)
         .register(
             Ucb1ZoomPolicy.NAME,
             "bandit: the view with the best upper confidence bound",
-            Ucb1ZoomPolicy::from)
+            Ucb1ZoomPolicy::new)
         .register(
             SoftmaxZoomPolicy.NAME,
             "bandit: views drawn the more often, the better their average count",
-            SoftmaxZoomPolicy::from)
+            SoftmaxZoomPolicy::new)
         .register(
             SarsaZoomPolicy.NAME,
             "on-policy temporal-difference learning of each camera on its own",
-            SarsaZoomPolicy::from)
+            SarsaZoomPolicy::new)
         .register(
             QLearningZoomPolicy.NAME,
             "off-policy temporal-difference learning of each camera on its own",
-            QLearningZoomPolicy::from)
+            QLearningZoomPolicy::new)
         .register(
             QbSarsaZoomPolicy.NAME,
             "SARSA that follows the majority vote of the nearest cameras",
-            QbSarsaZoomPolicy::from);
+            QbSarsaZoomPolicy::new);
   }
 }

@@ -55,7 +55,7 @@ public final class OnnxPolicy implements ZoomPolicy {
       throw new InputException("policy onnx: no file, " + EXPECTED);
     }
     trained = TrainedNetwork.of(files().get(0));
-    Conventions conventions = trained.conventions();
+    TrainedNetwork.Conventions conventions = trained.conventions();
     int width = Masks.width(network, conventions.actions());
     trained.requireShapes(network.cameras(), width);
     choices = conventions.actions().choices(network);

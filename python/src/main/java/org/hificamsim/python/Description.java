@@ -7,7 +7,7 @@ import java.util.stream.IntStream;
 import org.hificamsim.agents.observation.Feature;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.runs.Setting;
-import org.hificamsim.worlds.Section;
+import org.hificamsim.worlds.Block;
 import org.hificamsim.worlds.WorldSettings;
 import org.hificamsim.worlds.Worlds;
 
@@ -31,7 +31,7 @@ record Description(
     int targets,
     List<Integer> choices,
     List<Feature> features,
-    List<Section> sections,
+    List<Block.Section> sections,
     int bytes,
     List<String> settings) {
   static Description of(Worlds worlds, WorldSettings settings) {

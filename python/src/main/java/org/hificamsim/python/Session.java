@@ -36,7 +36,7 @@ public final class Session implements AutoCloseable {
     Catalogue catalogue = Catalogue.load();
     long seed = request.asked().seed();
     settings = request.worldSettings(catalogue);
-    worlds = Worlds.of(settings, request.own().worlds(), request.own().threads(), seed, memory);
+    worlds = new Worlds(settings, request.own().worlds(), request.own().threads(), seed, memory);
     painted = request.own().paints() ? painted(catalogue, seed) : null;
     if (painted != null) {
       worlds.watch(0, painted);

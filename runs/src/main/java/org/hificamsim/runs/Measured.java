@@ -3,7 +3,7 @@ package org.hificamsim.runs;
 import java.util.Optional;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.policy.ExpectationProvingZoomPolicy;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
@@ -24,7 +24,9 @@ public record Measured(
   /** A repeat under a policy. */
   static Measured of(RunCoverage coverage, Objective objective, ZoomPolicy policy) {
     double gap =
-        policy instanceof ExpectationProvingZoomPolicy proving ? proving.gap() : Double.NaN;
+        policy instanceof ProvingZoomPolicy proving && proving.ofExpectation()
+            ? proving.gap()
+            : Double.NaN;
     return new Measured(coverage, objective, policy.messages(), Proof.of(policy), gap);
   }
 

@@ -18,7 +18,7 @@ public record Proof(long unprovenSteps, double gap) {
 
   /** What a policy proved; empty for one that does not claim to be the best. */
   public static Optional<Proof> of(ZoomPolicy policy) {
-    return policy instanceof ProvingZoomPolicy proving
+    return policy instanceof ProvingZoomPolicy proving && !proving.ofExpectation()
         ? Optional.of(new Proof(proving.unprovenSteps(), proving.gap()))
         : Optional.empty();
   }

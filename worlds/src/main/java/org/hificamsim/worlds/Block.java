@@ -10,6 +10,25 @@ import org.hificamsim.core.InputException;
 public record Block(List<Section> sections) {
   private static final int LINE = 64; // bytes of a cache line, where each section begins
 
+  /**
+   * A part of the block of memory that is shared with who trains: an array, row by row.
+   *
+   * @param type as NumPy writes it: i4, f4 or u1, in the machine's byte order
+   * @param shape its dimensions, the worlds first
+   * @param offset where it begins, in bytes
+   */
+  public record Section(String name, String type, List<Integer> shape, int offset) {
+    /** How long it is. */
+    public int bytes() {
+      return size() * (type.equals("u1") ? 1 : Integer.BYTES);
+    }
+
+    /** How many numbers it has. */
+    public int size() {
+      return shape.stream().reduce(1, Math::multiplyExact);
+    }
+  }
+
   /** Copies what could change. */
   public Block {
     sections = List.copyOf(sections);
@@ -31,7 +50,7 @@ public record Block(List<Section> sections) {
     builder.add("masks", "u1", cameras, Masks.width(of.network(), settings.actions()));
     builder.add("ends", "u1");
     builder.add("measures", "f4", OneWorld.MEASURES);
-    builder.add("states", "f4", StateLayout.size(cameras, of.network().targets()));
+    builder.add("states", "f4", OneWorld.stateSize(cameras, of.network().targets()));
     return new Block(builder.sections);
   }
 

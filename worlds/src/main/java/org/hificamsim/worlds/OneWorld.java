@@ -3,11 +3,14 @@ package org.hificamsim.worlds;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.observation.CameraObserver;
+import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenPairs;
+import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.world.World;
 
 /**
@@ -20,6 +23,8 @@ import org.hificamsim.core.world.World;
 final class OneWorld implements StepListener {
   /** How many numbers {@link #measures} has. */
   static final int MEASURES = 3;
+
+  private static final int STATE_OF_TARGET = 4;
 
   private final WorldSettings settings;
   private final World world;
@@ -158,19 +163,41 @@ final class OneWorld implements StepListener {
     return masks.of(network());
   }
 
+  /** How many numbers a state has. */
+  static int stateSize(int cameras, int targets) {
+    return 1 + cameras * ObservationLayout.OWN_SIZE + targets * STATE_OF_TARGET;
+  }
+
   /**
-   * Writes the state.
+   * Writes the state as numbers in [-1, 1], for critics that may know everything: how much of the
+   * episode is over; of each camera what it knows of itself; of each target whether it is there,
+   * its x and y as parts of the field, and the share of the cameras that detected it in the last
+   * step.
    *
    * @param observations as they were observed
    */
   void writeState(float[] observations, float[] out) {
-    double over = (double) step / settings.steps();
-    StateLayout.write(
-        network().oracle(),
-        settings.scenario().field(),
-        over,
-        observations,
-        settings.layout().size(),
-        out);
+    OracleView network = network().oracle();
+    Field field = settings.scenario().field();
+    out[0] = (float) ((double) step / settings.steps());
+    int at = 1;
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      int from = camera * settings.layout().size();
+      System.arraycopy(observations, from, out, at, ObservationLayout.OWN_SIZE);
+      at += ObservationLayout.OWN_SIZE;
+    }
+    for (int target = 0; target < network.targets(); target++) {
+      boolean present = network.present(target);
+      out[at] = present ? 1 : 0;
+      out[at + 1] = present ? part(network.targetX(target), field.minX(), field.width()) : 0;
+      out[at + 2] = present ? part(network.targetY(target), field.minY(), field.height()) : 0;
+      out[at + 3] = present ? (float) network.coverage(target) / network.cameras() : 0;
+      at += STATE_OF_TARGET;
+    }
+  }
+
+  private static float part(double at, double least, double length) {
+    double part = (at - least) / length;
+    return part >= 0 && part <= 1 ? (float) part : part > 1 ? 1 : 0;
   }
 }

@@ -46,20 +46,6 @@ public final class Worlds implements AutoCloseable {
   private long seed;
   private boolean restarted;
 
-  /**
-   * Worlds at the beginning of their first episode.
-   *
-   * @param count 1 or more
-   * @param threads that share the worlds, 1 or more
-   * @param memory makes the shared block, of so many bytes
-   */
-  public static Worlds of(
-      WorldSettings settings, int count, int threads, long seed, IntFunction<ByteBuffer> memory) {
-    check("worlds", count);
-    check("threads", threads);
-    return new Worlds(settings, count, Math.min(threads, count), seed, memory);
-  }
-
   /** What is done to each world. */
   @FunctionalInterface
   private interface Work {
@@ -85,8 +71,17 @@ public final class Worlds implements AutoCloseable {
     }
   }
 
-  private Worlds(
+  /**
+   * Worlds at the beginning of their first episode.
+   *
+   * @param count 1 or more
+   * @param threads that share the worlds, 1 or more
+   * @param source makes the shared block, of so many bytes
+   */
+  public Worlds(
       WorldSettings settings, int count, int threads, long seed, IntFunction<ByteBuffer> source) {
+    check("worlds", count);
+    check("threads", threads);
     this.settings = settings;
     this.seed = seed;
     worlds = new OneWorld[count];
@@ -105,11 +100,11 @@ public final class Worlds implements AutoCloseable {
     choices = settings.actions().choices(network);
     maskedRevision = new int[count];
     maskOften = settings.actions() == ActionKind.STEPS || takesTime();
-    workers = Workers.of(threads);
-    observed = new float[threads][network.cameras() * settings.layout().size()];
-    pairs = new SeenPairs[threads];
+    workers = Workers.of(Math.min(threads, count));
+    observed = new float[workers.count()][network.cameras() * settings.layout().size()];
+    pairs = new SeenPairs[workers.count()];
     Arrays.setAll(pairs, worker -> new SeenPairs());
-    state = new float[threads][StateLayout.size(network.cameras(), network.targets())];
+    state = new float[workers.count()][OneWorld.stateSize(network.cameras(), network.targets())];
     reset(seed, true);
   }
 

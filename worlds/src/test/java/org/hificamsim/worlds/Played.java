@@ -21,7 +21,7 @@ final class Played implements AutoCloseable {
 
   Played(WorldSettings settings, int count, int threads, long seed) {
     this.count = count;
-    worlds = Worlds.of(settings, count, threads, seed, ByteBuffer::allocateDirect);
+    worlds = new Worlds(settings, count, threads, seed, ByteBuffer::allocateDirect);
   }
 
   static WorldSettings settings(
@@ -94,7 +94,7 @@ final class Played implements AutoCloseable {
   /** A number for all that one world has. */
   int hash(int world) {
     int hash = 0;
-    for (Section section : worlds.block().sections()) {
+    for (Block.Section section : worlds.block().sections()) {
       hash = 31 * hash + Arrays.hashCode(bytes(section.name(), world));
     }
     return hash;

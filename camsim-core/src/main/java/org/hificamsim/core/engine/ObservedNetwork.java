@@ -7,7 +7,6 @@ import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenPairs;
-import org.hificamsim.core.policy.SeenTask;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.SightLines;
@@ -288,13 +287,6 @@ final class ObservedNetwork implements OracleView {
       }
     }
     sight.add(pairs, filled);
-  }
-
-  @Override
-  public <T> void eachSeen(int camera, T work, SeenTask<T> task) {
-    if (cameras.online(camera)) {
-      sight.eachSeen(camera, cameras.seeing(camera), work, task);
-    }
   }
 
   @Override

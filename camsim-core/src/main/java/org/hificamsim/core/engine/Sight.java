@@ -4,7 +4,6 @@ import java.util.Arrays;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.SeenPairs;
-import org.hificamsim.core.policy.SeenTask;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.LevelSight;
@@ -173,20 +172,7 @@ final class Sight {
 
   /** Whether the camera would detect the target, were it at this view. */
   boolean detects(int camera, int view, int target) {
-    LevelSight level = level(camera, view, target);
-    Pose pose = cameras.pose(camera, view);
-    double x = targets.x(target);
-    double y = targets.y(target);
-    double squared = pose.squaredDistance(x, y);
-    return level.isInReach(squared)
-        && level.isInAngle(pose, x, y)
-        && level.detectsInView(
-            pose,
-            x,
-            y,
-            squared,
-            visibility.luck(step, camera, target),
-            transmittance(camera, target));
+    return detects(camera, view, target, cameras.pose(camera, view), false);
   }
 
   /**
@@ -202,12 +188,16 @@ final class Sight {
               + "' looks at where in the picture a target is, expected one that looks at its"
               + " distance alone for cameras that turn freely");
     }
+    return detects(camera, view, target, cameras.pose(camera), true);
+  }
+
+  private boolean detects(int camera, int view, int target, Pose pose, boolean anyAngle) {
     LevelSight level = level(camera, view, target);
-    Pose pose = cameras.pose(camera);
     double x = targets.x(target);
     double y = targets.y(target);
     double squared = pose.squaredDistance(x, y);
     return level.isInReach(squared)
+        && (anyAngle || level.isInAngle(pose, x, y))
         && level.detectsInView(
             pose,
             x,
@@ -395,32 +385,6 @@ final class Sight {
       }
     }
     return count;
-  }
-
-  /** As {@link org.hificamsim.core.policy.NetworkView#eachSeen}. */
-  <T> void eachSeen(int camera, int view, T work, SeenTask<T> task) {
-    if (view == Cameras.NO_VIEW) {
-      return;
-    }
-    double far = reach(camera, view);
-    int left = grid.column(cameras.x(camera) - far);
-    int right = grid.column(cameras.x(camera) + far);
-    int top = grid.row(cameras.y(camera) + far);
-    for (int row = grid.row(cameras.y(camera) - far); row <= top; row++) {
-      int end = grid.end(row, right);
-      for (int i = grid.start(row, left); i < end; i++) {
-        if (detects(camera, view, grid.point(i))) {
-          see(cameras.pose(camera, view), i, work, task);
-        }
-      }
-    }
-  }
-
-  private <T> void see(Pose pose, int i, T work, SeenTask<T> task) {
-    double dx = grid.x(i) - pose.x();
-    double dy = grid.y(i) - pose.y();
-    double bearing = Math.IEEEremainder(Math.atan2(dx, dy) - pose.heading(), 2 * Math.PI);
-    task.see(work, grid.point(i), Math.hypot(dx, dy), bearing);
   }
 
   /** As {@link org.hificamsim.core.policy.OracleView#detections}. */

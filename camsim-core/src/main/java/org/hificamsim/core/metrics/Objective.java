@@ -82,11 +82,6 @@ public sealed interface Objective {
     return "score by " + text();
   }
 
-  /** What the sum of the scores of a run is called. */
-  default String runScore() {
-    return "score";
-  }
-
   /** Whether the score of a run is a figure of its own, next to the performance (Eq 7.2). */
   default boolean hasOwnFigure() {
     return true;
@@ -161,11 +156,6 @@ public sealed interface Objective {
     @Override
     public String stepScore() {
       return "k_min";
-    }
-
-    @Override
-    public String runScore() {
-      return "performance";
     }
 
     @Override

@@ -14,13 +14,11 @@ public final class Obstacles {
 
   private final List<Obstacle> obstacles;
   private final Pieces pieces;
-  private final Boxes boxes;
 
   /** Copies the list; transmittances are multiplied in its order. */
   public Obstacles(List<Obstacle> obstacles) {
     this.obstacles = List.copyOf(obstacles);
     this.pieces = new Pieces(this.obstacles);
-    this.boxes = new Boxes(this.obstacles);
   }
 
   /** In the order given. */
@@ -54,7 +52,7 @@ public final class Obstacles {
   /** Whether no solid obstacle is touched. */
   public boolean clear(double x1, double y1, double x2, double y2) {
     for (int i = 0; i < obstacles.size(); i++) {
-      if (!boxes.apart(i, x1, y1, x2, y2)
+      if (!pieces.apart(i, x1, y1, x2, y2)
           && obstacles.get(i).solid()
           && obstacles.get(i).touches(x1, y1, x2, y2)) {
         return false;

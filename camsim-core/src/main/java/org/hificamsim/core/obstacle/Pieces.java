@@ -3,6 +3,7 @@ package org.hificamsim.core.obstacle;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.stream.IntStream;
 
 /**
  * Obstacles as what a line of sight from outside meets of them: the edges of walls and polygons,
@@ -14,7 +15,7 @@ final class Pieces {
 
   final double[] y1;
 
-  /** The other end of an edge. */
+  /** The other end of an edge, or the centre again. */
   final double[] x2;
 
   final double[] y2;
@@ -31,6 +32,9 @@ final class Pieces {
   /** By obstacle: its first piece; one more is their number. */
   final int[] first;
 
+  /** By obstacle: the least x and y of a box around it, then the greatest, rounded outwards. */
+  private final double[][] boxes;
+
   Pieces(List<Obstacle> obstacles) {
     List<double[]> pieces = new ArrayList<>();
     transmittance = obstacles.stream().mapToDouble(Obstacle::transmittance).toArray();
@@ -45,13 +49,40 @@ final class Pieces {
     y2 = column(pieces, 3);
     radius = column(pieces, 4);
     obstacle = owners();
+    boxes = IntStream.range(0, obstacles.size()).mapToObj(this::box).toArray(double[][]::new);
+  }
+
+  private double[] box(int obstacle) {
+    double[] box = {Double.MAX_VALUE, Double.MAX_VALUE, -Double.MAX_VALUE, -Double.MAX_VALUE};
+    for (int i = first[obstacle]; i < first[obstacle + 1]; i++) {
+      box[0] = Math.min(box[0], Math.nextDown(Math.min(x1[i], x2[i]) - radius[i]));
+      box[1] = Math.min(box[1], Math.nextDown(Math.min(y1[i], y2[i]) - radius[i]));
+      box[2] = Math.max(box[2], Math.nextUp(Math.max(x1[i], x2[i]) + radius[i]));
+      box[3] = Math.max(box[3], Math.nextUp(Math.max(y1[i], y2[i]) + radius[i]));
+    }
+    return box;
+  }
+
+  /**
+   * Whether an obstacle's box lies apart from the one that a segment spans. Most obstacles are far
+   * from a short segment, and a box says so fast; without it, segments in line with a far wall are
+   * decided by long numbers, which take memory.
+   */
+  boolean apart(int obstacle, double ax, double ay, double bx, double by) {
+    double[] box = boxes[obstacle];
+    return Math.min(ax, bx) > box[2]
+        || Math.max(ax, bx) < box[0]
+        || Math.min(ay, by) > box[3]
+        || Math.max(ay, by) < box[1];
   }
 
   private static void add(Obstacle obstacle, List<double[]> pieces) {
     if (obstacle instanceof Obstacle.Wall wall) {
       pieces.add(new double[] {wall.x1(), wall.y1(), wall.x2(), wall.y2(), 0});
     } else if (obstacle instanceof Obstacle.Pillar pillar) {
-      pieces.add(new double[] {pillar.x(), pillar.y(), 0, 0, pillar.radius()});
+      double x = pillar.x();
+      double y = pillar.y();
+      pieces.add(new double[] {x, y, x, y, pillar.radius()});
     } else if (obstacle instanceof Obstacle.Polygon polygon) {
       Point from = polygon.points().get(polygon.points().size() - 1);
       for (Point to : polygon.points()) {

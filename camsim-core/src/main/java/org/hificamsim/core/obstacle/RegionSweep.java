@@ -91,7 +91,7 @@ final class RegionSweep {
     for (int sector = 0; sector < sectors; sector++) {
       note(sector, ~piece, -1);
       if (pieces.solid(piece)) {
-        hide(sector, -1);
+        lower(sector, VisibleRegion.HIDDEN, -1);
       }
     }
   }
@@ -112,7 +112,7 @@ final class RegionSweep {
       int sector = i & sectors - 1;
       note(sector, piece, Math.nextDown((float) sight.near()));
       if (solid && sight.spans()) {
-        hide(sector, Math.nextUp((float) sight.far()));
+        lower(sector, VisibleRegion.HIDDEN, Math.nextUp((float) sight.far()));
       }
     }
   }
@@ -130,13 +130,6 @@ final class RegionSweep {
     notePiece[notes] = piece;
     noteNear[notes++] = near;
     lower(sector, VisibleRegion.TOUCHED, near);
-    if (pieces.solid(piece(piece))) {
-      lower(sector, VisibleRegion.BLOCKED, near);
-    }
-  }
-
-  private void hide(int sector, float far) {
-    lower(sector, VisibleRegion.HIDDEN, far);
   }
 
   private void lower(int sector, int limit, float value) {

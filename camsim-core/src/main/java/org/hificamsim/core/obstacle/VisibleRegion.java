@@ -16,14 +16,11 @@ public final class VisibleRegion {
   /** Of a sector's limits: the squared distance below which nothing is touched. */
   static final int TOUCHED = 0;
 
-  /** The squared distance below which nothing solid is touched. */
-  static final int BLOCKED = 1;
-
   /** The squared distance above which everything is hidden. */
-  static final int HIDDEN = 2;
+  static final int HIDDEN = 1;
 
   /** How many limits a sector has. */
-  static final int LIMITS = 3;
+  static final int LIMITS = 2;
 
   final double atX;
   final double atY;
@@ -77,18 +74,6 @@ public final class VisibleRegion {
     return square > limits[LIMITS * sector + HIDDEN] ? 0 : product(sector, x, y);
   }
 
-  /** As {@link Obstacles#clear} from the standpoint to a point. */
-  public boolean sees(double x, double y) {
-    double dx = x - atX;
-    double dy = y - atY;
-    int sector = sector(dx, dy);
-    double square = dx * dx + dy * dy;
-    if (square < limits[LIMITS * sector + BLOCKED]) {
-      return true;
-    }
-    return !(square > limits[LIMITS * sector + HIDDEN]) && passes(sector, x, y);
-  }
-
   /** The sector of a direction; the first where there is none. */
   int sector(double dx, double dy) {
     return (int) (Sector.measure(dx, dy) * sectorsPerMeasure) & lastSector;
@@ -99,25 +84,13 @@ public final class VisibleRegion {
     int counted = -1;
     for (int i = ends[sector]; i < ends[sector + 1] && product > 0; i++) {
       int obstacle = pieces.obstacle[RegionSweep.piece(met[i])];
-      if (obstacle != counted && touches(met[i], x, y)) {
+      boolean inside = RegionSweep.atStandpoint(met[i]);
+      if (obstacle != counted && (inside || pieces.touches(met[i], atX, atY, x, y))) {
         product *= pieces.transmittance[obstacle];
         counted = obstacle;
       }
     }
     return product;
-  }
-
-  private boolean passes(int sector, double x, double y) {
-    for (int i = ends[sector]; i < ends[sector + 1]; i++) {
-      if (pieces.solid(RegionSweep.piece(met[i])) && touches(met[i], x, y)) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private boolean touches(int met, double x, double y) {
-    return RegionSweep.atStandpoint(met) || pieces.touches(met, atX, atY, x, y);
   }
 
   /**
@@ -130,10 +103,5 @@ public final class VisibleRegion {
    */
   public List<Point> polygon(double reach) {
     return limits[HIDDEN] < 0 ? List.of() : new Outline(this, reach).points();
-  }
-
-  /** Its memory, in bytes, but for a few that all have. */
-  public int bytes() {
-    return Float.BYTES * limits.length + Integer.BYTES * (ends.length + met.length);
   }
 }

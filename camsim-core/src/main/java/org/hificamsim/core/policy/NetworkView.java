@@ -190,18 +190,6 @@ public interface NetworkView extends CoveredTargets {
     }
   }
 
-  /**
-   * Does a task for each target that a camera {@link #sees}: the same as asking of every target,
-   * but those out of reach cost nothing.
-   */
-  default <T> void eachSeen(int camera, T work, SeenTask<T> task) {
-    for (int target = 0; target < targets(); target++) {
-      if (sees(camera, target)) {
-        task.see(work, target, distance(camera, target), bearing(camera, target));
-      }
-    }
-  }
-
   /** The same network with what no camera knows, for upper bounds and records; see there. */
   OracleView oracle();
 

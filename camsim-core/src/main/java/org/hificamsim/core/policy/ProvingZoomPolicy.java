@@ -10,4 +10,9 @@ public interface ProvingZoomPolicy extends ZoomPolicy {
 
   /** What those steps' scores might gain at most, all steps together. */
   double gap();
+
+  /** Whether the score is the least expected coverage, before luck is drawn. */
+  default boolean ofExpectation() {
+    return false;
+  }
 }

@@ -52,11 +52,6 @@ public final class Visibility {
     return new Visibility(detection, false, seed);
   }
 
-  /** The same as {@link #asInCamSim(Detection, long)} where one seed is as good as another. */
-  public static Visibility asInCamSim(Detection detection) {
-    return asInCamSim(detection, 0);
-  }
-
   /**
    * As in CamSim (behaviour 6.1 and 6.2): neither the border of a sector nor the camera's own
    * position belongs to it, and a target of confidence 0 is not seen.

@@ -2,7 +2,6 @@ package org.hificamsim.core.obstacle;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
@@ -42,13 +41,5 @@ class SameRegionTest {
     assertEquals(
         "%s %s %s %s".formatted(entries, hidden, touched, behind),
         "%s %s %s %s".formatted(counts[0], counts[1], Math.round(sums[0]), Math.round(sums[1])));
-  }
-
-  @ParameterizedTest
-  @CsvSource({"0, 20", "1, 268"})
-  void itsMemoryIsWhatItSays(int walls, int bytes) {
-    Obstacles obstacles =
-        walls == 0 ? Obstacles.NONE : new Obstacles(List.of(new Obstacle.Wall(5, -1, 5, 1, 0)));
-    assertEquals(bytes, VisibleRegion.of(obstacles, 0, 0).bytes());
   }
 }

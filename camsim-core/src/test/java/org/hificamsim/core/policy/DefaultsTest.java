@@ -62,18 +62,14 @@ class DefaultsTest {
     VIEW.findSeen(pairs);
     int[] ofLast =
         IntStream.range(0, pairs.count()).filter(pair -> pairs.camera(pair) == LAST).toArray();
-    List<Integer> told = new ArrayList<>();
-    VIEW.eachSeen(
-        LAST,
-        told,
-        (list, target, distance, bearing) -> {
-          list.add(target);
-          assertEquals(Math.hypot(3, target), distance, 1e-12);
-          assertEquals(Math.atan2(target, 3), bearing, 1e-12);
-        });
-    assertEquals(TARGETS - 4, told.size(), "but for the two that are absent and the two not seen");
-    assertEquals(told, Arrays.stream(ofLast).mapToObj(pairs::target).toList());
+    List<Integer> seen =
+        IntStream.range(0, TARGETS).filter(target -> VIEW.sees(LAST, target)).boxed().toList();
+    assertEquals(TARGETS - 4, seen.size(), "but for the two that are absent and the two not seen");
+    assertEquals(seen, Arrays.stream(ofLast).mapToObj(pairs::target).toList());
     for (int pair : ofLast) {
+      int target = pairs.target(pair);
+      assertEquals(Math.hypot(3, target), VIEW.distance(LAST, target), 1e-12);
+      assertEquals(Math.atan2(target, 3), VIEW.bearing(LAST, target), 1e-12);
       assertEquals(3, pairs.ahead(pair), 1e-12);
       assertEquals(pairs.target(pair), pairs.right(pair), 1e-12);
       assertEquals(Math.hypot(3, pairs.target(pair)), pairs.distance(pair), 1e-12);

@@ -27,7 +27,7 @@ class VisibilityTest {
   private static final Pose ORIGIN = Pose.of(0, 0, 0);
   private static final Visibility OURS = Visibility.of(Detection.of(new GeometricDetection()));
   private static final Visibility CAMSIMS =
-      Visibility.asInCamSim(Detection.of(new GeometricDetection()));
+      Visibility.asInCamSim(Detection.of(new GeometricDetection()), 0);
 
   /** A model whose value is the distance, less 1. */
   private record Far(boolean dependsOnBearing) implements DetectionModel {
@@ -80,7 +80,7 @@ class VisibilityTest {
 
   @Test
   void camSimsCameraThatSeesAllRoundDoesNotSeeWhatIsExactlyBehindOrOnIt() {
-    Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()));
+    Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()), 0);
     ZoomLevel allRound = new ZoomLevel(4, 4, 4, Double.NaN, 2 * Math.PI);
     assertEquals(0, confidence(visibility, ORIGIN, allRound, 0, -3, 1, 0));
     assertEquals(0, confidence(visibility, ORIGIN, allRound, 0, 0, 1, 0));
@@ -94,7 +94,7 @@ class VisibilityTest {
       @ForAll @DoubleRange(min = -10, max = 10) double y,
       @ForAll @DoubleRange(min = -720, max = 720) double heading) {
     CamSimVisibilityDetection model = new CamSimVisibilityDetection();
-    Visibility visibility = Visibility.asInCamSim(Detection.of(model));
+    Visibility visibility = Visibility.asInCamSim(Detection.of(model), 0);
     Pose camera = Pose.of(1, 2, Math.toRadians(heading));
     ZoomLevel zoom = zoom(360, 30);
     double sure = model.confidence(1, camera.distance(x, y), camera.offAxis(x, y), zoom);
@@ -210,12 +210,12 @@ class VisibilityTest {
   void inCamSimAConfidenceOfNothingDetectsNothing() {
     Detection all = new Detection(new Far(false), 0);
     assertEquals(0, Visibility.of(all).detection().threshold());
-    assertEquals(Double.MIN_VALUE, Visibility.asInCamSim(all).detection().threshold());
+    assertEquals(Double.MIN_VALUE, Visibility.asInCamSim(all, 0).detection().threshold());
   }
 
   @Test
   void camSimsOwnVisibilityMayExceedOne() {
-    Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()));
+    Visibility visibility = Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()), 0);
     double close = 1 / (0.25 + (0.5 - 0.25) / 0.5);
     assertEquals(close, confidence(visibility, ORIGIN, zoom(360, 0.5), 0, 0.25, 1, 0));
     assertTrue(close > 1);

@@ -18,7 +18,7 @@ class SightingsTest {
   private final World world =
       new TestScenario().camera(0, 0).target(0, 0).target(3, 0).target(6, 0).world();
   private final Sightings sightings =
-      new Sightings(world, Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection())));
+      new Sightings(world, Visibility.asInCamSim(Detection.of(new CamSimVisibilityDetection()), 0));
 
   @Test
   void targetsAreInTheOrderInWhichTheyBecameVisibleAndStayedSo() {

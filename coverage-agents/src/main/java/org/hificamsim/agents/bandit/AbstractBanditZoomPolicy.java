@@ -1,9 +1,9 @@
 package org.hificamsim.agents.bandit;
 
+import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.Utility;
-import org.hificamsim.agents.choice.ViewTable;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -21,13 +21,12 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final CameraTask<AbstractBanditZoomPolicy> LEARNING =
       (network, policy, from, to) -> policy.learn(network, from, to);
 
-  private Utility.Reading reading = Utility.Reading.OBJECTIVE;
+  private Utility.Reading reading;
   private Utility utility;
-  private ViewTable table;
-  private double[] means;
-  private long[] pulls;
+  private double[][] means; // by camera and view
+  private long[][] pulls;
 
-  /** Reads the option {@code utility}. */
+  /** Reads the option {@code utility}; the last of a bandit's options. */
   final void readUtility(Options options) {
     reading = Utility.from(options);
   }
@@ -35,9 +34,16 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     utility = new Utility(reading, network.objective());
-    table = new ViewTable(network);
-    means = new double[table.size()];
-    pulls = new long[table.size()];
+    means = table(network);
+    pulls = new long[network.cameras()][];
+    Arrays.setAll(pulls, camera -> new long[network.views(camera)]);
+  }
+
+  /** Room for a number for each camera and view. */
+  static double[][] table(NetworkView network) {
+    double[][] table = new double[network.cameras()][];
+    Arrays.setAll(table, camera -> new double[network.views(camera)]);
+    return table;
   }
 
   /** Credits each online camera's current view with what it just detected. */
@@ -49,14 +55,14 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   private void learn(NetworkView network, int from, int to) {
     for (int camera = from; camera < to; camera++) {
       if (network.online(camera)) {
-        credit(table.offset(camera) + network.view(camera), utility.of(network, camera));
+        credit(means[camera], pulls[camera], network.view(camera), utility.of(network, camera));
       }
     }
   }
 
-  private void credit(int arm, double reward) {
-    pulls[arm]++;
-    means[arm] += (reward - means[arm]) / pulls[arm];
+  private static void credit(double[] means, long[] pulls, int view, double reward) {
+    pulls[view]++;
+    means[view] += (reward - means[view]) / pulls[view];
   }
 
   /** What a camera has learned of each view, NaN for one never used. */
@@ -64,25 +70,19 @@ abstract class AbstractBanditZoomPolicy extends AbstractDistributedZoomPolicy {
   public final String estimates(
       NetworkView network, int camera, double[] estimates, double[] counts) {
     for (int view = 0; view < network.views(camera); view++) {
-      int arm = table.offset(camera) + view;
-      counts[view] = pulls[arm];
-      estimates[view] = pulls[arm] == 0 ? Double.NaN : means[arm];
+      counts[view] = pulls[camera][view];
+      estimates[view] = pulls[camera][view] == 0 ? Double.NaN : means[camera][view];
     }
     return "mean reward";
   }
 
-  /** The index of the camera's narrowest view among all cameras' arms. */
-  final int offset(int camera) {
-    return table.offset(camera);
+  /** A camera's average utility, by view; 0 for one never used. */
+  final double[] means(int camera) {
+    return means[camera];
   }
 
-  /** Average utility, by arm; 0 for an arm never used. */
-  final double[] means() {
-    return means;
-  }
-
-  /** Number of times that each arm was used. */
-  final long[] pulls() {
-    return pulls;
+  /** How often a camera used each view. */
+  final long[] pulls(int camera) {
+    return pulls[camera];
   }
 }

@@ -22,18 +22,11 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
   private final Ties ties;
   private TieBreak breaking;
 
-  public EpsilonGreedyZoomPolicy(EpsilonGreedyChoice choice, Ties ties) {
-    this.choice = choice;
-    this.ties = ties;
-  }
-
-  /** The policy with its options, each with the default that reproduces the thesis. */
-  public static EpsilonGreedyZoomPolicy from(Options options) {
-    EpsilonGreedyZoomPolicy policy =
-        new EpsilonGreedyZoomPolicy(
-            EpsilonGreedyChoice.from(options), Ties.from(options, Ties.WIDEST));
-    policy.readUtility(options);
-    return policy;
+  /** Reads the options, each with the default that reproduces the thesis. */
+  public EpsilonGreedyZoomPolicy(Options options) {
+    choice = new EpsilonGreedyChoice(options);
+    ties = Ties.from(options);
+    readUtility(options);
   }
 
   @Override
@@ -51,6 +44,6 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
   @Override
   protected int choose(NetworkView network, int camera) {
     int views = network.views(camera);
-    return choice.choose(camera, views, breaking.best(camera, means(), offset(camera), views));
+    return choice.choose(camera, views, breaking.best(camera, means(camera), 0, views));
   }
 }

@@ -1,7 +1,6 @@
 package org.hificamsim.agents.bandit;
 
 import java.util.SplittableRandom;
-import org.hificamsim.agents.choice.CameraRandoms;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -13,23 +12,13 @@ public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
   public static final String NAME = "softmax";
 
   private final double temperature;
-  private double[] weights;
+  private double[][] weights;
   private SplittableRandom[] randoms;
 
-  /**
-   * @param temperature in targets, above 0: the smaller, the closer to always taking the best view
-   */
-  public SoftmaxZoomPolicy(double temperature) {
-    this.temperature = temperature;
-  }
-
-  /** The policy with its option; the default temperature is CamSim's. */
-  public static SoftmaxZoomPolicy from(Options options) {
-    SoftmaxZoomPolicy policy =
-        new SoftmaxZoomPolicy(
-            options.number("temperature", 0.1, 1e-6, 1e6, "in targets; smaller is greedier"));
-    policy.readUtility(options);
-    return policy;
+  /** Reads the temperature, by default CamSim's, and what is rewarded. */
+  public SoftmaxZoomPolicy(Options options) {
+    temperature = options.number("temperature", 0.1, 1e-6, 1e6, "in targets; smaller is greedier");
+    readUtility(options);
   }
 
   @Override
@@ -40,36 +29,35 @@ public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
-    weights = new double[means().length];
-    randoms = CameraRandoms.split(network, random);
+    weights = table(network);
+    randoms = split(network, random);
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    double sum = weigh(offset(camera), network.views(camera));
-    double drawn = randoms[camera].nextDouble() * sum;
-    return levelAt(drawn, offset(camera), network.views(camera));
+    double sum = weigh(means(camera), weights[camera]);
+    return viewAt(randoms[camera].nextDouble() * sum, weights[camera]);
   }
 
   /** Weighs relative to the largest average, whose weight is 1: nothing overflows. */
-  private double weigh(int offset, int views) {
+  private double weigh(double[] means, double[] weights) {
     double most = 0;
-    for (int arm = offset; arm < offset + views; arm++) {
-      most = Math.max(most, means()[arm]);
+    for (double mean : means) {
+      most = Math.max(most, mean);
     }
     double sum = 0;
-    for (int arm = offset; arm < offset + views; arm++) {
-      weights[arm] = StrictMath.exp((means()[arm] - most) / temperature);
-      sum += weights[arm];
+    for (int view = 0; view < means.length; view++) {
+      weights[view] = StrictMath.exp((means[view] - most) / temperature);
+      sum += weights[view];
     }
     return sum;
   }
 
-  private int levelAt(double drawn, int offset, int views) {
+  private static int viewAt(double drawn, double[] weights) {
     double left = drawn;
     int view = 0;
-    while (view < views - 1 && left >= weights[offset + view]) {
-      left -= weights[offset + view];
+    while (view < weights.length - 1 && left >= weights[view]) {
+      left -= weights[view];
       view++;
     }
     return view;

@@ -20,25 +20,15 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
   private final double exploration;
   private final Ties ties;
   private TieBreak breaking;
-  private double[] bounds;
+  private double[][] bounds;
   private double scale;
 
-  /**
-   * @param exploration the factor c on the width of the confidence interval, 0 or more
-   */
-  public Ucb1ZoomPolicy(double exploration, Ties ties) {
-    this.exploration = exploration;
-    this.ties = ties;
-  }
-
-  /** The policy with its options; c is the square root of 2 by default, as published. */
-  public static Ucb1ZoomPolicy from(Options options) {
-    Ucb1ZoomPolicy policy =
-        new Ucb1ZoomPolicy(
-            options.number("c", Math.sqrt(2), 0, 1e6, "factor on the confidence interval's width"),
-            Ties.from(options, Ties.WIDEST));
-    policy.readUtility(options);
-    return policy;
+  /** Reads the options; c is the square root of 2 by default, as published. */
+  public Ucb1ZoomPolicy(Options options) {
+    exploration =
+        options.number("c", Math.sqrt(2), 0, 1e6, "factor on the confidence interval's width");
+    ties = Ties.from(options);
+    readUtility(options);
   }
 
   @Override
@@ -50,28 +40,27 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
   public void begin(NetworkView network, SplittableRandom random) {
     super.begin(network, random);
     breaking = new TieBreak(ties, network);
-    bounds = new double[means().length];
+    bounds = table(network);
     scale = 1.0 / Math.max(1, network.targets());
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    bound(offset(camera), network.views(camera));
-    return breaking.best(camera, bounds, offset(camera), network.views(camera));
+    bound(bounds[camera], means(camera), pulls(camera));
+    return breaking.best(camera, bounds[camera], 0, network.views(camera));
   }
 
-  private void bound(int offset, int views) {
-    double pulls = 0;
-    for (int arm = offset; arm < offset + views; arm++) {
-      pulls += pulls()[arm];
+  private void bound(double[] bounds, double[] means, long[] pulls) {
+    double all = 0;
+    for (long own : pulls) {
+      all += own;
     }
-    double logarithm = StrictMath.log(Math.max(1, pulls));
-    for (int arm = offset; arm < offset + views; arm++) {
-      long own = pulls()[arm];
-      bounds[arm] =
-          own == 0
+    double logarithm = StrictMath.log(Math.max(1, all));
+    for (int view = 0; view < bounds.length; view++) {
+      bounds[view] =
+          pulls[view] == 0
               ? Double.POSITIVE_INFINITY
-              : means()[arm] * scale + exploration * Math.sqrt(logarithm / own);
+              : means[view] * scale + exploration * Math.sqrt(logarithm / pulls[view]);
     }
   }
 }

@@ -22,31 +22,22 @@ public final class FixedZoomPolicy implements ZoomPolicy {
   private final List<Integer> pans;
   private int[] fixed = {};
 
-  /**
-   * @param levels one level for all cameras, or one for each
-   * @param pans one pan angle for all cameras, or one for each, 0 the first; empty for straight
-   *     ahead
-   */
-  public FixedZoomPolicy(List<Integer> levels, List<Integer> pans) {
-    this.levels = List.copyOf(levels);
-    this.pans = List.copyOf(pans);
-  }
-
-  /** The policy with the option {@code levels}, which needs no key, and {@code pans}. */
-  public static FixedZoomPolicy from(Options options) {
-    return new FixedZoomPolicy(
+  /** Reads the option {@code levels}, which needs no key, and {@code pans}. */
+  public FixedZoomPolicy(Options options) {
+    levels =
         options.integers(
             "levels",
             List.of(0),
             0,
             MAX_NUMBER,
-            "level of all cameras, or of each as in 0,2,1; 0 the narrowest"),
+            "level of all cameras, or of each as in 0,2,1; 0 the narrowest");
+    pans =
         options.integers(
             "pans",
             List.of(),
             0,
             MAX_NUMBER,
-            "pan angle of all cameras, or of each as in 0,2,1; 0 the first; not given: ahead"));
+            "pan angle of all cameras, or of each as in 0,2,1; 0 the first; not given: ahead");
   }
 
   @Override

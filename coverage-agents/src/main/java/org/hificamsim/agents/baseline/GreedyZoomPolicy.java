@@ -19,7 +19,7 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
   public static final String NAME = "greedy";
 
   /** Which views a camera chooses among. */
-  public enum Among {
+  private enum Among {
     REACHED,
     ALL
   }
@@ -28,17 +28,13 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
   private long[] masks = {};
   private int words;
 
-  public GreedyZoomPolicy(Among among) {
-    this.among = among;
-  }
-
-  /** The policy with its option {@code among}. */
-  public static GreedyZoomPolicy from(Options options) {
-    return new GreedyZoomPolicy(
+  /** Reads the option {@code among}. */
+  public GreedyZoomPolicy(Options options) {
+    among =
         options.choice(
             "among",
             Among.REACHED,
-            "reached: views that a camera can be in by the end of the step; all: any view"));
+            "reached: views that a camera can be in by the end of the step; all: any view");
   }
 
   @Override

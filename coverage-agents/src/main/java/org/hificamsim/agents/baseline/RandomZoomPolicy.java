@@ -2,7 +2,6 @@ package org.hificamsim.agents.baseline;
 
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
-import org.hificamsim.agents.choice.CameraRandoms;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
@@ -21,7 +20,7 @@ public final class RandomZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    randoms = CameraRandoms.split(network, random);
+    randoms = split(network, random);
   }
 
   @Override

@@ -6,6 +6,7 @@ import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -21,39 +22,32 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   public static final String NAME = "tracker";
 
   private static final double MAX_MARGIN = 0.9;
+  private static final int NONE = -1;
 
   private final double margin;
   private final int dwell;
   private final PatrolZoomPolicy.Zoom search;
-  private NearestTarget[] nearest = {};
-  private PanPatrol[] patrols = {};
+  private final SeenPairs pairs = new SeenPairs();
+  private int[] nearest = {}; // target that each camera sees, or NONE
+  private PatrolZoomPolicy.Round[] rounds = {};
 
-  /**
-   * @param margin share of half the opening angle, and of the reach, that is to stay free, [0, 1)
-   * @param dwell steps that a camera which searches stays in each view, 1 or more
-   * @param search the zoom level that it searches with
-   */
-  public TrackerZoomPolicy(double margin, int dwell, PatrolZoomPolicy.Zoom search) {
-    this.margin = margin;
-    this.dwell = dwell;
-    this.search = search;
-  }
-
-  /** The policy with its options {@code margin} and {@code dwell}. */
-  public static TrackerZoomPolicy from(Options options) {
-    return new TrackerZoomPolicy(
+  /** Reads the options {@code margin}, {@code dwell} and {@code search}. */
+  public TrackerZoomPolicy(Options options) {
+    margin =
         options.number(
-            "margin", 0.2, 0, MAX_MARGIN, "share of the angle and reach kept free beyond a target"),
+            "margin", 0.2, 0, MAX_MARGIN, "share of the angle and reach kept free beyond a target");
+    dwell =
         options.integer(
             "dwell",
             1,
             1,
             PatrolZoomPolicy.MAX_DWELL,
-            "steps that a camera which searches stays at each pan angle"),
+            "steps that a camera which searches stays at each pan angle");
+    search =
         options.choice(
             "search",
             PatrolZoomPolicy.Zoom.WIDEST,
-            "the zoom level to search with: widest, middle, narrowest"));
+            "the zoom level to search with: widest, middle, narrowest");
   }
 
   @Override
@@ -63,28 +57,50 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    nearest = new NearestTarget[network.cameras()];
-    Arrays.setAll(nearest, camera -> new NearestTarget());
-    patrols = new PanPatrol[network.cameras()];
-    Arrays.setAll(patrols, camera -> new PanPatrol(dwell));
+    nearest = new int[network.cameras()];
+    rounds = new PatrolZoomPolicy.Round[network.cameras()];
+    Arrays.setAll(rounds, camera -> new PatrolZoomPolicy.Round(dwell));
+  }
+
+  @Override
+  public void decide(NetworkView network, int[] views) {
+    Arrays.fill(nearest, NONE);
+    network.findSeen(pairs);
+    for (int i = 0; i < pairs.count(); i++) {
+      int camera = pairs.camera(i);
+      if (isNearer(network, camera, pairs.target(i))) {
+        nearest[camera] = pairs.target(i);
+      }
+    }
+    super.decide(network, views);
+  }
+
+  /** Of equally near targets the first one counts. */
+  private boolean isNearer(NetworkView network, int camera, int target) {
+    if (nearest[camera] == NONE) {
+      return true;
+    }
+    double distance = network.distance(camera, target);
+    double least = network.distance(camera, nearest[camera]);
+    return distance < least || (distance == least && target < nearest[camera]);
   }
 
   @Override
   protected int choose(NetworkView network, int camera) {
-    return nearest[camera].find(network, camera)
+    return nearest[camera] != NONE
         ? follow(network, camera)
-        : patrols[camera].next(network, camera, search.of(network.zooms(camera)));
+        : rounds[camera].next(network, camera, search.of(network.zooms(camera)));
   }
 
   /** A camera that sees while it moves follows what comes into its picture. */
   @Override
   protected int travel(NetworkView network, int camera) {
-    return nearest[camera].find(network, camera) ? follow(network, camera) : network.view(camera);
+    return nearest[camera] != NONE ? follow(network, camera) : network.view(camera);
   }
 
   private int follow(NetworkView network, int camera) {
     double axis = network.pan(camera, network.seeing(camera));
-    double direction = axis + nearest[camera].bearing();
+    double direction = axis + network.bearing(camera, nearest[camera]);
     int pan = PanAngles.nearest(network, camera, direction);
     double off = PanAngles.off(network, camera, pan, direction);
     for (int zoom = 0; zoom < network.zooms(camera); zoom++) {
@@ -99,7 +115,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   private boolean fits(NetworkView network, int camera, int view, double off) {
     ZoomLevel zoom = network.zoom(camera, view);
     double kept = 1 - margin;
-    return nearest[camera].distance() <= kept * network.reach(camera, view)
+    return network.distance(camera, nearest[camera]) <= kept * network.reach(camera, view)
         && (zoom.allRound() || off <= kept * zoom.viewingAngle() / 2);
   }
 }

@@ -1,5 +1,7 @@
 package org.hificamsim.agents.choice;
 
+import java.util.SplittableRandom;
+import java.util.stream.Stream;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -12,6 +14,14 @@ import org.hificamsim.core.policy.ZoomPolicy;
  */
 public abstract class AbstractDistributedZoomPolicy implements ZoomPolicy {
   private final CameraTask<int[]> choosing = this::chooseAll;
+
+  /**
+   * One generator for each camera, so that no camera's draws depend on which others are online or
+   * on the order in which they decide.
+   */
+  protected static SplittableRandom[] split(NetworkView network, SplittableRandom random) {
+    return Stream.generate(random::split).limit(network.cameras()).toArray(SplittableRandom[]::new);
+  }
 
   /**
    * The next view of an online camera that is where it went. It must not read what another camera's

@@ -11,8 +11,8 @@ public enum Ties {
   NARROWEST;
 
   /** The option {@code ties}. */
-  public static Ties from(Options options, Ties defaultValue) {
-    return options.choice("ties", defaultValue, "which of equally good views: widest, narrowest");
+  public static Ties from(Options options) {
+    return options.choice("ties", WIDEST, "which of equally good views: widest, narrowest");
   }
 
   /** The view to take where all are equally good. */

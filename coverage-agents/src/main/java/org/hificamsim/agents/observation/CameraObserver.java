@@ -19,8 +19,8 @@ public final class CameraObserver {
   private final int size;
   private final Standpoints standpoints;
   private final NearestCameras nearest;
-  private final SeenTargets seen;
-  private final Shares ofTargets;
+  private final float[] ofCameras; // the share of all that a number is
+  private final float[] ofTargets;
   private final SeenPairs pairs = new SeenPairs();
   private final int[] ways; // decisions since the camera set out
   private ViewFeatures views;
@@ -28,17 +28,13 @@ public final class CameraObserver {
 
   /** Of the network as it is before the first decision. */
   public CameraObserver(NetworkView network, ObservationLayout layout) {
-    this(
-        network,
-        layout,
-        new SeenTargets(network, layout),
-        new Shares(Math.max(1, network.targets())));
+    this(network, layout, Bounds.shares(network.cameras()), Bounds.shares(network.targets()));
   }
 
   private CameraObserver(
-      NetworkView network, ObservationLayout layout, SeenTargets seen, Shares ofTargets) {
+      NetworkView network, ObservationLayout layout, float[] ofCameras, float[] ofTargets) {
     this.layout = layout;
-    this.seen = seen;
+    this.ofCameras = ofCameras;
     this.ofTargets = ofTargets;
     size = layout.size();
     standpoints = new Standpoints(network);
@@ -53,7 +49,7 @@ public final class CameraObserver {
    * @param other with the same layout
    */
   public CameraObserver(NetworkView network, ObservationLayout layout, CameraObserver other) {
-    this(network, layout, other.seen, other.ofTargets);
+    this(network, layout, other.ofCameras, other.ofTargets);
     views = views.or(other.views);
   }
 
@@ -86,7 +82,7 @@ public final class CameraObserver {
     }
     views.copyToNeighbours(out, DETECTED);
     if (layout.targets() > 0) {
-      seen.write(network, pairs, views, out);
+      writeSeen(network, pairs, out);
     }
     if (!allOnline) {
       clearOffline(network, out);
@@ -99,7 +95,43 @@ public final class CameraObserver {
     int way = ways[camera];
     out[at + MOVING] = way > 0 ? 1 : 0;
     out[at + WAY] = way / (way + 1f);
-    out[at + DETECTED] = ofTargets.of(network.detected(camera)); // 0 while it is off
+    out[at + DETECTED] = share(network.detected(camera), ofTargets); // 0 while it is off
+  }
+
+  /** Writes the nearest targets that each camera sees, as many as there is room for. */
+  private void writeSeen(NetworkView network, SeenPairs pairs, float[] out) {
+    network.findSeen(pairs);
+    pairs.sort(layout.targets());
+    int camera = -1;
+    int shown = 0;
+    for (int pair = 0; pair < pairs.count(); pair++) {
+      shown = pairs.camera(pair) == camera ? shown + 1 : 0;
+      camera = pairs.camera(pair);
+      if (shown < layout.targets()) {
+        int at = layout.firstTarget() + shown * ObservationLayout.TARGET.size();
+        writeSeen(network, pairs, pair, out, camera * size + at);
+      }
+    }
+  }
+
+  private void writeSeen(NetworkView network, SeenPairs pairs, int pair, float[] out, int at) {
+    int camera = pairs.camera(pair);
+    int target = pairs.target(pair);
+    double distance = pairs.distance(pair);
+    int view = network.seeing(camera);
+    double perReach = views.perReach(camera, view);
+    out[at] = 1;
+    out[at + 1] = Bounds.signed(pairs.ahead(pair) * perReach);
+    out[at + 2] = Bounds.signed(pairs.right(pair) * perReach);
+    out[at + 3] =
+        Bounds.share(network.targetSize(target) / distance * views.perAngle(camera, view));
+    out[at + 4] = Bounds.share(network.seenConfidence(camera, target, distance));
+    out[at + 5] = share(network.coverage(target), ofCameras);
+  }
+
+  /** 1 for what is more than the whole, as detections with phantoms may be. */
+  private static float share(int part, float[] shares) {
+    return shares[Math.min(part, shares.length - 1)];
   }
 
   private void clearOffline(NetworkView network, float[] out) {

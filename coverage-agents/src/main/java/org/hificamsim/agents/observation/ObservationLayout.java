@@ -80,10 +80,6 @@ public record ObservationLayout(int targets, int neighbours) {
     return firstTarget() + targets * TARGET.size();
   }
 
-  int firstNeighbour() {
-    return OWN.size();
-  }
-
   int firstTarget() {
     return OWN.size() + neighbours * NEIGHBOUR.size();
   }

@@ -3,14 +3,14 @@ package org.hificamsim.agents.optimal;
 import java.util.Arrays;
 import org.hificamsim.agents.search.Solver;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
  * A policy that finds the best configuration of each step where targets are, exactly, and counts
  * where it gave up the proof. With no target present the views stay.
  */
-abstract class AbstractExactZoomPolicy implements ZoomPolicy {
+abstract class AbstractExactZoomPolicy implements ProvingZoomPolicy {
   /** By default; more than steps of some hundred cameras need, and seconds of search. */
   static final int DEFAULT_NODES = 1_000_000;
 
@@ -67,12 +67,12 @@ abstract class AbstractExactZoomPolicy implements ZoomPolicy {
     return chosen[camera];
   }
 
-  /** The number of steps so far whose configuration is not proven to be the best. */
+  @Override
   public final long unprovenSteps() {
     return unprovenSteps;
   }
 
-  /** What those steps' scores might gain at most, all steps together. */
+  @Override
   public final double gap() {
     return gap;
   }

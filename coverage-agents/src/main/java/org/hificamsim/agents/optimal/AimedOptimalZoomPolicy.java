@@ -5,7 +5,6 @@ import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ProvingZoomPolicy;
 
 /**
  * The best configuration of all if cameras may turn to any angle between their outermost pan
@@ -16,8 +15,7 @@ import org.hificamsim.core.policy.ProvingZoomPolicy;
  * best score it is the one in which camera 0 has its first set, then camera 1, and so on; sets are
  * in the order of the zoom levels, the narrowest first.
  */
-final class AimedOptimalZoomPolicy extends AbstractExactZoomPolicy
-    implements AimingZoomPolicy, ProvingZoomPolicy {
+final class AimedOptimalZoomPolicy extends AbstractExactZoomPolicy implements AimingZoomPolicy {
   private final int nodes;
   private AimedSets sets;
 

@@ -26,19 +26,15 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
   private int[] best;
   private boolean proven;
 
-  private BestFixedZoomPolicy(int nodes) {
-    this.nodes = nodes;
-  }
-
-  /** The policy with its option. */
-  public static BestFixedZoomPolicy from(Options options) {
-    return new BestFixedZoomPolicy(
+  /** Reads the option {@code nodes}. */
+  public BestFixedZoomPolicy(Options options) {
+    nodes =
         options.integer(
             "nodes",
             NODES,
             0,
             Integer.MAX_VALUE,
-            "partial configurations to look at before the best one found is taken"));
+            "partial configurations to look at before the best one found is taken");
   }
 
   @Override

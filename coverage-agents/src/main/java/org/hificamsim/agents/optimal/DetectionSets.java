@@ -8,12 +8,14 @@ import org.hificamsim.core.policy.NetworkView;
  * The detection sets of each camera's candidate views over the targets that are present, in order
  * of preference, as a coverage problem.
  *
- * <p>A set that is included in a more preferred one of the same camera is left out: it would never
- * be chosen.
+ * <p>Candidates are the views that a camera may take at the next step, widest or narrowest first. A
+ * set that is included in a more preferred one of the same camera is left out: it would never be
+ * chosen.
  */
 final class DetectionSets implements ConfigurationSets {
-  private final CandidateViews candidates;
-  private final Preference preference;
+  private final boolean mostTargets;
+  private final int[][] candidates; // by camera
+  private final int[] counts; // of candidates, by camera
   private final CoverageProblem problem;
   private final int[] placeOf;
   private final int[] viewOf;
@@ -25,15 +27,17 @@ final class DetectionSets implements ConfigurationSets {
   private int targets;
   private int words;
 
-  DetectionSets(NetworkView network, CandidateViews candidates, Preference preference) {
-    this.candidates = candidates;
-    this.preference = preference;
-    int most = 0;
-    int all = 0;
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      most = Math.max(most, network.views(camera));
-      all += network.views(camera);
-    }
+  /**
+   * @param mostTargets whether a view that detects more targets is preferred, before its width
+   *     counts
+   */
+  DetectionSets(NetworkView network, boolean mostTargets) {
+    this.mostTargets = mostTargets;
+    candidates = new int[network.cameras()][];
+    Arrays.setAll(candidates, camera -> new int[network.views(camera)]);
+    int all = Arrays.stream(candidates).mapToInt(views -> views.length).sum();
+    int most = Arrays.stream(candidates).mapToInt(views -> views.length).max().orElse(0);
+    counts = new int[network.cameras()];
     problem = new CoverageProblem(network.cameras(), all, network.targets());
     placeOf = new int[network.targets()];
     viewOf = new int[all];
@@ -42,6 +46,51 @@ final class DetectionSets implements ConfigurationSets {
     masks = new long[most * allWords];
     order = new int[most];
     sizes = new int[most];
+  }
+
+  /** Takes all candidates from a camera. */
+  void clear(int camera) {
+    counts[camera] = 0;
+  }
+
+  /** Adds a candidate after the camera's others. */
+  void add(int camera, int view) {
+    candidates[camera][counts[camera]] = view;
+    counts[camera]++;
+  }
+
+  /** How many candidates a camera has. */
+  int candidates(int camera) {
+    return counts[camera];
+  }
+
+  /** The camera's i-th candidate. */
+  int candidate(int camera, int i) {
+    return candidates[camera][i];
+  }
+
+  /**
+   * Takes from a camera the candidates that another one dominates; of candidates that dominate each
+   * other the first stays.
+   */
+  void removeDominated(NetworkView network, int camera) {
+    int[] views = candidates[camera];
+    for (int i = counts[camera] - 1; i >= 0; i--) {
+      if (dominated(network, camera, i)) {
+        counts[camera]--;
+        System.arraycopy(views, i + 1, views, i, counts[camera] - i);
+      }
+    }
+  }
+
+  private boolean dominated(NetworkView network, int camera, int i) {
+    int view = candidate(camera, i);
+    for (int other = 0; other < counts[camera]; other++) {
+      if (other != i && network.oracle().dominates(camera, candidate(camera, other), view)) {
+        return true;
+      }
+    }
+    return false;
   }
 
   /** The problem that {@link #fill} fills. */
@@ -82,14 +131,13 @@ final class DetectionSets implements ConfigurationSets {
 
   private void add(NetworkView network, int camera) {
     network.oracle().detections(camera, seen, allWords);
-    int count = candidates.count(camera);
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < counts[camera]; i++) {
       look(camera, i);
       place(i);
     }
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < counts[camera]; i++) {
       if (!problem.lastCameraHas(masks, order[i] * words)) {
-        viewOf[problem.sets()] = candidates.view(camera, order[i]);
+        viewOf[problem.sets()] = candidate(camera, order[i]);
         problem.addSet(masks, order[i] * words);
       }
     }
@@ -97,7 +145,7 @@ final class DetectionSets implements ConfigurationSets {
 
   /** Copies what a camera sees as a candidate, by target, into its row, by target present. */
   private void look(int camera, int row) {
-    int from = candidates.view(camera, row) * allWords;
+    int from = candidate(camera, row) * allWords;
     int to = row * words;
     Arrays.fill(masks, to, to + words, 0);
     sizes[row] = 0;
@@ -113,7 +161,7 @@ final class DetectionSets implements ConfigurationSets {
   /** Inserts a row into the order of preference; the candidates come in order of width. */
   private void place(int row) {
     int at = row;
-    while (preference.mostTargets() && at > 0 && sizes[order[at - 1]] < sizes[row]) {
+    while (mostTargets && at > 0 && sizes[order[at - 1]] < sizes[row]) {
       order[at] = order[at - 1];
       at--;
     }

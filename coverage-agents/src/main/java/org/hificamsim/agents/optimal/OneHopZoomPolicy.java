@@ -3,7 +3,6 @@ package org.hificamsim.agents.optimal;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.search.StepSolver;
 import org.hificamsim.core.policy.NetworkView;
-import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
@@ -15,31 +14,38 @@ import org.hificamsim.core.registry.Options;
  * in which camera 0 is at the view that the option {@code ties} prefers, then camera 1, and so on;
  * the widest by default.
  */
-public final class OneHopZoomPolicy extends AbstractExactZoomPolicy implements ProvingZoomPolicy {
+public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
   public static final String NAME = "one-hop";
+
+  /** What decides between configurations with the same score, camera by camera. */
+  enum Preference {
+    MOST_TARGETS_THEN_NARROWEST,
+    MOST_TARGETS_THEN_WIDEST,
+    NARROWEST,
+    WIDEST;
+
+    private boolean mostTargets() {
+      return this == MOST_TARGETS_THEN_NARROWEST || this == MOST_TARGETS_THEN_WIDEST;
+    }
+
+    private boolean widest() {
+      return this == MOST_TARGETS_THEN_WIDEST || this == WIDEST;
+    }
+  }
 
   private final Preference preference;
   private final int nodes;
-  private CandidateViews candidates;
+  private DetectionSets sets;
 
-  /**
-   * @param preference what decides between configurations with the same score
-   * @param nodes search nodes after which a step's proof is given up, 0 or more
-   */
-  public OneHopZoomPolicy(Preference preference, int nodes) {
-    this.preference = preference;
-    this.nodes = nodes;
-  }
-
-  /** The policy with its options {@code ties} and {@code nodes}. */
-  public static OneHopZoomPolicy from(Options options) {
-    return new OneHopZoomPolicy(
+  /** Reads the options {@code ties} and {@code nodes}. */
+  public OneHopZoomPolicy(Options options) {
+    preference =
         options.choice(
             "ties",
             Preference.WIDEST,
             "of equal score: widest, narrowest, most-targets-then-widest,"
-                + " most-targets-then-narrowest"),
-        nodes(options, DEFAULT_NODES));
+                + " most-targets-then-narrowest");
+    nodes = nodes(options, DEFAULT_NODES);
   }
 
   @Override
@@ -49,8 +55,7 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy implements P
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    candidates = new CandidateViews(network);
-    DetectionSets sets = new DetectionSets(network, candidates, preference);
+    sets = new DetectionSets(network, preference.mostTargets());
     search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));
   }
 
@@ -64,16 +69,16 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy implements P
 
   /** A camera that reaches no view within the step goes on to the one it has chosen. */
   private void findCandidates(NetworkView network, int camera) {
-    candidates.clear(camera);
+    sets.clear(camera);
     int last = network.views(camera) - 1;
     for (int i = 0; i <= last; i++) {
       int view = preference.widest() ? last - i : i;
       if (network.reaches(camera, view)) {
-        candidates.add(camera, view);
+        sets.add(camera, view);
       }
     }
-    if (candidates.count(camera) == 0) {
-      candidates.add(camera, network.view(camera));
+    if (sets.candidates(camera) == 0) {
+      sets.add(camera, network.view(camera));
     }
   }
 }

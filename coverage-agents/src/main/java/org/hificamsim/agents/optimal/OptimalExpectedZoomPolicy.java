@@ -2,8 +2,6 @@ package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.metrics.Objective;
-import org.hificamsim.core.policy.ExpectationProvingZoomPolicy;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
 
@@ -13,24 +11,16 @@ import org.hificamsim.core.registry.Options;
  * exactly at each step by {@link ExpectedSolver}. By a threshold it looks for the best k_min, as
  * {@link OptimalZoomPolicy} does, but without reporting what it could not prove.
  */
-public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy
-    implements ExpectationProvingZoomPolicy {
+public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
   public static final String NAME = "optimal-expected";
 
   private static final int EXPECTED_NODES = 100_000;
 
   private final int nodes;
 
-  /**
-   * @param nodes search nodes after which a step's proof is given up, 0 or more
-   */
-  public OptimalExpectedZoomPolicy(int nodes) {
-    this.nodes = nodes;
-  }
-
-  /** The policy with its option {@code nodes}. */
-  public static OptimalExpectedZoomPolicy from(Options options) {
-    return new OptimalExpectedZoomPolicy(nodes(options, EXPECTED_NODES));
+  /** Reads the option {@code nodes}. */
+  public OptimalExpectedZoomPolicy(Options options) {
+    nodes = nodes(options, EXPECTED_NODES);
   }
 
   @Override
@@ -45,20 +35,21 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy
   }
 
   @Override
-  public void begin(NetworkView network, SplittableRandom random) {
-    requireKMin(network.objective());
-    ChanceRows rows = new ChanceRows(network);
-    search(network, rows, new ExpectedSolver(rows, nodes));
+  public boolean ofExpectation() {
+    return true;
   }
 
-  private static void requireKMin(Objective objective) {
-    if (!objective.byLeast()) {
+  @Override
+  public void begin(NetworkView network, SplittableRandom random) {
+    if (!network.objective().byLeast()) {
       throw new InputException(
           "objective is "
-              + objective.text()
+              + network.objective().text()
               + ", expected kmin with policy "
               + NAME
               + ", which looks for the best least expected coverage. Maybe use optimal");
     }
+    ChanceRows rows = new ChanceRows(network);
+    search(network, rows, new ExpectedSolver(rows, nodes));
   }
 }

@@ -17,7 +17,7 @@ import org.hificamsim.core.registry.Options;
  * score it is the one in which camera 0 detects most targets, then at its narrowest view, then
  * camera 1, and so on.
  */
-public final class OptimalZoomPolicy extends AbstractExactZoomPolicy implements ProvingZoomPolicy {
+public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
   public static final String NAME = "optimal";
 
   /** The pan angles that cameras may turn to. */
@@ -27,19 +27,15 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy implements 
   }
 
   private final int nodes;
-  private CandidateViews candidates;
+  private DetectionSets sets;
   private int revision;
   private boolean settled;
   private boolean prepared;
 
-  public OptimalZoomPolicy() {
-    this(DEFAULT_NODES);
-  }
-
   /**
    * @param nodes search nodes after which a step's proof is given up, 0 or more
    */
-  public OptimalZoomPolicy(int nodes) {
+  OptimalZoomPolicy(int nodes) {
     this.nodes = nodes;
   }
 
@@ -65,7 +61,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy implements 
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    candidates = new CandidateViews(network);
+    sets = new DetectionSets(network, true);
     findCandidates(network);
   }
 
@@ -75,19 +71,13 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy implements 
       findCandidates(network);
     }
     if (!settled) {
-      prepare(network);
+      if (!prepared) {
+        prepared = true;
+        search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));
+      }
       super.decide(network, views);
     } else if (anyPresent(network)) {
       settle(network, views);
-    }
-  }
-
-  private void prepare(NetworkView network) {
-    if (!prepared) {
-      prepared = true;
-      Preference preference = Preference.MOST_TARGETS_THEN_NARROWEST;
-      DetectionSets sets = new DetectionSets(network, candidates, preference);
-      search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));
     }
   }
 
@@ -95,19 +85,19 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy implements 
     revision = network.revision();
     settled = true;
     for (int camera = 0; camera < network.cameras(); camera++) {
-      candidates.clear(camera);
+      sets.clear(camera);
       for (int view = 0; view < network.views(camera); view++) {
-        candidates.add(camera, view);
+        sets.add(camera, view);
       }
-      candidates.removeDominated(network, camera);
-      settled &= candidates.count(camera) == 1 || !network.online(camera);
+      sets.removeDominated(network, camera);
+      settled &= sets.candidates(camera) == 1 || !network.online(camera);
     }
   }
 
   private void settle(NetworkView network, int[] views) {
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        views[camera] = candidates.view(camera, 0);
+        views[camera] = sets.candidate(camera, 0);
       }
     }
   }

@@ -22,14 +22,6 @@ final class Configuration {
     }
   }
 
-  /** Every camera's most preferred set among those that remain. */
-  void copy(RemainingSets remaining) {
-    clear();
-    for (int camera = 0; camera < problem.cameras(); camera++) {
-      give(camera, remaining.first(camera));
-    }
-  }
-
   /** The same sets as another configuration. */
   void copy(Configuration other) {
     System.arraycopy(other.chosen, 0, chosen, 0, problem.cameras());

@@ -4,9 +4,11 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.choice.AbstractDistributedZoomPolicy;
 import org.hificamsim.agents.choice.EpsilonGreedyChoice;
+import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.choice.Utility;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.registry.Options;
 
 /**
  * Temporal-difference learning (thesis 7.4.4): each camera learns the values Q(s, a) of its
@@ -23,14 +25,22 @@ import org.hificamsim.core.policy.NetworkView;
  */
 public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistributedZoomPolicy {
   private static final int NONE = -1;
+  private static final double LARGE = 1e6;
 
   private static final CameraTask<AbstractTemporalDifferenceZoomPolicy> MEASURING =
       (network, policy, from, to) -> policy.measure(network, from, to);
 
-  private final TemporalDifferenceSettings settings;
+  private final StateReading states;
+  private final RewardReading rewards;
+  private final Utility.Reading reading;
+  private final double alpha;
+  private final double gamma;
+  private final double lambda;
+  private final double initialValue;
+  private final Ties ties;
   private final EpsilonGreedyChoice choice;
   private ActionValues q;
-  private Percepts percepts;
+  private PicturePercept picture; // null where a percept is the number of targets detected
   private int[] lastState;
   private int[] lastAction;
   private double[] lastUtility;
@@ -39,10 +49,30 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   private double[] earned; // on the way
   private double[] discount; // of what comes next
 
-  protected AbstractTemporalDifferenceZoomPolicy(
-      TemporalDifferenceSettings settings, EpsilonGreedyChoice choice) {
-    this.settings = settings;
-    this.choice = choice;
+  @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
+  private double fetched;
+
+  /**
+   * Reads the parameters of Eqs 7.5 and 7.6, the readings that the thesis leaves open, and how to
+   * explore. The defaults come closest to Table 8.1; the discount is not published.
+   */
+  protected AbstractTemporalDifferenceZoomPolicy(Options options) {
+    states =
+        options.choice(
+            "state",
+            StateReading.LEVEL_COUNT,
+            "what a camera knows: level-count, count, none, picture, view-picture, picture-depth,"
+                + " view-picture-depth");
+    rewards =
+        options.choice(
+            "reward", RewardReading.COUNT_CHANGE, "Eq 7.5 as: count-change, sign, literal");
+    reading = Utility.from(options);
+    alpha = options.number("alpha", 0.1, 0, 1, "learning rate");
+    gamma = options.number("gamma", 0.9, 0, 1, "discount factor");
+    lambda = options.number("lambda", 1, 0, LARGE, "factor on every reward");
+    initialValue = options.number("q0", 0, -LARGE, LARGE, "value of every action at first");
+    ties = Ties.from(options);
+    choice = new EpsilonGreedyChoice(options);
   }
 
   /** The value of the state that was reached (Eq 7.6), given the action chosen in it. */
@@ -60,13 +90,16 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    q = new ActionValues(network, settings);
-    percepts = new Percepts(network, settings.state());
+    q = new ActionValues(network, states, ties, initialValue);
+    picture =
+        states.parts() == 0
+            ? null
+            : new PicturePercept(network.cameras(), states.parts() > PicturePercept.THIRDS);
     choice.begin(network, random);
     lastState = new int[network.cameras()];
     lastAction = new int[network.cameras()];
     lastUtility = new double[network.cameras()];
-    utility = new Utility(settings.utility(), network.objective());
+    utility = new Utility(reading, network.objective());
     utilities = new double[network.cameras()];
     Arrays.fill(lastState, NONE);
     earned = new double[network.cameras()];
@@ -78,14 +111,16 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
 
   @Override
   public final void decide(NetworkView network, int[] views) {
-    percepts.update(network);
+    if (picture != null) {
+      picture.look(network);
+    }
     prepare(network);
     super.decide(network, views);
   }
 
   /** What the camera perceived before the decision that is under way, from 0. */
   protected final int percept(NetworkView network, int camera) {
-    return percepts.of(network, camera);
+    return picture == null ? network.detected(camera) : picture.of(camera);
   }
 
   /** What a count does not tell is measured at once: targets move on before the next decision. */
@@ -122,7 +157,7 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   protected final int travel(NetworkView network, int camera) {
     double gained = gained(network, camera);
     earned[camera] += discount[camera] * reward(camera, gained);
-    discount[camera] *= settings.gamma();
+    discount[camera] *= gamma;
     lastUtility[camera] = gained;
     return network.view(camera);
   }
@@ -136,13 +171,13 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
     int state = lastState[camera];
     int action = lastAction[camera];
     double value = q.value(camera, state, action);
-    double arrived = reward(camera, gained) + settings.gamma() * nextValue;
+    double arrived = reward(camera, gained) + gamma * nextValue;
     double error = earned[camera] + discount[camera] * arrived - value;
-    q.set(camera, state, action, value + settings.alpha() * error); // Eq 7.6
+    q.set(camera, state, action, value + alpha * error); // Eq 7.6
   }
 
   private double reward(int camera, double gained) {
-    return settings.lambda() * settings.reward().reward(lastUtility[camera], gained); // Eq 7.5
+    return lambda * rewards.reward(lastUtility[camera], gained); // Eq 7.5
   }
 
   @Override
@@ -150,14 +185,29 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
     lastState[camera] = NONE;
   }
 
-  /** In blocks, for speed alone: {@link ActionValues#fetch}. */
+  /** In blocks, for speed alone. */
   @Override
   protected final void chooseAll(NetworkView network, int[] views, int from, int to) {
     for (int first = from; first < to; first += ActionValues.BLOCK) {
       int end = Math.min(to, first + ActionValues.BLOCK);
-      q.fetch(network, percepts, lastState, first, end);
+      if (q.exceedsCache()) {
+        fetch(network, first, end);
+      }
       super.chooseAll(network, views, first, end);
     }
+  }
+
+  /**
+   * Reads what the decisions of some cameras are going to read, so that it comes from memory at
+   * once, where camera by camera each would wait.
+   */
+  private void fetch(NetworkView network, int from, int to) {
+    double sum = 0;
+    for (int camera = from; camera < to; camera++) {
+      int state = q.state(camera, network.view(camera), percept(network, camera));
+      sum += q.read(camera, state) + q.read(camera, Math.max(0, lastState[camera]));
+    }
+    fetched = sum;
   }
 
   /**
@@ -167,7 +217,8 @@ public abstract class AbstractTemporalDifferenceZoomPolicy extends AbstractDistr
   @Override
   public final String estimates(
       NetworkView network, int camera, double[] estimates, double[] counts) {
-    int state = q.state(camera, network.view(camera), percepts.now(network, camera));
+    int percept = picture == null ? network.detected(camera) : picture.now(network, camera);
+    int state = q.state(camera, network.view(camera), percept);
     for (int view = 0; view < network.views(camera); view++) {
       estimates[view] = q.value(camera, state, view);
       counts[view] = Double.NaN;

@@ -51,17 +51,14 @@ public final class ActionValues {
   /** By camera and state. */
   private final int[][] best;
 
-  @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
-  private double fetched;
-
   /**
    * @throws InputException when a camera's table would not fit into an array
    */
-  ActionValues(NetworkView network, TemporalDifferenceSettings settings) {
-    reading = settings.state();
-    ties = settings.ties();
+  ActionValues(NetworkView network, StateReading reading, Ties ties, double initialValue) {
+    this.reading = reading;
+    this.ties = ties;
+    this.initialValue = initialValue;
     breaking = new TieBreak(ties, network);
-    initialValue = settings.initialValue();
     percepts = reading.percepts(network.targets());
     views = IntStream.range(0, network.cameras()).map(network::views).toArray();
     if (size(Arrays.stream(views).max().orElse(1)) > MAX_VALUES) {
@@ -183,23 +180,8 @@ public final class ActionValues {
     return views.length > MAX_CACHED;
   }
 
-  /**
-   * Reads what the decisions of some cameras are going to read, so that it comes from memory at
-   * once, where camera by camera each would wait.
-   *
-   * @param lastStates by camera; below 0 where there is none
-   */
-  void fetch(NetworkView network, Percepts seen, int[] lastStates, int from, int to) {
-    double sum = 0;
-    for (int camera = from; camera < to && exceedsCache(); camera++) {
-      int state = state(camera, network.view(camera), seen.of(network, camera));
-      sum += read(camera, state) + read(camera, Math.max(0, lastStates[camera]));
-    }
-    fetched = sum;
-  }
-
-  /** Both ends of a row. */
-  private double read(int camera, int state) {
+  /** Reads both ends of a row, for speed alone. */
+  double read(int camera, int state) {
     int row = state * width(views[camera]);
     double[] table = values[camera];
     return row < table.length ? table[row] + table[row + views[camera]] + best[camera][state] : 0;

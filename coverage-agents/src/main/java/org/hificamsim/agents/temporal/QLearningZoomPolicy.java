@@ -1,20 +1,13 @@
 package org.hificamsim.agents.temporal;
 
-import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.core.registry.Options;
 
 /** Q-learning, the off-policy variant that thesis 7.4.4 sets SARSA against. */
 public final class QLearningZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
   public static final String NAME = "q-learning";
 
-  public QLearningZoomPolicy(TemporalDifferenceSettings settings, EpsilonGreedyChoice choice) {
-    super(settings, choice);
-  }
-
-  /** The policy with its options. */
-  public static QLearningZoomPolicy from(Options options) {
-    return new QLearningZoomPolicy(
-        TemporalDifferenceSettings.from(options), EpsilonGreedyChoice.from(options));
+  public QLearningZoomPolicy(Options options) {
+    super(options);
   }
 
   @Override

@@ -1,20 +1,13 @@
 package org.hificamsim.agents.temporal;
 
-import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.core.registry.Options;
 
 /** SARSA, the on-policy variant (thesis 7.4.4, Eq 7.6). */
 public class SarsaZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
   public static final String NAME = "sarsa";
 
-  public SarsaZoomPolicy(TemporalDifferenceSettings settings, EpsilonGreedyChoice choice) {
-    super(settings, choice);
-  }
-
-  /** The policy with its options. */
-  public static SarsaZoomPolicy from(Options options) {
-    return new SarsaZoomPolicy(
-        TemporalDifferenceSettings.from(options), EpsilonGreedyChoice.from(options));
+  public SarsaZoomPolicy(Options options) {
+    super(options);
   }
 
   @Override

@@ -5,12 +5,20 @@ import org.hificamsim.agents.choice.Ties;
 
 /** Counts votes for views and names the winner (thesis 7.4.5, majority voting). */
 final class MajorityVote {
-  private final VoteTies ties;
+  /** Which of the views with most votes wins; thesis 7.4.5 does not say. */
+  enum Draw {
+    /** The camera's own action where it is among them, else the widest. */
+    OWN,
+    WIDEST,
+    NARROWEST
+  }
+
+  private final Draw draw;
   private final double[] votes; // by view
   private int count;
 
-  MajorityVote(VoteTies ties, int views) {
-    this.ties = ties;
+  MajorityVote(Draw draw, int views) {
+    this.draw = draw;
     votes = new double[views];
   }
 
@@ -34,7 +42,7 @@ final class MajorityVote {
     if (count == 0) {
       return own;
     }
-    return switch (ties) {
+    return switch (draw) {
       case OWN -> Ties.WIDEST.best(votes, 0, votes.length, own);
       case WIDEST -> Ties.WIDEST.best(votes, 0, votes.length);
       case NARROWEST -> Ties.NARROWEST.best(votes, 0, votes.length);

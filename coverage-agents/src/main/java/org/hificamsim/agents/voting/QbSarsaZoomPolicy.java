@@ -3,10 +3,8 @@ package org.hificamsim.agents.voting;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.stream.IntStream;
-import org.hificamsim.agents.choice.EpsilonGreedyChoice;
 import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.agents.temporal.SarsaZoomPolicy;
-import org.hificamsim.agents.temporal.TemporalDifferenceSettings;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -26,8 +24,18 @@ import org.hificamsim.core.registry.Options;
 public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   public static final String NAME = "qb-sarsa";
 
+  private static final int MAX_NEIGHBOURS = 10_000;
+
+  /** Whether a camera votes on its own next view; thesis 7.4.5 says that it does. */
+  private enum OwnVote {
+    YES,
+    NO
+  }
+
   private final CameraTask<int[]> electing = this::elect;
-  private final VoteSettings settings;
+  private final int neighbours;
+  private final OwnVote ownVote;
+  private final MajorityVote.Draw ties;
   private NearestCameras nearest;
   private ViewTranslation translation;
   private MajorityVote[] votes = {}; // of a thread: those of the first camera of its share
@@ -37,18 +45,18 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
   private int fetched;
 
-  public QbSarsaZoomPolicy(
-      TemporalDifferenceSettings learning, EpsilonGreedyChoice choice, VoteSettings settings) {
-    super(learning, choice);
-    this.settings = settings;
-  }
-
-  /** The policy with its options: those of SARSA and those of the vote. */
-  public static QbSarsaZoomPolicy from(Options options) {
-    return new QbSarsaZoomPolicy(
-        TemporalDifferenceSettings.from(options),
-        EpsilonGreedyChoice.from(options),
-        VoteSettings.from(options));
+  /** Reads the options of SARSA and those of the vote; thesis 7.4.5 has no k. */
+  public QbSarsaZoomPolicy(Options options) {
+    super(options);
+    neighbours =
+        options.integer("k", 4, 0, MAX_NEIGHBOURS, "number of nearest cameras that are asked");
+    ownVote =
+        options.choice("own-vote", OwnVote.YES, "whether the own best action counts: yes, no");
+    ties =
+        options.choice(
+            "vote-ties",
+            MajorityVote.Draw.OWN,
+            "who wins a draw: own (else widest), widest, narrowest");
   }
 
   @Override
@@ -69,8 +77,8 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     messages = new long[network.cameras()];
     votes = new MajorityVote[network.cameras()];
     int views = IntStream.range(0, votes.length).map(network::views).max().orElse(0);
-    Arrays.setAll(votes, share -> new MajorityVote(settings.ties(), views));
-    nearest = new NearestCameras(network, settings.neighbours());
+    Arrays.setAll(votes, share -> new MajorityVote(ties, views));
+    nearest = new NearestCameras(network, neighbours);
     translation = new ViewTranslation(network);
   }
 
@@ -122,7 +130,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     int state = state(network, camera, camera, network.view(camera));
     int own = q().best(camera, state);
     vote.open();
-    if (settings.ownVote() == VoteSettings.OwnVote.YES) {
+    if (ownVote == OwnVote.YES) {
       vote.vote(own);
     }
     int asked = nearest.count(camera);

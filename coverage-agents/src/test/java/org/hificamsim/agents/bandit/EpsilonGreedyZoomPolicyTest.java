@@ -4,11 +4,10 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import org.hificamsim.agents.choice.EpsilonGreedyChoice;
-import org.hificamsim.agents.choice.EpsilonSchedule;
-import org.hificamsim.agents.choice.Exploration;
 import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
 class EpsilonGreedyZoomPolicyTest {
@@ -52,9 +51,9 @@ class EpsilonGreedyZoomPolicyTest {
       network.observe();
       arms.learn(network);
     }
-    assertEquals(1.5, arms.means()[3]);
-    assertEquals(4, arms.pulls()[3]);
-    assertEquals(0, arms.means()[0]);
+    assertEquals(1.5, arms.means(0)[3]);
+    assertEquals(4, arms.pulls(0)[3]);
+    assertEquals(0, arms.means(0)[0]);
   }
 
   @Test
@@ -76,11 +75,11 @@ class EpsilonGreedyZoomPolicyTest {
     EpsilonGreedyZoomPolicy arms = network.begin(greedy(0, Ties.WIDEST), 1);
     network.switchCamera(0, false);
     arms.learn(network);
-    assertEquals(0, arms.pulls()[3]);
+    assertEquals(0, arms.pulls(0)[3]);
   }
 
   private static EpsilonGreedyZoomPolicy greedy(double epsilon, Ties ties) {
-    return new EpsilonGreedyZoomPolicy(
-        new EpsilonGreedyChoice(new EpsilonSchedule(epsilon, 1, 0), Exploration.OTHER), ties);
+    String options = "epsilon=" + epsilon + ",ties=" + Spelling.of(ties);
+    return new EpsilonGreedyZoomPolicy(Options.parse("epsilon-greedy", options));
   }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
 class SoftmaxZoomPolicyTest {
@@ -13,7 +14,9 @@ class SoftmaxZoomPolicyTest {
   @Test
   void drawsLevelsInProportionToTheirWeights() {
     double temperature = 1.5;
-    SoftmaxZoomPolicy policy = network.begin(new SoftmaxZoomPolicy(temperature), 1);
+    SoftmaxZoomPolicy policy =
+        network.begin(
+            new SoftmaxZoomPolicy(Options.parse("softmax", "temperature=" + temperature)), 1);
     int[] times = afterLearning(policy, 100_000);
     double[] means = {1, 3, 0, 2};
     double sum = 0;
@@ -30,13 +33,15 @@ class SoftmaxZoomPolicyTest {
 
   @Test
   void aTinyTemperatureTakesTheBestLevelOnly() {
-    SoftmaxZoomPolicy policy = network.begin(new SoftmaxZoomPolicy(1e-6), 1);
+    SoftmaxZoomPolicy policy =
+        network.begin(new SoftmaxZoomPolicy(Options.parse("softmax", "temperature=1e-6")), 1);
     assertEquals(1_000, afterLearning(policy, 1_000)[1]);
   }
 
   @Test
   void aHugeTemperatureDrawsAllLevelsAlike() {
-    SoftmaxZoomPolicy policy = network.begin(new SoftmaxZoomPolicy(1e6), 1);
+    SoftmaxZoomPolicy policy =
+        network.begin(new SoftmaxZoomPolicy(Options.parse("softmax", "temperature=1e6")), 1);
     for (int times : afterLearning(policy, 40_000)) {
       assertEquals(10_000, times, 400);
     }

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import org.hificamsim.agents.choice.Ties;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
 class Ucb1ZoomPolicyTest {
@@ -13,7 +13,7 @@ class Ucb1ZoomPolicyTest {
 
   @Test
   void usesEveryLevelOnceBeforeItCompares() {
-    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(1, Ties.WIDEST), 1);
+    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(Options.parse("ucb1", "c=1")), 1);
     int[] order = new int[3];
     for (int step = 0; step < 3; step++) {
       network.step(policy);
@@ -24,7 +24,7 @@ class Ucb1ZoomPolicyTest {
 
   @Test
   void withoutExplorationStaysAtTheBestAverage() {
-    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(0, Ties.WIDEST), 1);
+    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(Options.parse("ucb1", "c=0")), 1);
     for (int step = 0; step < 50; step++) {
       network.step(policy);
       assertTrue(step < 3 || network.view(0) == 1);
@@ -36,7 +36,7 @@ class Ucb1ZoomPolicyTest {
     double c = 0.7;
     double[] means = {0.25, 0.75, 0};
     int[] pulls = {1, 1, 1};
-    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(c, Ties.WIDEST), 1);
+    Ucb1ZoomPolicy policy = network.begin(new Ucb1ZoomPolicy(Options.parse("ucb1", "c=" + c)), 1);
     for (int step = 0; step < 3; step++) {
       network.step(policy);
     }

@@ -5,11 +5,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import java.util.List;
 import org.hificamsim.agents.CoveragePolicies;
 import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
 
@@ -32,7 +32,7 @@ class BaselineZoomPolicyTest {
 
   @Test
   void oneFixedLevelServesAllCameras() {
-    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new FixedZoomPolicy(List.of(0), List.of())));
+    assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new FixedZoomPolicy(Options.none("fixed"))));
   }
 
   @Test
@@ -43,7 +43,7 @@ class BaselineZoomPolicyTest {
 
   @Test
   void aFixedLevelThatACameraLacksIsRefusedWithItsRange() {
-    ZoomPolicy policy = new FixedZoomPolicy(List.of(3), List.of());
+    ZoomPolicy policy = new FixedZoomPolicy(Options.parse("fixed", "3"));
     InputException refused = assertThrows(InputException.class, () -> network.begin(policy, 1));
     assertEquals(
         "policy fixed: level of camera 'c1' is 3, expected 0 (narrowest) to 2 (widest)",
@@ -52,7 +52,7 @@ class BaselineZoomPolicyTest {
 
   @Test
   void aWrongNumberOfFixedLevelsIsRefused() {
-    ZoomPolicy policy = new FixedZoomPolicy(List.of(0, 0), List.of());
+    ZoomPolicy policy = new FixedZoomPolicy(Options.parse("fixed", "0,0"));
     InputException refused = assertThrows(InputException.class, () -> network.begin(policy, 1));
     assertTrue(refused.getMessage().contains("has 2 values, expected 1 for all cameras or 3"));
   }

@@ -3,8 +3,12 @@ package org.hificamsim.agents.choice;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
 class EpsilonGreedyChoiceTest {
@@ -12,39 +16,56 @@ class EpsilonGreedyChoiceTest {
 
   @Test
   void exploringOtherLevelsSpreadsEpsilonEvenlyOverThem() {
-    assertShares(Exploration.OTHER, 0.025, 0.9);
+    assertShares("other", 0.025, 0.9);
   }
 
   @Test
   void exploringAnyLevelIncludesTheBest() {
-    assertShares(Exploration.ANY, 0.02, 0.92);
+    assertShares("any", 0.02, 0.92);
   }
 
   @Test
   void aSingleLevelIsAlwaysTaken() {
-    for (Exploration exploration : Exploration.values()) {
-      assertEquals(0, exploration.draw(new SplittableRandom(1), 1, 0));
+    for (String exploration : List.of("other", "any")) {
+      EpsilonGreedyChoice choice = choice("epsilon=1,explore=" + exploration);
+      choice.begin(new ToyNetwork(0, 1), new SplittableRandom(1));
+      assertEquals(0, choice.choose(0, 1, 0));
     }
   }
 
   @Test
   void epsilonDecaysDownToItsLeast() {
-    EpsilonSchedule schedule = new EpsilonSchedule(0.4, 0.5, 0.15);
-    assertEquals(0.2, schedule.next(0.4));
-    assertEquals(0.15, schedule.next(0.2));
-    assertEquals(0.15, schedule.next(0.15));
+    assertEquals(List.of(0.4, 0.2, 0.15, 0.15), sharesExplored("0.4", "0.15"));
   }
 
   @Test
   void aLeastAboveTheStartHasNoEffect() {
-    assertEquals(0.1, new EpsilonSchedule(0.1, 0.5, 0.3).next(0.1));
+    assertEquals(List.of(0.1, 0.1, 0.1, 0.1), sharesExplored("0.1", "0.3"));
+  }
+
+  /** Of each of the first four decisions of many cameras, in steps of 0.05; decay is a half. */
+  private static List<Double> sharesExplored(String epsilon, String least) {
+    int cameras = 40_000;
+    EpsilonGreedyChoice choice =
+        choice("epsilon=" + epsilon + ",epsilon-decay=0.5,epsilon-min=" + least);
+    int[] views = new int[cameras];
+    Arrays.fill(views, 2);
+    choice.begin(new ToyNetwork(0, views), new SplittableRandom(1));
+    List<Double> shares = new ArrayList<>();
+    for (int n = 0; n < 4; n++) {
+      int explored = 0;
+      for (int camera = 0; camera < cameras; camera++) {
+        explored += choice.choose(camera, 2, 1) == 0 ? 1 : 0;
+      }
+      shares.add(Math.round(explored * 20.0 / cameras) / 20.0);
+    }
+    return shares;
   }
 
   @Test
   void exploresLessOftenAsEpsilonDecays() {
     ToyNetwork network = new ToyNetwork(0, 5);
-    EpsilonGreedyChoice choice =
-        new EpsilonGreedyChoice(new EpsilonSchedule(1, 0.5, 0), Exploration.OTHER);
+    EpsilonGreedyChoice choice = choice("epsilon=1,epsilon-decay=0.5");
     choice.begin(network, new SplittableRandom(1));
     int explored = 0;
     for (int n = 0; n < 1_000; n++) {
@@ -63,9 +84,12 @@ class EpsilonGreedyChoiceTest {
     assertEquals(1, Ties.NARROWEST.best(unbounded, 0, 3));
   }
 
-  private static void assertShares(Exploration exploration, double other, double best) {
-    EpsilonGreedyChoice choice =
-        new EpsilonGreedyChoice(new EpsilonSchedule(0.1, 1, 0), exploration);
+  private static EpsilonGreedyChoice choice(String options) {
+    return new EpsilonGreedyChoice(Options.parse("policy", options));
+  }
+
+  private static void assertShares(String exploration, double other, double best) {
+    EpsilonGreedyChoice choice = choice("explore=" + exploration);
     choice.begin(new ToyNetwork(0, 5), new SplittableRandom(3));
     int[] times = new int[5];
     for (int n = 0; n < DRAWS; n++) {

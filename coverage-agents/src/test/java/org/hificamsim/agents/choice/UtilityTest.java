@@ -85,7 +85,7 @@ class UtilityTest {
   }
 
   private static SarsaZoomPolicy begin(ToyNetwork network, String options) {
-    return network.begin(SarsaZoomPolicy.from(Options.parse("sarsa", options)), 1);
+    return network.begin(new SarsaZoomPolicy(Options.parse("sarsa", options)), 1);
   }
 
   @Test

@@ -119,7 +119,7 @@ class CrowdObservationTest {
         new RandomZoomPolicy(),
         network -> {
           float[] out = observe(network);
-          int at = LAYOUT.firstNeighbour();
+          int at = ObservationLayout.OWN_SIZE;
           float[] expected = {
             2 / 16f, 0, network.detected(2) / 24f, 1, 6 / 16f, network.detected(1) / 24f
           };

@@ -9,13 +9,13 @@ import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
+import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Upper bounds under objectives other than k_min. */
 class ObjectivesTest {
-  private static final int NODES = 1_000_000;
   private static final int LEVELS = 3;
 
   @ParameterizedTest
@@ -24,8 +24,8 @@ class ObjectivesTest {
     SplittableRandom random = new SplittableRandom(7);
     for (int trial = 0; trial < 400; trial++) {
       ToyNetwork network = random(random).scoredBy(Objective.parse(text));
-      assertReaches(network, new OptimalZoomPolicy(), LEVELS);
-      assertReaches(network, new OneHopZoomPolicy(Preference.WIDEST, NODES), 1);
+      assertReaches(network, new OptimalZoomPolicy(1_000_000), LEVELS);
+      assertReaches(network, new OneHopZoomPolicy(Options.none("one-hop")), 1);
     }
   }
 
@@ -75,7 +75,11 @@ class ObjectivesTest {
     ToyNetwork network = new ToyNetwork(1, LEVELS).scoredBy(Objective.parse("covered"));
     InputException fault =
         assertThrows(
-            InputException.class, () -> network.begin(new OptimalExpectedZoomPolicy(1), 1));
+            InputException.class,
+            () ->
+                network.begin(
+                    new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=1")),
+                    1));
     assertTrue(
         fault.getMessage().startsWith("objective is covered:k=1, expected kmin with policy"),
         fault.getMessage());

@@ -5,16 +5,17 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import org.hificamsim.agents.CoveragePolicies;
+import org.hificamsim.agents.optimal.OneHopZoomPolicy.Preference;
 import org.hificamsim.agents.toy.GeometricNetwork;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.Spelling;
+import org.hificamsim.core.registry.Options;
 import org.hificamsim.core.registry.Registry;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class OneHopZoomPolicyTest {
-  private static final int NODES = 1_000_000;
-
   @Test
   void reachesTheBestOfAllReachableConfigurations() {
     for (Preference preference : Preference.values()) {
@@ -31,7 +32,7 @@ class OneHopZoomPolicyTest {
   void staysWideOrGoesWiderWhereNothingIsGained() {
     ToyNetwork network = new ToyNetwork(1, 4, 4);
     network.setLevel(0, 1);
-    network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST, NODES), 1));
+    network.decide(network.begin(new OneHopZoomPolicy(Options.none("one-hop")), 1));
     assertArrayEquals(new int[] {2, 3}, network.currentLevels());
   }
 
@@ -50,7 +51,7 @@ class OneHopZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 1, 0).see(0, 0, 0);
     network.setLevel(0, 1);
     Preference preference = Preference.MOST_TARGETS_THEN_WIDEST;
-    network.decide(network.begin(new OneHopZoomPolicy(preference, NODES), 1));
+    network.decide(network.begin(oneHop(preference), 1));
     assertEquals(1, network.view(0));
   }
 
@@ -59,12 +60,16 @@ class OneHopZoomPolicyTest {
     ToyNetwork network = new ToyNetwork(1, 4);
     network.setLevel(0, 1);
     network.showTarget(0, false);
-    network.decide(network.begin(new OneHopZoomPolicy(Preference.WIDEST, NODES), 1));
+    network.decide(network.begin(new OneHopZoomPolicy(Options.none("one-hop")), 1));
     assertEquals(1, network.view(0));
   }
 
+  private static OneHopZoomPolicy oneHop(Preference preference) {
+    return new OneHopZoomPolicy(Options.parse("one-hop", "ties=" + Spelling.of(preference)));
+  }
+
   private static void compare(GeometricNetwork network, Preference preference) {
-    OneHopZoomPolicy policy = network.begin(new OneHopZoomPolicy(preference, NODES), 1);
+    OneHopZoomPolicy policy = network.begin(oneHop(preference), 1);
     for (int step = 0; step < 4; step++) {
       int[] before = network.currentLevels();
       int[] lowest = new int[before.length];

@@ -10,6 +10,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
 
 /** Against all configurations, one by one. */
@@ -79,7 +80,9 @@ class OptimalExpectedZoomPolicyTest {
     Chances network = network(cameras, targets, random);
     network.switchCamera(0, random.nextInt(4) > 0);
     network.showTarget(0, targets == 1 || random.nextInt(4) > 0);
-    OptimalExpectedZoomPolicy policy = network.begin(new OptimalExpectedZoomPolicy(100_000), 1);
+    OptimalExpectedZoomPolicy policy =
+        network.begin(
+            new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=100000")), 1);
     network.decide(policy);
     double best = network.best(new int[cameras], 0);
     assertEquals(best, network.least(network.currentLevels()), 1e-8);
@@ -90,7 +93,9 @@ class OptimalExpectedZoomPolicyTest {
   @Property(tries = 100, edgeCases = EdgeCasesMode.NONE)
   void tellsWhatItMayHaveMissedWhereItGivesUp(@ForAll long seed) {
     Chances network = network(6, 5, new SplittableRandom(seed));
-    OptimalExpectedZoomPolicy policy = network.begin(new OptimalExpectedZoomPolicy(0), 1);
+    OptimalExpectedZoomPolicy policy =
+        network.begin(
+            new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=0")), 1);
     network.decide(policy);
     double reached = network.least(network.currentLevels());
     double best = network.best(new int[6], 0);
@@ -103,7 +108,9 @@ class OptimalExpectedZoomPolicyTest {
     double lost = 0;
     for (int seed = 0; seed < 200; seed++) {
       Chances network = network(6, 5, new SplittableRandom(seed));
-      network.decide(network.begin(new OptimalExpectedZoomPolicy(0), 1));
+      network.decide(
+          network.begin(
+              new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=0")), 1));
       double best = network.best(new int[6], 0);
       lost += 1 - network.least(network.currentLevels()) / best;
     }
@@ -115,7 +122,9 @@ class OptimalExpectedZoomPolicyTest {
     Chances network = network(3, 1, new SplittableRandom(3));
     network.showTarget(0, false);
     int[] before = network.currentLevels();
-    network.decide(network.begin(new OptimalExpectedZoomPolicy(10), 1));
+    network.decide(
+        network.begin(
+            new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=10")), 1));
     assertArrayEquals(before, network.currentLevels());
   }
 
@@ -123,7 +132,9 @@ class OptimalExpectedZoomPolicyTest {
   void byAThresholdItReachesTheBestKMin() {
     ToyNetwork network = new ToyNetwork(2, 2, 2, 1).see(0, 0, 0).see(0, 1, 1).see(1, 0, 1);
     network.see(1, 1, 0).see(2, 0, 0, 1);
-    network.decide(network.begin(new OptimalExpectedZoomPolicy(10), 1));
+    network.decide(
+        network.begin(
+            new OptimalExpectedZoomPolicy(Options.parse("optimal-expected", "nodes=10")), 1));
     network.observe();
     assertEquals(2, network.kMin());
   }

@@ -42,7 +42,7 @@ class OptimalZoomPolicyTest {
   @Test
   void aCameraWithADominatingLevelStaysAtTheNarrowestSuchWithoutBeingAskedAgain() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
-    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.decide(policy);
     int[] views = network.currentLevels();
     long asked = network.globalQueries();
@@ -63,7 +63,7 @@ class OptimalZoomPolicyTest {
   @Test
   void asksAgainWhenTheNetworkChanged() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
-    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.decide(policy);
     long asked = network.globalQueries();
     network.switchCamera(0, false);
@@ -74,7 +74,7 @@ class OptimalZoomPolicyTest {
   @Test
   void keepsTheLevelsWhileNoTargetIsPresent() {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 0, 0).see(1, 1, 0);
-    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     network.showTarget(0, false);
     network.decide(policy);
     assertArrayEquals(new int[] {2, 2}, network.currentLevels());
@@ -87,7 +87,7 @@ class OptimalZoomPolicyTest {
   void keepsTheLevelsOfCamerasWithADominatingLevelTooWhileNoTargetIsPresent() {
     GeometricNetwork network = GeometricNetwork.random(NESTED, 3);
     int[] views = network.currentLevels();
-    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+    OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     for (int target = 0; target < network.targets(); target++) {
       network.showTarget(target, false);
     }
@@ -101,7 +101,7 @@ class OptimalZoomPolicyTest {
   @Test
   void ofEquallyGoodLevelsTakesTheOneThatDetectsMostThenTheNarrowest() {
     ToyNetwork network = new ToyNetwork(2, 4).see(0, 0, 1).see(0, 1, 0, 1).see(0, 2, 0, 1);
-    network.decide(network.begin(new OptimalZoomPolicy(), 1));
+    network.decide(network.begin(new OptimalZoomPolicy(1_000_000), 1));
     assertEquals(1, network.view(0));
   }
 
@@ -109,7 +109,7 @@ class OptimalZoomPolicyTest {
   void leavesOfflineCamerasAlone() {
     ToyNetwork network = new ToyNetwork(1, 3, 3).see(0, 0, 0).see(1, 1, 0);
     network.switchCamera(0, false);
-    network.decide(network.begin(new OptimalZoomPolicy(), 1));
+    network.decide(network.begin(new OptimalZoomPolicy(1_000_000), 1));
     assertArrayEquals(new int[] {2, 1}, network.currentLevels());
   }
 
@@ -117,7 +117,7 @@ class OptimalZoomPolicyTest {
     int positive = 0;
     for (int world = 0; world < worlds; world++) {
       GeometricNetwork network = GeometricNetwork.random(kind, world);
-      OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(), 1);
+      OptimalZoomPolicy policy = network.begin(new OptimalZoomPolicy(1_000_000), 1);
       for (int step = 0; step < 3; step++) {
         network.decide(policy);
         network.observe();
@@ -146,7 +146,7 @@ class OptimalZoomPolicyTest {
     GeometricNetwork.Kind rings = new GeometricNetwork.Kind(12, 4, 12, 1, false, false, 20, 15);
     GeometricNetwork network = GeometricNetwork.random(rings, 1);
     OptimalZoomPolicy limited = network.begin(new OptimalZoomPolicy(0), 1);
-    OptimalZoomPolicy exact = network.begin(new OptimalZoomPolicy(), 1);
+    OptimalZoomPolicy exact = network.begin(new OptimalZoomPolicy(1_000_000), 1);
     long lost = 0;
     for (int step = 0; step < 300; step++) {
       network.step(limited);

@@ -16,7 +16,6 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import org.hificamsim.agents.choice.Ties;
-import org.hificamsim.agents.choice.Utility;
 import org.hificamsim.agents.toy.ToyNetwork;
 import org.hificamsim.core.AllocatedBytes;
 import org.hificamsim.core.InputException;
@@ -33,8 +32,7 @@ class ActionValuesTest {
   @Property(tries = 200)
   void theBestActionIsFoundAfterAnyUpdates(
       @ForAll @IntRange(min = 1, max = 6) int views, @ForAll Ties ties, @ForAll long seed) {
-    ActionValues values =
-        new ActionValues(new ToyNetwork(2, views), settings(StateReading.COUNT, 0, ties));
+    ActionValues values = new ActionValues(new ToyNetwork(2, views), StateReading.COUNT, ties, 0);
     SplittableRandom random = new SplittableRandom(seed);
     double[] plain = new double[views];
     for (int i = 0; i < 100; i++) {
@@ -48,7 +46,7 @@ class ActionValuesTest {
   @Property(tries = 20)
   void tablesThatGrowHoldWhatAWholeTableWould(
       @ForAll StateReading reading, @ForAll Ties ties, @ForAll long seed) {
-    ActionValues values = new ActionValues(bigNetwork(), settings(reading, -1, ties));
+    ActionValues values = new ActionValues(bigNetwork(), reading, ties, -1);
     SplittableRandom random = new SplittableRandom(seed);
     Map<Integer, double[]> plain = new HashMap<>();
     for (int i = 0; i < 2_000; i++) {
@@ -66,7 +64,7 @@ class ActionValuesTest {
 
   @Test
   void aTableHasRoomForEveryTargetAtOnce() {
-    ActionValues values = new ActionValues(bigNetwork(), settings(StateReading.LEVEL_COUNT));
+    ActionValues values = new ActionValues(bigNetwork(), StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
     int last = values.state(0, LEVELS - 1, TARGETS);
     values.set(0, last, LEVELS - 1, 3);
     assertEquals(3, values.value(0, last, LEVELS - 1));
@@ -75,7 +73,7 @@ class ActionValuesTest {
 
   @Test
   void aTableGrowsForItsOwnCameraAlone() {
-    ActionValues values = new ActionValues(bigNetwork(), settings(StateReading.LEVEL_COUNT));
+    ActionValues values = new ActionValues(bigNetwork(), StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
     int state = values.state(0, 1, 3_000);
     values.set(0, state, 2, 3);
     assertEquals(0, values.value(1, state, 2));
@@ -86,7 +84,7 @@ class ActionValuesTest {
   @Test
   void statesThatATableLacksAnswerLikeThoseItHasBeforeAnyUpdate() {
     for (Ties ties : Ties.values()) {
-      ActionValues values = new ActionValues(bigNetwork(), settings(StateReading.COUNT, 2, ties));
+      ActionValues values = new ActionValues(bigNetwork(), StateReading.COUNT, ties, 2);
       for (int detected = 0; detected < 10; detected++) {
         assertEquals(2, values.value(0, detected, 0));
         assertEquals(ties.best(LEVELS), values.best(0, detected));
@@ -101,7 +99,7 @@ class ActionValuesTest {
   @Test
   void aTableGrowsByOneStateTooWhereThatIsMissing() {
     for (StateReading reading : StateReading.values()) {
-      ActionValues values = new ActionValues(bigNetwork(), settings(reading));
+      ActionValues values = new ActionValues(bigNetwork(), reading, Ties.WIDEST, 0);
       for (int percept = 0; percept <= 40 && percept < reading.percepts(TARGETS); percept++) {
         for (int view = 0; view < LEVELS; view++) {
           int state = values.state(0, view, percept);
@@ -116,7 +114,9 @@ class ActionValuesTest {
   void aSmallNetworkHasAllStatesAtOnceSoThatNoUpdateAllocates() {
     Iterator<ActionValues> fresh =
         Stream.generate(
-                () -> new ActionValues(new ToyNetwork(50, 5), settings(StateReading.LEVEL_COUNT)))
+                () ->
+                    new ActionValues(
+                        new ToyNetwork(50, 5), StateReading.LEVEL_COUNT, Ties.WIDEST, 0))
             .iterator();
     assertEquals(
         0,
@@ -130,7 +130,7 @@ class ActionValuesTest {
   @Test
   void answersOfTheLevelsThatBothCamerasHave() {
     ActionValues values =
-        new ActionValues(new ToyNetwork(1, 4, 2), settings(StateReading.LEVEL_COUNT));
+        new ActionValues(new ToyNetwork(1, 4, 2), StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
     int state = values.state(0, 1, 1);
     values.set(0, state, 0, 1);
     values.set(0, state, 3, 2);
@@ -142,22 +142,24 @@ class ActionValuesTest {
   @Test
   void knowsTheLevelsOfItsCameraOrAllWhereLevelsDoNotCount() {
     ToyNetwork network = new ToyNetwork(1, 4, 2);
-    ActionValues byLevel = new ActionValues(network, settings(StateReading.LEVEL_COUNT));
+    ActionValues byLevel = new ActionValues(network, StateReading.LEVEL_COUNT, Ties.WIDEST, 0);
     assertTrue(byLevel.knows(1, 1));
     assertFalse(byLevel.knows(1, 2));
-    assertTrue(new ActionValues(network, settings(StateReading.COUNT)).knows(1, 3));
-    assertTrue(new ActionValues(network, settings(StateReading.NONE)).knows(1, 3));
+    assertTrue(new ActionValues(network, StateReading.COUNT, Ties.WIDEST, 0).knows(1, 3));
+    assertTrue(new ActionValues(network, StateReading.NONE, Ties.WIDEST, 0).knows(1, 3));
   }
 
   @Test
   void theLargestTableThatFitsIsTaken() {
     int counts = (1 << 28) / 128; // a row has an entry for each of 127 views, and one more
-    TemporalDifferenceSettings settings = settings(StateReading.COUNT);
-    ActionValues values = new ActionValues(oneCamera(127, counts - 1), settings);
+    ActionValues values =
+        new ActionValues(oneCamera(127, counts - 1), StateReading.COUNT, Ties.WIDEST, 0);
     assertEquals(126, values.best(0, counts - 1));
     NetworkView larger = oneCamera(127, counts);
     InputException refused =
-        assertThrows(InputException.class, () -> new ActionValues(larger, settings));
+        assertThrows(
+            InputException.class,
+            () -> new ActionValues(larger, StateReading.COUNT, Ties.WIDEST, 0));
     assertEquals(
         "a camera's table of action values needs more than 268435456 entries for 2097152 targets"
             + " and 127 views. Maybe give the option state=none",
@@ -191,14 +193,5 @@ class ActionValuesTest {
     int[] views = new int[CAMERAS];
     Arrays.fill(views, LEVELS);
     return new ToyNetwork(TARGETS, views);
-  }
-
-  private static TemporalDifferenceSettings settings(StateReading reading) {
-    return settings(reading, 0, Ties.WIDEST);
-  }
-
-  private static TemporalDifferenceSettings settings(StateReading reading, double q0, Ties ties) {
-    return new TemporalDifferenceSettings(
-        reading, RewardReading.COUNT_CHANGE, Utility.Reading.OBJECTIVE, 0.1, 0.9, 1, q0, ties);
   }
 }

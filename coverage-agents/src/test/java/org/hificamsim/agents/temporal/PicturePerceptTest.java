@@ -2,12 +2,12 @@ package org.hificamsim.agents.temporal;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import java.util.List;
 import org.hificamsim.agents.baseline.FixedZoomPolicy;
 import org.hificamsim.agents.toy.RealWorld;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.Test;
@@ -46,10 +46,10 @@ class PicturePerceptTest {
   @Test
   void farIsWhatTheModelHardlyReaches() {
     DetectionModel weak = new OnlyNear(5);
-    ZoomPolicy still = new FixedZoomPolicy(List.of(0), List.of());
+    ZoomPolicy still = new FixedZoomPolicy(Options.none("fixed"));
     Simulation run = RealWorld.run(CAMERA + at(-20, 2.4) + at(20, 2.6), weak, still, 1);
     run.step();
-    assertEquals(0b100_001, new PicturePercept(true).look(run.network(), 0));
+    assertEquals(0b100_001, look(run.network(), true));
   }
 
   private record OnlyNear(double metres) implements DetectionModel {
@@ -75,23 +75,31 @@ class PicturePerceptTest {
   void isEmptyWhileTheCameraMovesBlindly() {
     Simulation run = run("fixed:0,pans=1", at(20, 3) + at(60, 3));
     assertEquals(-1, run.network().seeing(0));
-    assertEquals(0, new PicturePercept(false).look(run.network(), 0));
+    assertEquals(0, look(run.network(), false));
     run.step();
-    assertEquals(0b010, new PicturePercept(false).look(run.network(), 0), "there now");
+    assertEquals(0b010, look(run.network(), false), "there now");
   }
 
   private static void assertPicture(int parts, boolean depth, String targets) {
-    PicturePercept picture = new PicturePercept(depth);
-    picture.look(run("fixed", at(0, -5)).network(), 0);
-    assertEquals(parts, picture.look(run("fixed", targets).network(), 0));
-    assertEquals(parts, picture.parts());
+    PicturePercept picture = new PicturePercept(1, depth);
+    picture.look(run("fixed", at(0, -5)).network());
+    NetworkView network = run("fixed", targets).network();
+    assertEquals(parts, picture.now(network, 0));
+    picture.look(network);
+    assertEquals(parts, picture.of(0));
+  }
+
+  private static int look(NetworkView network, boolean depth) {
+    PicturePercept picture = new PicturePercept(1, depth);
+    picture.look(network);
+    return picture.of(0);
   }
 
   private static Simulation run(String policy, String targets) {
     int colon = policy.indexOf(':');
     Options options =
         colon < 0 ? Options.none(policy) : Options.parse("fixed", policy.substring(colon + 1));
-    Simulation run = RealWorld.run(CAMERA + targets, FixedZoomPolicy.from(options), 1);
+    Simulation run = RealWorld.run(CAMERA + targets, new FixedZoomPolicy(options), 1);
     run.step();
     return run;
   }

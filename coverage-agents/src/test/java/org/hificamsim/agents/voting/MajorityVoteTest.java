@@ -7,42 +7,42 @@ import org.junit.jupiter.api.Test;
 class MajorityVoteTest {
   @Test
   void mostVotesWinAgainstTheOwnAction() {
-    assertEquals(3, winner(VoteTies.OWN, 0, 0, 3, 3));
+    assertEquals(3, winner(MajorityVote.Draw.OWN, 0, 0, 3, 3));
   }
 
   @Test
   void theOwnActionWinsADrawItTakesPartIn() {
-    assertEquals(1, winner(VoteTies.OWN, 1, 1, 3));
+    assertEquals(1, winner(MajorityVote.Draw.OWN, 1, 1, 3));
   }
 
   @Test
   void theWidestWinsADrawWithoutTheOwnAction() {
-    assertEquals(3, winner(VoteTies.OWN, 0, 0, 1, 1, 3, 3));
+    assertEquals(3, winner(MajorityVote.Draw.OWN, 0, 0, 1, 1, 3, 3));
   }
 
   @Test
   void drawsGoToTheWidestOrNarrowestWhenSaidSo() {
-    assertEquals(3, winner(VoteTies.WIDEST, 1, 1, 3));
-    assertEquals(1, winner(VoteTies.NARROWEST, 3, 1, 3));
+    assertEquals(3, winner(MajorityVote.Draw.WIDEST, 1, 1, 3));
+    assertEquals(1, winner(MajorityVote.Draw.NARROWEST, 3, 1, 3));
   }
 
   @Test
   void withoutVotesTheOwnActionStands() {
-    for (VoteTies ties : VoteTies.values()) {
+    for (MajorityVote.Draw ties : MajorityVote.Draw.values()) {
       assertEquals(2, winner(ties, 2));
     }
   }
 
   @Test
   void aSecondVoteForgetsTheFirst() {
-    MajorityVote vote = new MajorityVote(VoteTies.OWN, 4);
+    MajorityVote vote = new MajorityVote(MajorityVote.Draw.OWN, 4);
     vote.vote(3);
     vote.open();
     vote.vote(1);
     assertEquals(1, vote.winner(0));
   }
 
-  private static int winner(VoteTies ties, int own, int... votes) {
+  private static int winner(MajorityVote.Draw ties, int own, int... votes) {
     MajorityVote vote = new MajorityVote(ties, 4);
     vote.open();
     for (int view : votes) {

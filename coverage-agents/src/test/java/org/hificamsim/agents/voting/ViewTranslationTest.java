@@ -49,7 +49,7 @@ class ViewTranslationTest {
   @Test
   void aNeighbourAnswersWithItsOwnBestViewAsNearAsTheAskerHasOne() {
     QbSarsaZoomPolicy policy =
-        QbSarsaZoomPolicy.from(Options.parse("qb-sarsa", "epsilon=0,own-vote=no"));
+        new QbSarsaZoomPolicy(Options.parse("qb-sarsa", "epsilon=0,own-vote=no"));
     Simulation run =
         RealWorld.run(world(LONG + SHORT, "optics='long'", "optics='short'"), policy, 1);
     ActionValues values = policy.q();
