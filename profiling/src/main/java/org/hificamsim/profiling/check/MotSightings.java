@@ -6,13 +6,12 @@ import java.util.List;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.hificamsim.tracks.format.MotFile;
-import org.hificamsim.tracks.format.MotRow;
 
 /** The boxes of a MOT file that can be compared, and how many cannot. */
 final class MotSightings {
   private final CalibratedPicture picture;
   private final double metres;
-  private final List<MotRow> whole = new ArrayList<>();
+  private final List<MotFile.Row> whole = new ArrayList<>();
   private final List<Sighting> sightings = new ArrayList<>();
   private boolean inWorld;
   private int ignored;
@@ -43,7 +42,7 @@ final class MotSightings {
     return read;
   }
 
-  private void take(MotRow row) {
+  private void take(MotFile.Row row) {
     boolean empty = row.width() <= 0 || row.height() <= 0;
     if (row.confidence() == 0 || empty) {
       ignored++;
@@ -57,7 +56,7 @@ final class MotSightings {
   }
 
   private void locate() {
-    for (MotRow row : whole) {
+    for (MotFile.Row row : whole) {
       Vector3D foot = foot(row);
       if (Double.isNaN(foot.getX())) {
         nowhere++;
@@ -70,7 +69,7 @@ final class MotSightings {
   }
 
   /** As the file says; where it says it of no target, as the calibration has the box's foot. */
-  private Vector3D foot(MotRow row) {
+  private Vector3D foot(MotFile.Row row) {
     return inWorld
         ? new Vector3D(metres * row.x(), metres * row.y(), 0)
         : picture.camera().ground(new Pixel(row.footX(), row.footY()));
