@@ -1,6 +1,7 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -12,12 +13,14 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ComparisonFiles;
+import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.SummaryTables;
 import picocli.CommandLine.Command;
@@ -83,23 +86,51 @@ final class CompareCommand implements Callable<Integer> {
               }
               return results;
             },
-            ComparisonTable::print);
+            CompareCommand::print);
   }
 
   private List<RunPlan> plans(Catalogue catalogue) {
     Settings asked = settings.settings();
-    List<DetectionSpec> specs = DetectionList.split(detections, catalogue);
-    List<String> zooms = PolicyList.split(policies, catalogue.policies());
-    Distinct.require("--policies", zooms);
+    List<DetectionSpec> specs = NameLists.detections(detections, catalogue);
+    List<String> zooms = NameLists.policies(policies, catalogue.policies());
     List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     List<RunPlan> plans = new ArrayList<>();
     for (Scenario scenario : scenarios) {
       List<Detection> used = specs.stream().map(one -> one.detection(asked, scenario)).toList();
-      Distinct.require("--detections", used.stream().map(Detection::name).toList());
+      NameLists.requireDistinct("--detections", used.stream().map(Detection::name).toList());
       for (Detection detection : used) {
         zooms.forEach(policy -> plans.add(asked.plan(scenario, detection, policy)));
       }
     }
     return plans;
+  }
+
+  private static void print(PrintWriter out, List<CaseResult> cases) {
+    SummaryTables.cases(cases).print(out);
+    if (cases.stream().allMatch(one -> one.values(Metric.SCORE).mean().mean() == 0)) {
+      nothing(out, cases);
+    }
+    List<PolicyScores> policies =
+        PolicyScores.of(cases.stream().filter(one -> !one.isOptimum()).toList());
+    if (policies.stream().anyMatch(one -> one.cases().size() > 1)) {
+      out.println();
+      out.println("all scenarios, of the optimum:");
+      SummaryTables.aggregates(policies).print(out);
+    }
+  }
+
+  /** What is covered where performance says nothing, and why: how far each detection sees. */
+  private static void nothing(PrintWriter out, List<CaseResult> cases) {
+    out.println("no step had every target covered, so performance is 0; shares of targets:");
+    SummaryTables.coverage(cases).print(out);
+    cases.stream().map(one -> reach(one.plan())).distinct().forEach(out::println);
+  }
+
+  private static String reach(RunPlan plan) {
+    return plan.scenario().name()
+        + ", "
+        + plan.detection().name()
+        + (plan.detection().certain() ? ": detected up to " : ": detected half of the time up to ")
+        + DetectionHints.reach(plan.scenario(), plan.detection());
   }
 }

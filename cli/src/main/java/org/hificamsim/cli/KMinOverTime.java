@@ -7,9 +7,9 @@ import org.hificamsim.core.policy.NetworkView;
 
 /**
  * The mean of k_min over all repeats in a few parts of the run, of equally many steps (some may
- * have one more than others). Repeats may run on several threads: the sums are of whole numbers.
+ * have one more than others).
  */
-final class KMinOverTime {
+final class KMinOverTime implements StepListener {
   private static final int MAX_PARTS = 40;
 
   private final int steps;
@@ -25,39 +25,17 @@ final class KMinOverTime {
     this.counts = new long[sums.length];
   }
 
-  /** The listener of one repeat. */
-  StepListener listener() {
-    return new Repeat();
+  @Override
+  public void stepped(NetworkView network, StepCoverage coverage) {
+    int part = (int) (network.step() * sums.length / steps);
+    sums[part] += coverage.kMin();
+    counts[part]++;
   }
 
   /** The mean of each part; 0 where nothing ran. */
-  synchronized double[] means() {
+  double[] means() {
     double[] means = new double[sums.length];
     Arrays.setAll(means, part -> sums[part] / (double) Math.max(1, counts[part]));
     return means;
-  }
-
-  private synchronized void add(long[] repeatSums, long[] repeatCounts) {
-    for (int part = 0; part < sums.length; part++) {
-      sums[part] += repeatSums[part];
-      counts[part] += repeatCounts[part];
-    }
-  }
-
-  private final class Repeat implements StepListener {
-    private final long[] own = new long[sums.length];
-    private final long[] seen = new long[sums.length];
-
-    @Override
-    public void stepped(NetworkView network, StepCoverage coverage) {
-      int part = (int) (network.step() * own.length / steps);
-      own[part] += coverage.kMin();
-      seen[part]++;
-    }
-
-    @Override
-    public void ended(NetworkView network) {
-      add(own, seen);
-    }
   }
 }

@@ -1,20 +1,24 @@
 package org.hificamsim.cli;
 
 import java.io.IOException;
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.reproduction.ladder.Ladder;
 import org.hificamsim.reproduction.ladder.LadderFiles;
+import org.hificamsim.reproduction.ladder.LadderResult;
+import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
 import org.hificamsim.reproduction.ladder.Rung;
 import org.hificamsim.reproduction.ladder.Rungs;
-import org.hificamsim.reproduction.ladder.WorldRungs;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -62,7 +66,7 @@ final class LadderCommand implements Callable<Integer> {
       names = "--detection",
       paramLabel = "NAME|FILE.json[@T|@RULE]",
       description =
-          "With --of world: what all rungs detect by; default: " + WorldRungs.DETECTION + ".")
+          "With --of world: what all rungs detect by; default: " + Rungs.WORLD_DETECTION + ".")
   private Optional<String> detection;
 
   @Option(
@@ -93,13 +97,12 @@ final class LadderCommand implements Callable<Integer> {
               ComparisonFiles.write(folder, results.subList(0, plans.size()), results);
               return LadderFiles.write(folder, ladder, results, catalogue);
             },
-            LadderTable::print);
+            LadderCommand::print);
   }
 
   private Ladder ladder(Settings asked, Catalogue catalogue) {
     asked.asked(Setting.DETECT).ifPresent(LadderCommand::refuse);
-    List<String> specs = PolicyList.split(policies, catalogue.policies());
-    Distinct.require("--policies", specs);
+    List<String> specs = NameLists.policies(policies, catalogue.policies());
     List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     return new Ladder(
         scenarios,
@@ -120,8 +123,10 @@ final class LadderCommand implements Callable<Integer> {
   }
 
   private List<Rung> ofWorld(Optional<List<String>> names) {
-    WorldRungs all = new WorldRungs(detection.orElse(WorldRungs.DETECTION));
-    return names.map(asked -> asked.stream().map(all::named).toList()).orElseGet(all::all);
+    String all = detection.orElse(Rungs.WORLD_DETECTION);
+    return names
+        .map(asked -> asked.stream().map(name -> Rungs.ofWorld(all, name)).toList())
+        .orElseGet(() -> Rungs.ofWorld(all));
   }
 
   private List<Rung> ofDetection(Optional<List<String>> names) {
@@ -132,6 +137,46 @@ final class LadderCommand implements Callable<Integer> {
                   + text
                   + "', expected none without --of world: --rungs names them");
         });
-    return names.map(asked -> asked.stream().map(Rungs::named).toList()).orElseGet(Rungs::all);
+    return names
+        .map(asked -> asked.stream().map(Rungs::ofDetection).toList())
+        .orElseGet(Rungs::ofDetection);
+  }
+
+  /** Each scenario, then all with the costs. */
+  private static void print(PrintWriter out, LadderResult result) {
+    String columns =
+        "%-"
+            + width(result.scenarios().stream())
+            + "s  %-"
+            + width(result.rungs().stream().map(one -> one.rung().name()))
+            + "s  %7s  %20s  %23s  ";
+    String lost = result.measure() + " lost, % [95%]";
+    String header = columns.formatted("scenario", "rung", "optimum", "tau [95%]", lost);
+    out.println(header + "chosen");
+    for (RungResult one : result.rungs()) {
+      if (!one.scenario().equals(RungResult.ALL)) {
+        out.println(line(columns, one) + String.join(LadderFiles.OR, one.chosen()));
+      }
+    }
+    out.println();
+    out.println(header + " ns/step  adds");
+    List<RungResult> all = result.of(RungResult.ALL);
+    for (int i = 0; i < all.size(); i++) {
+      String cost = String.format(Locale.ROOT, "%8.0f  ", result.nanoseconds().get(i));
+      out.println(line(columns, all.get(i)) + cost + all.get(i).rung().adds());
+    }
+  }
+
+  private static String line(String columns, RungResult one) {
+    return columns.formatted(
+        one.scenario(),
+        one.rung().name(),
+        String.format(Locale.ROOT, "%.3f", one.optimum().mean()),
+        one.tau().text("%.2f"),
+        one.share().times(100).text("%.1f"));
+  }
+
+  private static int width(Stream<String> texts) {
+    return texts.mapToInt(String::length).reduce(8, Math::max);
   }
 }

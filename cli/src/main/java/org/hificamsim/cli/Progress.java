@@ -1,11 +1,14 @@
 package org.hificamsim.cli;
 
 import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.Locale;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongSupplier;
 import me.tongfei.progressbar.ProgressBar;
 import me.tongfei.progressbar.ProgressBarBuilder;
+import me.tongfei.progressbar.ProgressBarStyle;
 import org.hificamsim.profiling.measure.MeasureProgress;
 import org.hificamsim.runs.compare.RunProgress;
 
@@ -33,23 +36,27 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
     }
   }
 
-  private ProgressLine line;
+  private final String task;
+  private final String unit;
   private final long total;
   private final PrintWriter err;
   private final Telling telling;
   private final LongSupplier clock;
-  private long started;
   private final AtomicLong done = new AtomicLong();
+  private long already;
+  private long started;
   private volatile long next; // nanoseconds
   private ProgressBar bar;
 
   /**
    * @param unit what is counted, as in {@code " steps"}
+   * @param total 1 or more
    * @param clock nanoseconds
    */
   Progress(
       String task, String unit, long total, PrintWriter err, Telling telling, LongSupplier clock) {
-    this.line = new ProgressLine(task, unit.strip(), total);
+    this.task = task;
+    this.unit = unit;
     this.total = total;
     this.err = err;
     this.telling = telling;
@@ -74,31 +81,52 @@ final class Progress implements RunProgress, MeasureProgress, AutoCloseable {
     }
     if (telling == Telling.BAR) {
       next = now + BETWEEN_BARS;
-      if (bar == null) {
-        bar = bar();
-      }
+      bar = bar == null ? bar(now - started) : bar;
       bar.stepTo(done.get());
     } else {
       next = now + BETWEEN_LINES;
-      err.println(line.plain(done.get(), now - started));
+      err.println(line(now - started));
     }
+  }
+
+  private ProgressBar bar(long elapsed) {
+    return new ProgressBarBuilder()
+        .setTaskName(task)
+        .setUnit(unit, 1)
+        .setInitialMax(total)
+        .startsFrom(done.get(), Duration.ofNanos(elapsed))
+        .setStyle(ProgressBarStyle.ASCII)
+        .showSpeed()
+        .build();
+  }
+
+  /** How much is done, how fast, how long it will take at the mean speed so far. */
+  private String line(long elapsed) {
+    long now = done.get();
+    double perSecond = (now - already) * (double) TimeUnit.SECONDS.toNanos(1) / elapsed;
+    long left = (long) Math.ceil((total - now) / perSecond);
+    return String.format(
+        Locale.ROOT,
+        "%s: %d of %d%s (%d%%), %." + (perSecond < 10 ? 1 : 0) + "f%s/s, %d:%02d:%02d left",
+        task,
+        now,
+        total,
+        unit,
+        100 * now / total,
+        perSecond,
+        unit,
+        left / 3600,
+        left / 60 % 60,
+        left % 60);
   }
 
   /** Counts what was done before: it takes no time, and says nothing of the speed. */
   @Override
   public synchronized void resume(long units) {
     done.set(units);
+    already = units;
     started = clock.getAsLong();
     next = Math.max(next, started + QUIET);
-    line = line.after(units);
-  }
-
-  private ProgressBar bar() {
-    return new ProgressBarBuilder()
-        .setInitialMax(total)
-        .setRenderer(
-            (state, width) -> line.bar(state.getCurrent(), clock.getAsLong() - started, width))
-        .build();
   }
 
   @Override

@@ -7,6 +7,7 @@ import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.IntFunction;
@@ -116,44 +117,46 @@ final class RunCommand implements Callable<Integer> {
     new RunExecutor(catalogue).check(plan);
     checkRecord(catalogue, plan);
     listeners.forEach(catalogue.listeners()::create);
-    Optional<HeatRecorder> heat =
-        heatmap
-            ? Optional.of(new HeatRecorder(world(plan, catalogue), plan.detection(), most))
-            : Optional.empty();
-    List<Setup.Floor> floor = record ? FloorPictures.of(file, plan.scenario()) : List.of();
+    HeatRecorder heat =
+        heatmap ? new HeatRecorder(world(plan, catalogue), plan.detection(), most) : null;
+    ReplayRecorder replay = record ? replay(plan, catalogue) : null;
+    KMinOverTime kMin = new KMinOverTime(plan.steps());
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan), tables);
         Workers workers = Workers.of(threads.count())) {
-      KMinOverTime kMin = new KMinOverTime(plan.steps());
-      Optional<ReplayRecorder> replay =
-          record ? Optional.of(replay(plan, catalogue, floor)) : Optional.empty();
-      IntFunction<Stream<StepListener>> own =
-          run ->
-              Stream.concat(
-                  Stream.concat(Stream.of(kMin.listener()), heat.stream()),
-                  replay.map(film -> film.listener(run)).stream());
       List<RunResult> results =
-          execute(plan, new RunExecutor(catalogue, workers), catalogue, output, own);
+          execute(
+              plan,
+              catalogue,
+              workers,
+              run ->
+                  Stream.of(
+                      output.listener(run),
+                      kMin,
+                      heat,
+                      replay == null ? null : replay.listener(run)));
       output.manifest(screen.words(), started, (long) plan.steps() * plan.repeats());
-      if (replay.isPresent()) {
-        replay.get().write(output.replay());
+      if (replay != null) {
+        replay.write(output.replay());
       }
-      Optional<HeatMap> map = heat.map(HeatRecorder::map);
-      if (map.isPresent()) {
-        output.add(all -> HeatTable.write(all, map.get()));
+      HeatMap map = heat == null ? null : heat.map();
+      if (map != null) {
+        output.add(all -> HeatTable.write(all, map));
       }
       output.inputs(plan);
       output.commit(plan, results);
-      if (replay.isPresent()) {
+      if (replay != null) {
         report(folder);
       }
-      List<String> beside = replay.isPresent() ? List.of(ResultFolder.REPORT) : List.of();
+      List<String> beside = record ? List.of(ResultFolder.REPORT) : List.of();
       CrateFile.write(folder, output.written(), beside, List.of(plan));
       if (json) {
         screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
       } else {
         SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
-        map.ifPresent(this::tell);
+        if (map != null) {
+          tell(map);
+        }
       }
     }
     return 0;
@@ -227,29 +230,33 @@ final class RunCommand implements Callable<Integer> {
     return asked.plan(scenario, used);
   }
 
+  /**
+   * @param recorders of a run; null where one was not asked for
+   */
   private List<RunResult> execute(
       RunPlan plan,
-      RunExecutor executor,
       Catalogue catalogue,
-      RunFolder output,
-      IntFunction<Stream<StepListener>> own)
+      Workers workers,
+      IntFunction<Stream<StepListener>> recorders)
       throws IOException {
     long total = (long) plan.steps() * plan.repeats();
     try (Progress progress = screen.progress(plan.scenario().name(), " steps", total)) {
-      return executor.execute(
-          plan,
-          run -> {
-            List<StepListener> all = new ArrayList<>();
-            all.add(output.listener(run));
-            own.apply(run).forEach(all::add);
-            all.add((network, coverage) -> progress.advance());
-            listeners.forEach(name -> all.add(catalogue.listeners().create(name)));
-            return all;
-          });
+      StepListener counter = (network, coverage) -> progress.advance();
+      return new RunExecutor(catalogue, workers)
+          .execute(
+              plan,
+              run ->
+                  Stream.of(
+                          recorders.apply(run).filter(Objects::nonNull),
+                          Stream.of(counter),
+                          listeners.stream().map(catalogue.listeners()::create))
+                      .flatMap(all -> all)
+                      .toList());
     }
   }
 
-  private static ReplayRecorder replay(RunPlan plan, Catalogue catalogue, List<Setup.Floor> floor) {
+  private ReplayRecorder replay(RunPlan plan, Catalogue catalogue) {
+    List<Setup.Floor> floor = FloorPictures.of(file, plan.scenario());
     return new ReplayRecorder(
         Setup.of(world(plan, catalogue), plan.detection(), plan.policy(), plan.seed(), floor),
         plan.detection(),

@@ -56,7 +56,7 @@ final class ScenarioOptions {
   /** Reads several scenarios, each with a name of its own. */
   List<Scenario> read(List<Path> files, Settings asked, Catalogue catalogue, PrintWriter err) {
     List<Scenario> all = files.stream().map(file -> read(file, asked, catalogue, err)).toList();
-    Distinct.require("the scenarios' names", all.stream().map(Scenario::name).toList());
+    NameLists.requireDistinct("the scenarios' names", all.stream().map(Scenario::name).toList());
     return all;
   }
 
@@ -65,7 +65,9 @@ final class ScenarioOptions {
    * asked for what it was not fitted on.
    */
   void warnAboutLens(Path file, Scenario scenario, Detection detection, PrintWriter err) {
-    Stream.of(DetectionHints.lens(scenario, detection), Extrapolation.warning(scenario, detection))
+    Stream.of(
+            DetectionHints.lens(scenario, detection),
+            DetectionHints.extrapolation(scenario, detection))
         .flatMap(Optional::stream)
         .forEach(line -> on(err).accept(file + ": " + line));
   }

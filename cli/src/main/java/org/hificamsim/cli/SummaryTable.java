@@ -1,7 +1,10 @@
 package org.hificamsim.cli;
 
 import java.io.PrintWriter;
+import java.nio.charset.Charset;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import org.hificamsim.runs.Estimate;
@@ -12,6 +15,9 @@ import org.hificamsim.runs.RunResult;
 
 /** The short table that a run prints when it is done. */
 final class SummaryTable {
+  private static final String BLOCKS = "\u2581\u2582\u2583\u2584\u2585\u2586\u2587\u2588";
+  private static final String ASCII = "_.:-=+*#";
+
   private final PrintWriter out;
   private final List<RunResult> results;
 
@@ -44,7 +50,7 @@ final class SummaryTable {
     table.figures(plan);
     table.unproven(plan);
     table.uncovered(plan);
-    table.line("k_min over time", Sparkline.of(kMin));
+    table.line("k_min over time", bars(kMin, terminal()));
     table.line("files", folder.toString());
     out.flush();
   }
@@ -97,5 +103,30 @@ final class SummaryTable {
 
   private void line(String label, String text) {
     out.printf(Locale.ROOT, "%-16s %s%n", label, text);
+  }
+
+  /**
+   * Numbers from 0 as bars in one line of characters, with what the lowest and highest bar mean: in
+   * Unicode's blocks where the character set has them, else in ASCII.
+   */
+  static String bars(double[] values, Charset charset) {
+    String bars = charset.newEncoder().canEncode(BLOCKS) ? BLOCKS : ASCII;
+    int last = bars.length() - 1;
+    double most = Arrays.stream(values).max().orElse(0);
+    StringBuilder line = new StringBuilder();
+    for (double value : values) {
+      line.append(bars.charAt(most == 0 ? 0 : (int) Math.round(value / most * last)));
+    }
+    return line
+        + String.format(
+            Locale.ROOT, "  (%c 0 to %c %.2f)", bars.charAt(0), bars.charAt(last), most);
+  }
+
+  /** What the locale says; the JVM's own default is UTF-8 whatever the terminal. */
+  private static Charset terminal() {
+    String name = System.getProperty("native.encoding", "");
+    return !name.isEmpty() && Charset.isSupported(name)
+        ? Charset.forName(name)
+        : StandardCharsets.US_ASCII;
   }
 }

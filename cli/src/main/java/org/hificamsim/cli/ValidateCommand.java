@@ -1,5 +1,9 @@
 package org.hificamsim.cli;
 
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Path;
@@ -56,7 +60,7 @@ final class ValidateCommand implements Callable<Integer> {
       tell(all.get(all.size() - 1));
     }
     if (json) {
-      Json.print(out(), all.stream().map(Checked::entry).toList());
+      print(all.stream().map(Checked::entry).toList());
     }
     return all.stream().allMatch(Checked::valid) ? 0 : Main.BAD_INPUT;
   }
@@ -86,7 +90,7 @@ final class ValidateCommand implements Callable<Integer> {
     Stream.of(
             DetectionHints.smallReach(scenario, used),
             DetectionHints.lens(scenario, used),
-            Extrapolation.warning(scenario, used))
+            DetectionHints.extrapolation(scenario, used))
         .forEach(hint -> hint.ifPresent(line -> warned.add(file + ": " + line)));
   }
 
@@ -97,6 +101,18 @@ final class ValidateCommand implements Callable<Integer> {
     } catch (InputException e) {
       warned.add(e.getMessage());
     }
+  }
+
+  private void print(List<Checked.Entry> all) {
+    DefaultIndenter lines = new DefaultIndenter("  ", "\n");
+    DefaultPrettyPrinter printer =
+        new DefaultPrettyPrinter().withObjectIndenter(lines).withArrayIndenter(lines);
+    try {
+      out().print(new ObjectMapper().writer(printer).writeValueAsString(all) + "\n");
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException("records and lists have a form in JSON", e);
+    }
+    out().flush();
   }
 
   private PrintWriter out() {

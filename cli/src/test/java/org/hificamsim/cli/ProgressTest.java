@@ -10,19 +10,22 @@ import org.junit.jupiter.api.Test;
 
 class ProgressTest {
   private long now;
+  private final StringWriter told = new StringWriter();
+
+  private Progress progress(String task, String unit, long total) {
+    return new Progress(
+        task,
+        unit,
+        total,
+        new PrintWriter(told, true),
+        Progress.Telling.LINES,
+        () -> TimeUnit.SECONDS.toNanos(now));
+  }
 
   /** 36 of 60 photos were measured before; each of the others takes five seconds. */
   @Test
   void workDoneBeforeCountsAsDoneAndPromisesNoSpeed() {
-    StringWriter told = new StringWriter();
-    Progress progress =
-        new Progress(
-            "lab",
-            " photos",
-            60,
-            new PrintWriter(told, true),
-            Progress.Telling.LINES,
-            () -> TimeUnit.SECONDS.toNanos(now));
+    Progress progress = progress("lab", " photos", 60);
     now = 3;
     progress.resume(36);
     for (int photo = 0; photo < 5; photo++) {
@@ -34,5 +37,31 @@ class ProgressTest {
             "lab: 38 of 60 photos (63%), 0.2 photos/s, 0:01:50 left",
             "lab: 41 of 60 photos (68%), 0.2 photos/s, 0:01:35 left"),
         told.toString().lines().toList());
+  }
+
+  @Test
+  void tellsSpeedAndTheTimeLeftAtThatSpeed() {
+    Progress runs = progress("compare", " runs", 3000);
+    Progress steps = progress("run ring", " steps", 8000);
+    for (int step = 1; step < 2000; step++) {
+      steps.advance();
+    }
+    now = 20;
+    runs.advance();
+    steps.advance();
+    assertEquals(
+        List.of(
+            "compare: 1 of 3000 runs (0%), 0.1 runs/s, 16:39:40 left",
+            "run ring: 2000 of 8000 steps (25%), 100 steps/s, 0:01:00 left"),
+        told.toString().lines().toList());
+  }
+
+  @Test
+  void nothingIsLeftAtTheEnd() {
+    Progress progress = progress("run ring", " steps", 1);
+    now = 11;
+    progress.advance();
+    assertEquals(
+        "run ring: 1 of 1 steps (100%), 0.1 steps/s, 0:00:00 left", told.toString().strip());
   }
 }

@@ -1,5 +1,10 @@
 package org.hificamsim.reproduction;
 
+import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
+import static org.hificamsim.reproduction.ReproductionPlans.FIXED;
+import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
+import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -21,7 +26,7 @@ public record Adapting(
   /** The six scenarios under both models. */
   static List<Adapting> of(Cases cases) {
     List<Adapting> all = new ArrayList<>();
-    for (String detection : List.of(ReproductionPlans.HIFI, ReproductionPlans.CAMSIM)) {
+    for (String detection : List.of(HIFI, CAMSIM)) {
       for (String scenario : Layout.SCENARIOS) {
         all.add(of(cases, scenario, detection));
       }
@@ -41,15 +46,15 @@ public record Adapting(
         Locale.ROOT,
         "The optimum is static: %s has the k_min of optimal at every step in %d of %d cases"
             + " (scenario, model); at best, adapting the zoom is worth %.2f of a fixed one.",
-        ReproductionPlans.FIXED,
+        FIXED,
         all.stream().filter(Adapting::sameEveryStep).count(),
         all.size(),
         most);
   }
 
   private static Adapting of(Cases cases, String scenario, String detection) {
-    CaseResult optimal = cases.find(scenario, detection, ReproductionPlans.OPTIMAL);
-    CaseResult fixed = cases.find(scenario, detection, ReproductionPlans.FIXED);
+    CaseResult optimal = cases.find(scenario, detection, OPTIMAL);
+    CaseResult fixed = cases.find(scenario, detection, FIXED);
     return new Adapting(
         scenario,
         detection,

@@ -1,28 +1,40 @@
 package org.hificamsim.reproduction;
 
+import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
+import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
+import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
+import static org.hificamsim.reproduction.ReproductionPlans.SARSA;
+import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
+
 import java.util.ArrayList;
 import java.util.List;
-import org.hificamsim.reproduction.Statement.Margin;
+import org.hificamsim.reproduction.Statements.Margin;
 import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
 
-/** What chapter 8 says of the two detection models. */
-public final class DetectionStatements {
+/** The checks of what chapter 8 says of the two detection models. */
+final class DetectionStatements {
+  private final Cases cases;
   private final Table81 table;
-  private final Margins margins;
 
-  public DetectionStatements(Cases cases) {
-    table = new Table81(cases);
-    margins = new Margins(cases);
+  DetectionStatements(Cases cases) {
+    this.cases = cases;
+    this.table = new Table81(cases);
   }
 
-  /** All statements, in the order of the text. */
-  public List<Statement> all() {
-    return List.of(underestimates(), sameOrder(), scenarioThree(), cluster());
+  List<Margin> margins(String id) {
+    return switch (id) {
+      case "camsim-underestimates" -> underestimates();
+      case "same-order" -> sameOrder();
+      case "scenario-3-least" -> scenarioThree();
+      case "cluster-most" -> cluster();
+      default -> throw new IllegalArgumentException("statement '" + id + "' has no checks");
+    };
   }
 
-  private Statement underestimates() {
+  private List<Margin> underestimates() {
     List<Margin> cells = new ArrayList<>();
     for (Layout layout : Layout.values()) {
       for (String policy : PublishedCell.POLICIES) {
@@ -32,61 +44,44 @@ public final class DetectionStatements {
                 hifi(layout.scenarios(), policy).minus(camsim(layout.scenarios(), policy))));
       }
     }
-    return new Statement(
-        "camsim-underestimates",
-        "8.1, Table 8.1",
-        "Under CamSim's model every policy reaches less of the optimum, in all nine cells.",
-        cells,
-        "");
+    return cells;
   }
 
   /** For each pair of policies, their order under CamSim's model is that under the hi-fi one. */
-  private Statement sameOrder() {
+  private List<Margin> sameOrder() {
     List<Margin> pairs = new ArrayList<>();
     for (String scenario : Layout.SCENARIOS) {
-      pairs.add(pair(scenario, ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.SARSA));
-      pairs.add(pair(scenario, ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.ZOOM_OUT));
-      pairs.add(pair(scenario, ReproductionPlans.SARSA, ReproductionPlans.ZOOM_OUT));
+      pairs.add(pair(scenario, EPSILON_GREEDY, SARSA));
+      pairs.add(pair(scenario, EPSILON_GREEDY, ZOOM_OUT));
+      pairs.add(pair(scenario, SARSA, ZOOM_OUT));
     }
-    return new Statement(
-        "same-order",
-        "8.1, Figure 8.1",
-        "The results under both models are alike qualitatively.",
-        pairs,
-        "read as: policies stand in the same order under both, in all scenarios");
+    return pairs;
   }
 
   private Margin pair(String scenario, String one, String other) {
-    Metric metric = Metric.PERFORMANCE;
-    Margin hifi =
-        Margins.more("", margins.hifi(scenario, one), margins.hifi(scenario, other), metric);
-    boolean up = hifi.value().mean() >= 0;
-    String better = up ? one : other;
-    String worse = up ? other : one;
-    return Margins.more(
+    boolean up = more(scenario, HIFI, one, other).value().mean() >= 0;
+    return up ? more(scenario, CAMSIM, one, other) : more(scenario, CAMSIM, other, one);
+  }
+
+  private Margin more(String scenario, String detection, String better, String worse) {
+    return new Margin(
         scenario + ", " + better + " and " + worse,
-        margins.camsim(scenario, better),
-        margins.camsim(scenario, worse),
-        metric);
+        Bootstrap.difference(
+            cases.find(scenario, detection, better).figures(Metric.PERFORMANCE),
+            cases.find(scenario, detection, worse).figures(Metric.PERFORMANCE)));
   }
 
-  private Statement scenarioThree() {
+  private List<Margin> scenarioThree() {
     String third = Layout.CLUSTER.random();
-    List<Margin> others = new ArrayList<>();
-    for (String scenario : Layout.SCENARIOS) {
-      if (!scenario.equals(third)) {
-        others.add(lessGap(scenario, List.of(scenario), List.of(third), PublishedCell.POLICIES));
-      }
-    }
-    return new Statement(
-        "scenario-3-least",
-        "8.1",
-        "The underestimation is minimal in scenario 3.",
-        others,
-        "mean over the three policies, against each other scenario");
+    return Layout.SCENARIOS.stream()
+        .filter(scenario -> !scenario.equals(third))
+        .map(
+            scenario ->
+                lessGap(scenario, List.of(scenario), List.of(third), PublishedCell.POLICIES))
+        .toList();
   }
 
-  private Statement cluster() {
+  private List<Margin> cluster() {
     List<Margin> others = new ArrayList<>();
     for (String policy : PublishedCell.POLICIES) {
       for (Layout layout : List.of(Layout.LATTICE, Layout.RING)) {
@@ -98,13 +93,7 @@ public final class DetectionStatements {
                 List.of(policy)));
       }
     }
-    return new Statement(
-        "cluster-most",
-        "8.1",
-        "The cluster layout is the most affected by the underestimation.",
-        others,
-        "each policy's gap, against lattice and ring; in the published table lattice has the"
-            + " widest for epsilon-greedy and SARSA");
+    return others;
   }
 
   /** How much wider the gap between the models is in some scenarios than in others. */
@@ -130,10 +119,10 @@ public final class DetectionStatements {
   }
 
   private Ratio hifi(List<String> scenarios, String policy) {
-    return table.ratio(scenarios, ReproductionPlans.HIFI, policy);
+    return table.ratio(scenarios, HIFI, policy);
   }
 
   private Ratio camsim(List<String> scenarios, String policy) {
-    return table.ratio(scenarios, ReproductionPlans.CAMSIM, policy);
+    return table.ratio(scenarios, CAMSIM, policy);
   }
 }

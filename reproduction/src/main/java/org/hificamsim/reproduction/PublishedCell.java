@@ -1,5 +1,8 @@
 package org.hificamsim.reproduction;
 
+import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
+import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
+
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -26,7 +29,7 @@ public record PublishedCell(Layout layout, String policy, boolean hifi, double p
 
   /** The name of the detection model. */
   public String detection() {
-    return hifi ? ReproductionPlans.HIFI : ReproductionPlans.CAMSIM;
+    return hifi ? HIFI : CAMSIM;
   }
 
   /** All eighteen cells. */

@@ -1,5 +1,15 @@
 package org.hificamsim.reproduction;
 
+import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
+import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
+import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
+import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
+import static org.hificamsim.reproduction.ReproductionPlans.QB_SARSA;
+import static org.hificamsim.reproduction.ReproductionPlans.SARSA;
+import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
+import static org.hificamsim.reproduction.ReproductionPlans.alpha;
+import static org.hificamsim.reproduction.ReproductionPlans.epsilon;
+
 import java.awt.Color;
 import java.io.IOException;
 import java.util.ArrayList;
@@ -29,15 +39,56 @@ public final class ReproductionFigures {
   private static final Color PUBLISHED = Palette.PURPLE;
 
   private static final List<String> BARS =
-      List.of(
-          ReproductionPlans.OPTIMAL,
-          ReproductionPlans.SARSA,
-          ReproductionPlans.QB_SARSA,
-          ReproductionPlans.EPSILON_GREEDY,
-          ReproductionPlans.ZOOM_OUT);
+      List.of(OPTIMAL, SARSA, QB_SARSA, EPSILON_GREEDY, ZOOM_OUT);
 
   private static final Map<String, Color> MODELS =
-      Map.of(ReproductionPlans.CAMSIM, Palette.BLUE, ReproductionPlans.HIFI, Palette.VERMILION);
+      Map.of(CAMSIM, Palette.BLUE, HIFI, Palette.VERMILION);
+
+  /**
+   * k_min over time.
+   *
+   * @param scenarios a panel for each, by number
+   * @param published what the text says of scenario 4, a proportion of the optimum; NaN for nothing
+   */
+  private record TimeFigure(
+      String number,
+      String title,
+      List<Integer> scenarios,
+      double published,
+      List<String> policies) {}
+
+  private static final List<TimeFigure> OVER_TIME =
+      List.of(
+          new TimeFigure(
+              "7.3",
+              "the baselines and greedy, scenario 1",
+              List.of(1),
+              Double.NaN,
+              List.of("random", ZOOM_OUT, OPTIMAL)),
+          new TimeFigure(
+              "7.4",
+              "epsilon-greedy and greedy, random and scripted targets",
+              List.of(1, 4),
+              PublishedCell.EPSILON_GREEDY_IN_4,
+              List.of(EPSILON_GREEDY, OPTIMAL)),
+          new TimeFigure(
+              "7.6",
+              "SARSA's epsilon, scenario 4",
+              List.of(4),
+              Double.NaN,
+              List.of(SARSA, epsilon(SARSA, 0.2), epsilon(SARSA, 0.3), OPTIMAL)),
+          new TimeFigure(
+              "7.7",
+              "SARSA's learning rate, scenario 4",
+              List.of(4),
+              Double.NaN,
+              List.of(SARSA, alpha(0.2), alpha(0.3), OPTIMAL)),
+          new TimeFigure(
+              "7.8",
+              "SARSA and greedy, random and scripted targets",
+              List.of(1, 4),
+              PublishedCell.SARSA_IN_4,
+              List.of(SARSA, OPTIMAL)));
 
   private final Cases cases;
 
@@ -47,96 +98,42 @@ public final class ReproductionFigures {
 
   /** Writes every figure under its number. */
   public void write(OutputFolder folder) throws IOException {
-    FigureFile.write(folder, "figure-7.3", figure73());
-    FigureFile.write(folder, "figure-7.4", figure74());
-    FigureFile.write(folder, "figure-7.6", figure76());
-    FigureFile.write(folder, "figure-7.7", figure77());
-    FigureFile.write(folder, "figure-7.8", figure78());
+    for (TimeFigure one : OVER_TIME) {
+      FigureFile.write(folder, "figure-" + one.number, overTime(one));
+    }
     FigureFile.write(folder, "figure-7.9", figure79());
     FigureFile.write(folder, "figure-8.1", figure81());
     FigureFile.write(folder, "table-8.1", TableFigure.of(new Table81(cases).cells()));
   }
 
-  private Figure figure73() {
-    return overTime(
-        "Figure 7.3: the baselines and greedy, scenario 1",
-        List.of(1),
-        List.of("random", ReproductionPlans.ZOOM_OUT, ReproductionPlans.OPTIMAL),
-        Double.NaN);
-  }
-
-  private Figure figure74() {
-    return overTime(
-        "Figure 7.4: epsilon-greedy and greedy, random and scripted targets",
-        List.of(1, 4),
-        List.of(ReproductionPlans.EPSILON_GREEDY, ReproductionPlans.OPTIMAL),
-        PublishedCell.EPSILON_GREEDY_IN_4);
-  }
-
-  private Figure figure76() {
-    return overTime(
-        "Figure 7.6: SARSA's epsilon, scenario 4",
-        List.of(4),
-        List.of(
-            ReproductionPlans.SARSA,
-            ReproductionPlans.epsilon(ReproductionPlans.SARSA, 0.2),
-            ReproductionPlans.epsilon(ReproductionPlans.SARSA, 0.3),
-            ReproductionPlans.OPTIMAL),
-        Double.NaN);
-  }
-
-  private Figure figure77() {
-    return overTime(
-        "Figure 7.7: SARSA's learning rate, scenario 4",
-        List.of(4),
-        List.of(
-            ReproductionPlans.SARSA,
-            ReproductionPlans.alpha(0.2),
-            ReproductionPlans.alpha(0.3),
-            ReproductionPlans.OPTIMAL),
-        Double.NaN);
-  }
-
-  private Figure figure78() {
-    return overTime(
-        "Figure 7.8: SARSA and greedy, random and scripted targets",
-        List.of(1, 4),
-        List.of(ReproductionPlans.SARSA, ReproductionPlans.OPTIMAL),
-        PublishedCell.SARSA_IN_4);
-  }
-
-  /**
-   * A panel per scenario.
-   *
-   * @param published what the text says of scenario 4, a proportion of greedy; NaN for nothing
-   */
-  private Figure overTime(
-      String title, List<Integer> scenarios, List<String> policies, double published) {
+  /** A panel per scenario. */
+  private Figure overTime(TimeFigure figure) {
     List<CaseResult> all = new ArrayList<>();
-    scenarios.forEach(number -> all.addAll(hifi(number, policies)));
+    figure.scenarios.forEach(number -> all.addAll(hifi(number, figure.policies)));
     PolicyColors colors = OverTime.colors(all);
     double most = OverTime.ceiling(all);
     List<XYChart> panels = new ArrayList<>();
-    for (int number : scenarios) {
-      List<CaseResult> group = hifi(number, policies);
+    for (int number : figure.scenarios) {
+      List<CaseResult> group = hifi(number, figure.policies);
       KMinPanel panel = OverTime.panel(title(number), group, colors, most);
-      if (number == 4 && !Double.isNaN(published)) {
-        panel.level(published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
+      if (number == 4 && !Double.isNaN(figure.published)) {
+        panel.level(figure.published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
       }
       panels.add(panel);
     }
     List<LegendEntry> legend = new ArrayList<>(colors.legend());
-    if (!Double.isNaN(published)) {
+    if (!Double.isNaN(figure.published)) {
       legend.add(
           new LegendEntry(
-              String.format(Locale.ROOT, "published: %.2f of the optimum in scenario 4", published),
+              String.format(
+                  Locale.ROOT, "published: %.2f of the optimum in scenario 4", figure.published),
               PUBLISHED,
               LegendEntry.Mark.DASHES));
     }
     int width = panels.size() == 1 ? WIDTH + WIDTH / 3 : WIDTH;
     return new Figure(
-        title,
-        ReproductionPlans.HIFI + ". " + OverTime.note(all),
+        "Figure " + figure.number + ": " + figure.title,
+        HIFI + ". " + OverTime.note(all),
         legend,
         panels,
         panels.size(),
@@ -154,9 +151,7 @@ public final class ReproductionFigures {
       groups.add(new CoverageFigure.Group(title(number), hifi(number, BARS)));
     }
     return CoverageFigure.of(
-        "Figure 7.9: targets covered by no, one, and more cameras (" + ReproductionPlans.HIFI + ")",
-        groups,
-        3);
+        "Figure 7.9: targets covered by no, one, and more cameras (" + HIFI + ")", groups, 3);
   }
 
   private Figure figure81() {
@@ -172,12 +167,8 @@ public final class ReproductionFigures {
         "By scenario (rows) and policy (columns); x: time (steps), y: k_min (cameras). "
             + OverTime.note(both(1, PublishedCell.POLICIES)),
         List.of(
-            new LegendEntry(
-                ReproductionPlans.CAMSIM,
-                MODELS.get(ReproductionPlans.CAMSIM),
-                LegendEntry.Mark.LINE),
-            new LegendEntry(
-                ReproductionPlans.HIFI, MODELS.get(ReproductionPlans.HIFI), LegendEntry.Mark.LINE)),
+            new LegendEntry(CAMSIM, MODELS.get(CAMSIM), LegendEntry.Mark.LINE),
+            new LegendEntry(HIFI, MODELS.get(HIFI), LegendEntry.Mark.LINE)),
         panels,
         PublishedCell.POLICIES.size(),
         SMALL_WIDTH,
@@ -201,16 +192,14 @@ public final class ReproductionFigures {
   private List<CaseResult> both(int number, List<String> policies) {
     List<CaseResult> all = new ArrayList<>();
     for (String policy : policies) {
-      all.add(cases.find(scenario(number), ReproductionPlans.CAMSIM, policy));
-      all.add(cases.find(scenario(number), ReproductionPlans.HIFI, policy));
+      all.add(cases.find(scenario(number), CAMSIM, policy));
+      all.add(cases.find(scenario(number), HIFI, policy));
     }
     return all;
   }
 
   private List<CaseResult> hifi(int number, List<String> policies) {
-    return policies.stream()
-        .map(policy -> cases.find(scenario(number), ReproductionPlans.HIFI, policy))
-        .toList();
+    return policies.stream().map(policy -> cases.find(scenario(number), HIFI, policy)).toList();
   }
 
   private static String scenario(int number) {

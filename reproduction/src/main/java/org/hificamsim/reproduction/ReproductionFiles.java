@@ -1,10 +1,9 @@
 package org.hificamsim.reproduction;
 
 import java.io.IOException;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.Column;
@@ -97,14 +96,11 @@ public final class ReproductionFiles {
   public static final Table<Judged> VERDICTS =
       Table.<Judged>of("verdicts.csv")
           .with(
-              Column.ofText(
-                  "kind",
-                  "`cell` or `statement`",
-                  one -> one instanceof Statement ? "statement" : "cell"),
+              Column.ofText("kind", "`cell` or `statement`", Judged::kind),
               Column.ofText("id", "its name", Judged::id),
               Column.ofText("source", "the thesis's section, table or figure", Judged::source),
               Column.ofText("claim", "what it says", Judged::text),
-              Column.ofDouble("published", "share", "cells only", ReproductionFiles::published))
+              Column.ofDouble("published", "share", "cells only", Judged::published))
           .with(
               Column.ofEstimate(
                   "value",
@@ -129,24 +125,13 @@ public final class ReproductionFiles {
    */
   public static Judgement write(OutputFolder folder, List<CaseResult> results) throws IOException {
     Cases cases = new Cases(results);
-    Judgement judgement = judge(cases);
+    Judgement judgement =
+        new Judgement(
+            new Table81(cases).cells(), new Statements(cases).judged(), Adapting.of(cases));
     ADAPTING.write(folder, judgement.adapting().stream());
     CELLS.write(folder, judgement.cells().stream());
-    VERDICTS.write(
-        folder, Stream.concat(judgement.cells().stream(), judgement.statements().stream()));
-    MarkdownReport.write(folder, judgement);
+    VERDICTS.write(folder, judgement.all());
     new ReproductionFigures(cases).write(folder);
     return judgement;
-  }
-
-  /** The table and all statements. */
-  public static Judgement judge(Cases cases) {
-    List<Statement> statements = new ArrayList<>(new Statements(cases).all());
-    statements.addAll(new DetectionStatements(cases).all());
-    return new Judgement(new Table81(cases).cells(), statements, Adapting.of(cases));
-  }
-
-  private static double published(Judged one) {
-    return one instanceof Table81.Cell cell ? cell.published().proportion() : Double.NaN;
   }
 }

@@ -1,74 +1,58 @@
 package org.hificamsim.reproduction;
 
-import java.util.Comparator;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.util.List;
-import java.util.Set;
-import org.hificamsim.runs.Estimate;
+import java.util.Objects;
+import org.hificamsim.runs.Metric;
 
 /**
- * Something that the text says, as checks on the runs.
+ * Something that the text says of the hi-fi model, with the checks on the runs that decide it, from
+ * the resource {@code statements.json}.
  *
  * @param source section, table or figure
- * @param margins by what each must be above 0; 1 or more
- * @param remark what to know about the reading; may be empty
+ * @param remark what to know about the reading; may be empty. With a published number it has a
+ *     {@code %.2f} for ours
+ * @param role held out unless Table 8.1's hi-fi column implies it, at least in part
+ * @param metric what is compared; the mean of k_min unless said otherwise
+ * @param published a proportion of the optimum that the text names, or null
+ * @param checks empty where {@link DetectionStatements} has them
  */
-public record Statement(String id, String source, String text, List<Margin> margins, String remark)
-    implements Judged {
-  /** Statements that Table 8.1's hi-fi column implies, at least in part, by their ids. */
-  private static final Set<String> IMPLIED =
-      Set.of(
-          "baselines-below-greedy",
-          "order-of-policies",
-          "epsilon-greedy-above-zoom-out",
-          "learning-pays",
-          "zoom-out-not-optimal",
-          "camsim-underestimates");
+record Statement(
+    String id,
+    String source,
+    String text,
+    String remark,
+    FitRole role,
+    Metric metric,
+    Double published,
+    List<Check> checks) {
+  /**
+   * A comparison of two cases under the hi-fi model, each {@code scenario/policy}; with {@code *}
+   * it is one for each of the six scenarios.
+   *
+   * @param where what it is about; with {@code *} the scenario's name follows
+   * @param more the case that should have more; null for one that has 0
+   * @param less null with a published number
+   * @param alike whether both should end at the same coverage instead
+   */
+  record Check(String where, String more, String less, boolean alike) {}
 
-  /** One comparison, such as a difference between two policies in one scenario. */
-  public record Margin(String where, Estimate value) {}
-
-  public Statement {
-    margins = List.copyOf(margins);
+  Statement {
+    remark = Objects.requireNonNullElse(remark, "");
+    role = Objects.requireNonNullElse(role, FitRole.HELD_OUT);
+    metric = Objects.requireNonNullElse(metric, Metric.MEAN_K_MIN);
+    checks = checks == null ? List.of() : List.copyOf(checks);
   }
 
-  @Override
-  public Estimate value() {
-    return weakest().value();
-  }
-
-  @Override
-  public int checks() {
-    return margins.size();
-  }
-
-  /** How many margins are above 0 in the mean. */
-  @Override
-  public int held() {
-    return (int) margins.stream().filter(margin -> margin.value().mean() > 0).count();
-  }
-
-  /** The verdict over all margins. */
-  @Override
-  public Verdict verdict() {
-    return Verdict.of(margins.stream().map(Margin::value).toList());
-  }
-
-  @Override
-  public String reason() {
-    String margin = weakest().where() + " " + value().text("%+.3f");
-    String all = Judged.format("%d of %d checks hold; weakest: %s", held(), checks(), margin);
-    return remark.isEmpty() ? all : all + "; " + remark;
-  }
-
-  @Override
-  public FitRole role() {
-    return IMPLIED.contains(id) ? FitRole.FITTED : FitRole.HELD_OUT;
-  }
-
-  /** The margin that is least. */
-  private Margin weakest() {
-    return margins.stream()
-        .min(Comparator.comparingDouble(margin -> margin.value().mean()))
-        .orElseThrow();
+  /** All of them, in the order of the text. */
+  static List<Statement> all() {
+    try (InputStream in = Statement.class.getResourceAsStream("statements.json")) {
+      return List.of(new ObjectMapper().readValue(in, Statement[].class));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 }

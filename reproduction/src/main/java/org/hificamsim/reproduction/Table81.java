@@ -1,6 +1,18 @@
 package org.hificamsim.reproduction;
 
+import static org.hificamsim.reproduction.ReproductionPlans.ANY;
+import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
+import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM_45;
+import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
+import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
+import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
+import static org.hificamsim.reproduction.ReproductionPlans.ORIGIN;
+import static org.hificamsim.reproduction.ReproductionPlans.STANDARD;
+import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
+
 import java.util.List;
+import java.util.Locale;
+import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
@@ -33,55 +45,38 @@ public final class Table81 {
       double at45,
       double exploreAny,
       double origin,
-      double standard)
-      implements Judged {
+      double standard) {
     /** Ours less the published. */
     public double difference() {
       return ours.mean() - published.proportion();
     }
 
-    @Override
-    public String id() {
-      return String.join(
-          "/",
-          published.layout().label(),
-          published.policy(),
-          published.hifi() ? "hifi" : "camsim");
-    }
-
-    @Override
-    public String source() {
-      return "Table 8.1";
-    }
-
-    @Override
-    public String text() {
-      return "proportion of the optimum";
-    }
-
-    @Override
-    public Estimate value() {
-      return ours;
-    }
-
-    @Override
-    public int checks() {
-      return 1;
-    }
-
-    @Override
-    public int held() {
-      return verdict == Verdict.REPRODUCED ? 1 : 0;
-    }
-
-    @Override
+    /** Whether the defaults were chosen for it: the hi-fi column is what they were fitted to. */
     public FitRole role() {
       return published.hifi() ? FitRole.FITTED : FitRole.HELD_OUT;
     }
 
-    @Override
-    public String reason() {
-      String off = Judged.format("off by %+.2f", difference());
+    Judged judged() {
+      return new Judged(
+          "cell",
+          String.join(
+              "/",
+              published.layout().label(),
+              published.policy(),
+              published.hifi() ? "hifi" : "camsim"),
+          "Table 8.1",
+          "proportion of the optimum",
+          published.proportion(),
+          ours,
+          1,
+          verdict == Verdict.REPRODUCED ? 1 : 0,
+          verdict,
+          reason(),
+          role());
+    }
+
+    private String reason() {
+      String off = String.format(Locale.ROOT, "off by %+.2f", difference());
       if (verdict != Verdict.NOT_REPRODUCED) {
         return off;
       }
@@ -92,13 +87,15 @@ public final class Table81 {
 
     private String camSim() {
       String formula =
-          published.policy().equals(ReproductionPlans.ZOOM_OUT)
+          published.policy().equals(ZOOM_OUT)
               ? "CamSim's formula, Eq 6.2, depends on the zoom alone and can give 0 or 1 here"
-              : Judged.format("CamSim's formula, Eq 6.2, gives %.2f", standard);
-      return Judged.format(
+              : String.format(Locale.ROOT, "CamSim's formula, Eq 6.2, gives %.2f", standard);
+      return String.format(
+          Locale.ROOT,
           "; %s; its threshold is not published; camsim-range at 0.45 over the hi-fi optimum is"
               + " %.2f",
-          formula, at45);
+          formula,
+          at45);
     }
   }
 
@@ -110,25 +107,20 @@ public final class Table81 {
   private Cell cell(PublishedCell published) {
     Layout layout = published.layout();
     String policy = published.policy();
-    boolean greedy = policy.equals(ReproductionPlans.EPSILON_GREEDY);
+    boolean greedy = policy.equals(EPSILON_GREEDY);
     boolean cluster = layout == Layout.CLUSTER;
     Estimate ours = ratio(layout.scenarios(), published.detection(), policy).estimate();
     return new Cell(
         published,
         ours,
         Verdict.of(ours, published.proportion()),
-        published.hifi() ? Double.NaN : overHifi(published, ReproductionPlans.CAMSIM),
-        published.hifi() ? Double.NaN : overHifi(published, ReproductionPlans.CAMSIM_45),
-        greedy
-            ? mean(layout.scenarios(), published.detection(), ReproductionPlans.ANY)
-            : Double.NaN,
+        published.hifi() ? Double.NaN : overHifi(published, CAMSIM),
+        published.hifi() ? Double.NaN : overHifi(published, CAMSIM_45),
+        greedy ? mean(layout.scenarios(), published.detection(), ANY) : Double.NaN,
         cluster
-            ? mean(
-                List.of(layout.random(), ReproductionPlans.ORIGIN), published.detection(), policy)
+            ? mean(List.of(layout.random(), ORIGIN), published.detection(), policy)
             : Double.NaN,
-        published.hifi()
-            ? Double.NaN
-            : mean(layout.scenarios(), ReproductionPlans.STANDARD, policy));
+        published.hifi() ? Double.NaN : mean(layout.scenarios(), STANDARD, policy));
   }
 
   /** The ratio of a policy over some scenarios. */
@@ -142,9 +134,7 @@ public final class Table81 {
 
   private double overHifi(PublishedCell cell, String detection) {
     List<String> scenarios = cell.layout().scenarios();
-    return Ratio.over(
-            find(scenarios, detection, cell.policy()),
-            find(scenarios, ReproductionPlans.HIFI, ReproductionPlans.OPTIMAL))
+    return Ratio.over(find(scenarios, detection, cell.policy()), find(scenarios, HIFI, OPTIMAL))
         .estimate()
         .mean();
   }

@@ -84,8 +84,8 @@ class Table81Test {
     for (Table81.Cell cell : cells()) {
       assertEquals(
           !cell.published().hifi() && cell.verdict() == Verdict.NOT_REPRODUCED,
-          cell.reason().contains("Eq 6.2"),
-          cell.reason());
+          cell.judged().reason().contains("Eq 6.2"),
+          cell.judged().reason());
     }
   }
 

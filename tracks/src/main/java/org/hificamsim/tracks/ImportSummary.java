@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.tracks.Collector.TargetRecord;
 
 /** What an import found: extent in time and place, speeds, gaps, and what is odd. */
 public final class ImportSummary {
@@ -84,43 +85,23 @@ public final class ImportSummary {
   }
 
   /** How many samples were written. */
-  public long samples() {
+  long samples() {
     return times.getCount();
   }
 
   /** Between most samples of a target, seconds. */
-  public double interval() {
+  double interval() {
     return interval;
   }
 
   /** The longest time between two samples of a target that is present in between, seconds. */
-  public double gap() {
+  double gap() {
     return gap;
   }
 
-  /** How many longer ones there are. */
-  public long gaps() {
-    return gaps.getCount();
-  }
-
-  /** The longest of them, seconds. */
-  public double longestGap() {
-    return gaps.getMax();
-  }
-
-  /** The quartiles of the speeds between two samples, metres a second. */
-  public List<Double> speeds() {
-    return Stream.of(0.25, 0.5, 0.75).map(speeds::quantile).toList();
-  }
-
   /** What holds all samples, metres. */
-  public Field box() {
+  Field box() {
     return new Field(xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax());
-  }
-
-  /** Whether targets are known by the names that the file has. */
-  public boolean ownNames() {
-    return collected.ownNames();
   }
 
   /** Of how many targets the file says the size. */
@@ -129,7 +110,7 @@ public final class ImportSummary {
   }
 
   /** What is odd, in lines. */
-  public List<String> odd() {
+  List<String> odd() {
     List<String> odd = new ArrayList<>(jumps.lines(speeds.quantile(0.75)));
     if (single > 0) {
       odd.add(single + " targets with one sample alone");
@@ -150,27 +131,32 @@ public final class ImportSummary {
   /** All of it, in lines for people. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
+    lines.add(line("%s targets, %s samples, %s s", targets, samples(), times.getMax()));
+    lines.add(line("a sample every %s s (%s a second)", interval, 1 / interval));
     lines.add(
-        "%s targets, %s samples, %s s".formatted(targets, samples(), rounded(times.getMax())));
+        line(
+            "speeds: a quarter up to %s m/s, half up to %s, three quarters up to %s",
+            speeds.quantile(0.25), speeds.quantile(0.5), speeds.quantile(0.75)));
     lines.add(
-        "a sample every %s s (%s a second)".formatted(rounded(interval), rounded(1 / interval)));
+        gaps.getCount() == 0
+            ? line("no gap longer than %s s", gap)
+            : line(
+                "%s gaps longer than %s s, up to %s s: the target is away meanwhile",
+                gaps.getCount(), gap, gaps.getMax()));
     lines.add(
-        "speeds: a quarter up to %s m/s, half up to %s, three quarters up to %s"
-            .formatted(rounded(speeds().stream())));
-    lines.add(
-        gaps() == 0
-            ? "no gap longer than %s s".formatted(rounded(gap))
-            : "%s gaps longer than %s s, up to %s s: the target is away meanwhile"
-                .formatted(gaps(), rounded(gap), rounded(longestGap())));
-    lines.add(
-        "places: x from %s to %s m, y from %s to %s m"
-            .formatted(rounded(Stream.of(xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax()))));
+        line(
+            "places: x from %s to %s m, y from %s to %s m",
+            xs.getMin(), xs.getMax(), ys.getMin(), ys.getMax()));
     odd().forEach(one -> lines.add("odd: " + one));
     return lines;
   }
 
-  private static Object[] rounded(Stream<Double> values) {
-    return values.map(ImportSummary::rounded).toArray();
+  /** A line whose floating numbers are rounded. */
+  private static String line(String pattern, Object... values) {
+    return pattern.formatted(
+        Stream.of(values)
+            .map(value -> value instanceof Double number ? rounded(number) : value)
+            .toArray());
   }
 
   /** Four digits, without an exponent or zeros at the end. */

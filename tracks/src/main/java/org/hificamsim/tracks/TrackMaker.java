@@ -5,6 +5,7 @@ import java.util.Optional;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Extent;
 import org.hificamsim.core.scenario.TrackWriter;
+import org.hificamsim.tracks.Collector.TargetRecord;
 
 /**
  * Writes the samples of a target as tracks: a new one at first and after each gap. Times are kept

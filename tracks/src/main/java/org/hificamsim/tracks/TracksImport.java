@@ -7,6 +7,7 @@ import java.util.Optional;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.TrackWriter;
+import org.hificamsim.tracks.Collector.TargetRecord;
 import org.hificamsim.tracks.format.Recording;
 import org.hificamsim.tracks.format.TrackFormat;
 import org.hificamsim.tracks.ground.Ground;

@@ -27,9 +27,8 @@ class TracksImportTest {
     ImportSummary found = imported.of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 2 0\n6 1 3 0\n7 1 4 0\n");
     assertEquals(
         "target 1 size 0.66;0 0 0;1 0;2 0;target 1 size 0.66;6 3 0;4 0;", imported.tracks());
-    assertEquals(1, found.gaps());
-    assertEquals(4, found.longestGap());
-    assertEquals(3, found.gap());
+    assertEquals(
+        "1 gaps longer than 3 s, up to 4 s: the target is away meanwhile", found.lines().get(3));
     assertEquals(1, found.targets());
   }
 
@@ -52,7 +51,9 @@ class TracksImportTest {
   void quartilesAreOfTheSpeedBetweenSamples() {
     ImportSummary found =
         new Imported(folder).rate(1).of("ethucy", "0 1 0 0\n1 1 1 0\n2 1 3 0\n3 1 6 0\n4 1 10 0\n");
-    assertEquals(List.of(1.0, 2.0, 3.0), found.speeds());
+    assertEquals(
+        "speeds: a quarter up to 1 m/s, half up to 2, three quarters up to 3",
+        found.lines().get(2));
   }
 
   @Test

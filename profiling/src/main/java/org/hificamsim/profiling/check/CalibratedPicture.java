@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.TextLines;
-import org.hificamsim.tracks.format.MotRow;
+import org.hificamsim.tracks.format.MotFile;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.MatrixFile;
 
@@ -55,7 +55,7 @@ record CalibratedPicture(Calibration camera, Size size) {
   }
 
   /** Whether the picture's border may have cut a box off. */
-  boolean cuts(MotRow box) {
+  boolean cuts(MotFile.Row box) {
     return box.left() <= 0
         || box.top() <= 0
         || box.left() + box.width() >= size.width()

@@ -6,12 +6,11 @@ import java.util.List;
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
 import org.hificamsim.core.InputException;
 import org.hificamsim.tracks.format.MotFile;
-import org.hificamsim.tracks.format.MotRow;
 
 /** The boxes of a MOT file that can be compared, and how many cannot. */
 final class MotSightings {
   private final CalibratedPicture picture;
-  private final List<MotRow> whole = new ArrayList<>();
+  private final List<MotFile.Row> whole = new ArrayList<>();
   private final List<Sighting> sightings = new ArrayList<>();
   private final boolean inWorld;
   private int ignored;
@@ -27,8 +26,8 @@ final class MotSightings {
   MotSightings(Path file, CalibratedPicture picture, double metres) {
     this.picture = picture;
     MotFile.read(file, this::take);
-    inWorld = whole.stream().anyMatch(MotRow::inWorld);
-    for (MotRow row : whole) {
+    inWorld = whole.stream().anyMatch(MotFile.Row::inWorld);
+    for (MotFile.Row row : whole) {
       Vector3D foot = foot(row, metres);
       if (Double.isNaN(foot.getX())) {
         nowhere++;
@@ -43,7 +42,7 @@ final class MotSightings {
     }
   }
 
-  private void take(MotRow row) {
+  private void take(MotFile.Row row) {
     if (row.confidence() == 0 || row.width() <= 0 || row.height() <= 0) {
       ignored++;
     } else if (picture.cuts(row)) {
@@ -54,7 +53,7 @@ final class MotSightings {
   }
 
   /** As the file says; where it says it of no target, as the calibration has the box's foot. */
-  private Vector3D foot(MotRow row, double metres) {
+  private Vector3D foot(MotFile.Row row, double metres) {
     return inWorld
         ? new Vector3D(metres * row.x(), metres * row.y(), 0)
         : picture.camera().ground(new Calibration.Pixel(row.footX(), row.footY()));

@@ -1,14 +1,14 @@
 package org.hificamsim.profiling.check;
 
 import org.apache.commons.math3.geometry.euclidean.threed.Vector3D;
-import org.hificamsim.tracks.format.MotRow;
+import org.hificamsim.tracks.format.MotFile;
 
 /**
  * A target as it was seen: its box in the picture, and where it stood.
  *
  * @param foot its place on the ground, metres
  */
-record Sighting(MotRow box, Vector3D foot) {
+record Sighting(MotFile.Row box, Vector3D foot) {
   Size size() {
     return new Size(box.width(), box.height());
   }

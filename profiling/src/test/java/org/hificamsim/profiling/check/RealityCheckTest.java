@@ -13,7 +13,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.profiling.check.Calibration.Pixel;
 import org.hificamsim.profiling.check.ErrorSummary.Quantity;
-import org.hificamsim.tracks.format.MotRow;
+import org.hificamsim.tracks.format.MotFile;
 import org.junit.jupiter.api.Test;
 
 /** Boxes of a made camera, with errors that are known. */
@@ -127,8 +127,8 @@ class RealityCheckTest {
     double width = predicted.width() / (1 + error);
     double height = predicted.height() / (1 + error);
     double left = stand.u() - width / 2;
-    MotRow box =
-        new MotRow(
+    MotFile.Row box =
+        new MotFile.Row(
             new Place("made", 1, 1), 1, "1", left, stand.v() - height, width, height, 1, x, y, 0);
     return new Sighting(box, foot);
   }

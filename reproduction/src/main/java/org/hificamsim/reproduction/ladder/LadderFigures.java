@@ -8,6 +8,7 @@ import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
+import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
 import org.hificamsim.runs.Estimate;
 import org.knowm.xchart.XYChart;
 

@@ -5,11 +5,15 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.plot.FigureFile;
+import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
+import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.compare.Bootstrap;
@@ -132,16 +136,13 @@ public final class LadderFiles {
 
   /** The mean over the scenarios, by rung. */
   private List<Double> byRung(List<Double> costs) {
-    int rungs = ladder.rungs().size();
-    return IntStream.range(0, rungs)
-        .mapToObj(
-            rung ->
-                IntStream.range(0, costs.size())
-                    .filter(i -> i % rungs == rung)
-                    .mapToDouble(costs::get)
-                    .average()
-                    .orElseThrow())
-        .toList();
+    Map<Rung, Double> means =
+        IntStream.range(0, costs.size())
+            .boxed()
+            .collect(
+                Collectors.groupingBy(
+                    i -> ladder.all().get(i).rung(), Collectors.averagingDouble(costs::get)));
+    return ladder.rungs().stream().map(means::get).toList();
   }
 
   private Stream<PolicyRow> policies(RungScenario place) {

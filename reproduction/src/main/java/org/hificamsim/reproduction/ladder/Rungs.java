@@ -1,10 +1,17 @@
 package org.hificamsim.reproduction.ladder;
 
 import java.util.List;
+import java.util.Optional;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import org.hificamsim.core.InputException;
 
 /** The rungs, one line each, from the least realism to the most ({@code docs/ladder.md}). */
 public final class Rungs {
-  private static final List<Rung> ALL =
+  /** What the rungs of the world detect by unless asked otherwise. */
+  public static final String WORLD_DETECTION = "dori-2014:level=recognise";
+
+  private static final List<Rung> OF_DETECTION =
       List.of(
           new Rung("geometric", "the field of view alone"),
           new Rung("camsim-standard", "the zoom (Eq 6.2)"),
@@ -19,16 +26,55 @@ public final class Rungs {
 
   private Rungs() {}
 
-  /** Every rung, the top one last. */
-  public static List<Rung> all() {
-    return ALL;
+  /** Every rung of detection, the top one last. */
+  public static List<Rung> ofDetection() {
+    return OF_DETECTION;
   }
 
-  /** The rung of this name; one of this detection where there is none. */
-  public static Rung named(String name) {
-    return ALL.stream()
-        .filter(rung -> rung.name().equals(name))
-        .findFirst()
-        .orElseGet(() -> new Rung(name, ""));
+  /** The rung of detection of this name; one of the detection of this name where there is none. */
+  public static Rung ofDetection(String name) {
+    return find(OF_DETECTION, name).orElseGet(() -> new Rung(name, ""));
+  }
+
+  /**
+   * The rungs of the world, from round views to a scenario as it is. Each is made by taking away
+   * from the rung above it.
+   *
+   * @param detection of every rung, as users name it
+   */
+  public static List<Rung> ofWorld(String detection) {
+    return List.of(
+        new Rung(
+            "round",
+            "all-round views, a radius for each level",
+            detection,
+            Simplifications::lenses),
+        new Rung("optics", "lenses: angle against reach", detection, Simplifications::pan),
+        new Rung("pan", "turning, at once", detection, Simplifications::time),
+        new Rung(
+            "time", "the time that turning and zooming take", detection, Simplifications::walls),
+        new Rung("walls", "obstacles", detection, Simplifications::occlusion),
+        new Rung(
+            "occlusion",
+            "targets hide targets, each of its own size",
+            detection,
+            UnaryOperator.identity()));
+  }
+
+  /**
+   * The rung of the world of this name.
+   *
+   * @throws InputException when there is none
+   */
+  public static Rung ofWorld(String detection, String name) {
+    List<Rung> all = ofWorld(detection);
+    String names = all.stream().map(Rung::name).collect(Collectors.joining(", "));
+    return find(all, name)
+        .orElseThrow(
+            () -> new InputException("unknown rung '" + name + "', expected one of " + names));
+  }
+
+  private static Optional<Rung> find(List<Rung> rungs, String name) {
+    return rungs.stream().filter(rung -> rung.name().equals(name)).findFirst();
   }
 }

@@ -1,8 +1,9 @@
 package org.hificamsim.reproduction.ladder;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
@@ -35,11 +36,7 @@ final class StepCost {
         least[i] = Math.min(least[i], nanoseconds(plans.get(i)));
       }
     }
-    List<Double> costs = new ArrayList<>();
-    for (double one : least) {
-      costs.add(one);
-    }
-    return costs;
+    return Arrays.stream(least).boxed().toList();
   }
 
   /** A plan of so many steps that they take long enough for the clock; it is warm then. */

@@ -1,10 +1,21 @@
 package org.hificamsim.reproduction.sensitivity;
 
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.SplittableRandom;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.Waypoint;
 import org.hificamsim.hifi.optics.Optics;
 
 /** A scenario with other targets or other optics, under a name that tells what is changed. */
 final class ChangedWorld {
+  private static final long SEED = 71;
+  private static final double INSIDE = 0.8;
+  private static final double FULL_TURN = 360;
+
   private ChangedWorld() {}
 
   /** All targets of another size q, metres. */
@@ -24,5 +35,86 @@ final class ChangedWorld {
     return scenario
         .with(Scenario.NAME, scenario.name() + "-z" + focalLength)
         .with(Scenario.MOUNT_HEIGHT, height);
+  }
+
+  /**
+   * Another number of targets: the first ones of the file, then further ones of the same kind. On a
+   * script these start on the corners that are free, then halfway between corners; at random, at
+   * places drawn once and for all, the same in every run.
+   */
+  static Scenario withTargets(Scenario scenario, int number) {
+    boolean scripted = scenario.targets().isEmpty();
+    List<TargetSpec> targets =
+        new ArrayList<>(scripted ? scenario.everyTarget().toList() : scenario.targets());
+    while (targets.size() > number) {
+      targets.remove(targets.size() - 1);
+    }
+    SplittableRandom random = new SplittableRandom(SEED);
+    while (targets.size() < number) {
+      targets.add(
+          scripted ? onScript(targets) : anywhere(scenario, targets.get(0), targets, random));
+    }
+    String name = scenario.name() + "-" + number + "-targets";
+    Scenario named = scenario.with(Scenario.NAME, name);
+    return scripted
+        ? named.with(Scenario.TARGETS, List.of()).with(Scenario.EVENTS, events(targets))
+        : named.with(Scenario.TARGETS, targets);
+  }
+
+  private static List<ScenarioEvent> events(List<TargetSpec> targets) {
+    return targets.stream()
+        .map(target -> (ScenarioEvent) new ScenarioEvent.AddTarget(0, target))
+        .toList();
+  }
+
+  private static TargetSpec anywhere(
+      Scenario scenario, TargetSpec like, List<TargetSpec> others, SplittableRandom random) {
+    double x = INSIDE * (random.nextDouble() - 0.5) * scenario.field().width();
+    double y = INSIDE * (random.nextDouble() - 0.5) * scenario.field().height();
+    return next(
+            like,
+            others,
+            x + (scenario.field().minX() + scenario.field().maxX()) / 2,
+            y + (scenario.field().minY() + scenario.field().maxY()) / 2)
+        .with(TargetSpec.HEADING, random.nextDouble() * FULL_TURN);
+  }
+
+  private static TargetSpec onScript(List<TargetSpec> others) {
+    TargetSpec like = others.get(0);
+    List<Waypoint> path = path(like.waypoints(), others);
+    return next(like, others, path.get(0).x(), path.get(0).y()).with(TargetSpec.WAYPOINTS, path);
+  }
+
+  /** The same way round, from a corner or else the middle of a side where none starts yet. */
+  private static List<Waypoint> path(List<Waypoint> corners, List<TargetSpec> others) {
+    List<List<Waypoint>> ways = new ArrayList<>();
+    for (int side = 0; side < corners.size(); side++) {
+      List<Waypoint> turned = new ArrayList<>(corners);
+      Collections.rotate(turned, -side);
+      ways.add(side, turned);
+      List<Waypoint> halfway = new ArrayList<>(turned);
+      Collections.rotate(halfway, -1);
+      halfway.add(0, middle(turned.get(0), turned.get(1)));
+      ways.add(halfway);
+    }
+    return ways.stream()
+        .filter(way -> others.stream().noneMatch(other -> startsAt(other, way.get(0))))
+        .findFirst()
+        .orElse(corners);
+  }
+
+  private static boolean startsAt(TargetSpec target, Waypoint place) {
+    return target.waypoints().get(0).equals(place);
+  }
+
+  private static Waypoint middle(Waypoint a, Waypoint b) {
+    return new Waypoint((a.x() + b.x()) / 2, (a.y() + b.y()) / 2);
+  }
+
+  private static TargetSpec next(TargetSpec like, List<TargetSpec> others, double x, double y) {
+    return like.with(TargetSpec.FEATURES, others.get(others.size() - 1).features() + 1)
+        .with(TargetSpec.X, x)
+        .with(TargetSpec.Y, y)
+        .withSize(like.size());
   }
 }

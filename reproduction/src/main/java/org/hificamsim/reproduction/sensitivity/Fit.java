@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.reproduction.PublishedCell;
+import org.hificamsim.reproduction.sensitivity.ParameterSweep.Variant;
 
 /**
  * How far a setting is from Table 8.1, all else at its default: the mean distance of its nine cells

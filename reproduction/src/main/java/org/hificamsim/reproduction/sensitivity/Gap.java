@@ -1,7 +1,14 @@
 package org.hificamsim.reproduction.sensitivity;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.reproduction.Layout;
+import org.hificamsim.reproduction.sensitivity.ParameterSweep.Variant;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.compare.Ratio;
 
 /**
  * The conclusion of chapter 8 in one place: hi-fi proportion of the optimum less CamSim's.
@@ -51,5 +58,56 @@ record Gap(
       return Finding.UNDERESTIMATES;
     }
     return difference.high() < 0 ? Finding.OVERESTIMATES : Finding.OPEN;
+  }
+
+  /** Every gap: by sweep, value, layout (then all), policy. */
+  static List<Gap> of(List<ParameterSweep> sweeps, Cases cases) {
+    List<Gap> gaps = new ArrayList<>();
+    for (ParameterSweep sweep : sweeps) {
+      for (Variant variant : sweep.variants()) {
+        for (Layout layout : Layout.values()) {
+          gaps.addAll(of(sweep, variant, layout.label(), List.of(layout), cases));
+        }
+        gaps.addAll(of(sweep, variant, ALL, List.of(Layout.values()), cases));
+      }
+    }
+    return gaps;
+  }
+
+  private static List<Gap> of(
+      ParameterSweep sweep, Variant variant, String name, List<Layout> layouts, Cases cases) {
+    List<Gap> gaps = new ArrayList<>();
+    for (String policy : sweep.policies()) {
+      List<Ratio> hifi = ratios(variant, variant.hifi(), policy, layouts, cases);
+      List<Ratio> camsim = ratios(variant, variant.camsim(), policy, layouts, cases);
+      int seeds = hifi.get(0).performance().length;
+      gaps.add(
+          new Gap(
+              sweep,
+              variant,
+              name,
+              policy,
+              Ratio.estimate(seeds, drawn -> mean(hifi, drawn)),
+              Ratio.estimate(seeds, drawn -> mean(camsim, drawn)),
+              Ratio.estimate(seeds, drawn -> mean(hifi, drawn) - mean(camsim, drawn))));
+    }
+    return gaps;
+  }
+
+  private static double mean(List<Ratio> ratios, int[] seeds) {
+    return ratios.stream().mapToDouble(ratio -> ratio.at(seeds)).average().orElseThrow();
+  }
+
+  private static List<Ratio> ratios(
+      Variant variant, Detection detection, String policy, List<Layout> layouts, Cases cases) {
+    return layouts.stream()
+        .map(
+            layout ->
+                layout.scenarios().stream()
+                    .map(name -> variant.scenarios().get(name).name())
+                    .map(name -> cases.find(name, detection.name(), variant.policies().get(policy)))
+                    .toList())
+        .map(Ratio::of)
+        .toList();
   }
 }

@@ -68,7 +68,7 @@ public final class SensitivityFiles {
   public static String write(OutputFolder folder, Sweeps sweeps, List<CaseResult> results)
       throws IOException {
     List<ParameterSweep> all = sweeps.all();
-    List<Gap> gaps = new Gaps(new Cases(results)).of(all);
+    List<Gap> gaps = Gap.of(all, new Cases(results));
     List<Fit> fits = Fit.of(all, gaps);
     GAPS.write(folder, gaps.stream());
     FITS.write(folder, fits.stream());

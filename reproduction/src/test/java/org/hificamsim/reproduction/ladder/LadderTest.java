@@ -14,6 +14,7 @@ import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
+import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
@@ -57,14 +58,16 @@ class LadderTest {
 
   @Test
   void everyRungIsThereAndTheirNamesDiffer() {
-    Ladder ladder = ladder(Rungs.all().toArray(Rung[]::new));
-    assertEquals(2 * Rungs.all().size(), ladder.plans(asked(1)).size());
-    assertEquals(Rungs.all().size(), Rungs.all().stream().map(Rung::name).distinct().count());
+    Ladder ladder = ladder(Rungs.ofDetection().toArray(Rung[]::new));
+    assertEquals(2 * Rungs.ofDetection().size(), ladder.plans(asked(1)).size());
+    assertEquals(
+        Rungs.ofDetection().size(),
+        Rungs.ofDetection().stream().map(Rung::name).distinct().count());
   }
 
   @Test
   void theTopRungIsByChanceAndTheOthersOfItsFitBelowIt() {
-    List<RunPlan> plans = ladder(Rungs.all().toArray(Rung[]::new)).plans(asked(1));
+    List<RunPlan> plans = ladder(Rungs.ofDetection().toArray(Rung[]::new)).plans(asked(1));
     RunPlan top = plans.get(plans.size() - 1);
     assertEquals("hifi:orb-lin@chance", top.detection().name());
     assertTrue(plans.stream().anyMatch(plan -> plan.detection().name().equals("hifi:orb-lin")));
@@ -72,7 +75,7 @@ class LadderTest {
 
   @Test
   void aRungMayChangeTheScenarioAndItsResultsAreFoundUnderTheOldName() {
-    Ladder ladder = ladder(Rungs.named("geometric"), LONELY);
+    Ladder ladder = ladder(Rungs.ofDetection("geometric"), LONELY);
     List<RunPlan> plans = ladder.plans(asked(2));
     assertEquals(
         List.of("ring-random", "ring-random", "lonely-ring", "lonely-ring"),
@@ -114,7 +117,7 @@ class LadderTest {
   @Test
   void aRungWithoutARuleIsByThresholdWhereTheScenarioSaysChance() {
     Scenario chance = RING.withDetect(DetectionRule.parse("chance"));
-    Rung rung = Rungs.named("hifi:orb-lin");
+    Rung rung = Rungs.ofDetection("hifi:orb-lin");
     assertTrue(rung.spec(LadderTest::model).detection(Settings.NONE, chance).certain());
   }
 
@@ -123,7 +126,7 @@ class LadderTest {
     InputException fault =
         assertThrows(
             InputException.class,
-            () -> ladder(Rungs.named("geometric"), Rungs.named("geometric@threshold")));
+            () -> ladder(Rungs.ofDetection("geometric"), Rungs.ofDetection("geometric@threshold")));
     assertTrue(fault.getMessage().contains("expected each once"), fault.getMessage());
   }
 }

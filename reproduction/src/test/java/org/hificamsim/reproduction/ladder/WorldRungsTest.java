@@ -27,7 +27,7 @@ import org.junit.jupiter.api.io.TempDir;
 class WorldRungsTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
   private static final Scenario HALL = site("hall");
-  private static final WorldRungs RUNGS = new WorldRungs(WorldRungs.DETECTION);
+  private static final List<Rung> RUNGS = Rungs.ofWorld(Rungs.WORLD_DETECTION);
 
   private static Scenario site(String name) {
     return ScenarioReader.read(
@@ -35,7 +35,7 @@ class WorldRungsTest {
   }
 
   private static Scenario world(String rung) {
-    return RUNGS.named(rung).world().apply(HALL);
+    return Rungs.ofWorld(Rungs.WORLD_DETECTION, rung).world().apply(HALL);
   }
 
   private static List<OpticsSpec> optics(Scenario scenario) {
@@ -49,7 +49,7 @@ class WorldRungsTest {
   @Test
   void theTopRungIsTheScenarioAsItIs() {
     assertSame(HALL, world("occlusion"));
-    assertEquals("occlusion", RUNGS.all().get(RUNGS.all().size() - 1).name());
+    assertEquals("occlusion", RUNGS.get(RUNGS.size() - 1).name());
   }
 
   @Test
@@ -108,7 +108,7 @@ class WorldRungsTest {
 
   @Test
   void everyRungIsAFileThatReadsTheSame(@TempDir Path folder) throws IOException {
-    for (Rung rung : RUNGS.all()) {
+    for (Rung rung : RUNGS) {
       String text = ScenarioWriter.write(rung.world().apply(HALL));
       Path file = Files.writeString(folder.resolve(rung.name() + ".xml"), text);
       Scenario read = ScenarioReader.read(file, movement -> true, warning -> {});
@@ -127,13 +127,16 @@ class WorldRungsTest {
   void aScenarioWithoutALensIsRefused() {
     Scenario ring = site("ring-random");
     InputException fault =
-        assertThrows(InputException.class, () -> RUNGS.named("round").world().apply(ring));
+        assertThrows(
+            InputException.class,
+            () -> Rungs.ofWorld(Rungs.WORLD_DETECTION, "round").world().apply(ring));
     assertTrue(fault.getMessage().contains("'ring-random' has no camera with law"));
   }
 
   @Test
   void anUnknownRungIsRefusedWithThoseThatThereAre() {
-    InputException fault = assertThrows(InputException.class, () -> RUNGS.named("lens"));
+    InputException fault =
+        assertThrows(InputException.class, () -> Rungs.ofWorld(Rungs.WORLD_DETECTION, "lens"));
     assertTrue(fault.getMessage().endsWith("round, optics, pan, time, walls, occlusion"));
   }
 }

@@ -1,6 +1,7 @@
 package org.hificamsim.reproduction.sensitivity;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
@@ -12,6 +13,7 @@ import org.hificamsim.hifi.model.PublishedModels;
 import org.hificamsim.hifi.optics.Optics;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ChangedWorldTest {
@@ -43,5 +45,43 @@ class ChangedWorldTest {
     assertEquals(0.05, OPTICS.focalLength(2.5, height), 1e-15);
     assertEquals(0.05 / 3, OPTICS.focalLength(7.5, height), 1e-15);
     assertEquals("ring-random-z0.05", changed.name());
+  }
+
+  private static List<TargetSpec> targets(Scenario scenario) {
+    return scenario.targets().isEmpty()
+        ? scenario.events().stream()
+            .map(event -> ((ScenarioEvent.AddTarget) event).target())
+            .toList()
+        : scenario.targets();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"lattice-random,1", "lattice-random,8", "cluster-scripted,2", "cluster-scripted,8"})
+  void hasAsManyTargetsAsAskedForEachAtAPlaceOfItsOwn(String name, int number) {
+    Scenario changed = ChangedWorld.withTargets(read(name), number);
+    List<TargetSpec> targets = targets(changed);
+    assertEquals(number, targets.size());
+    assertEquals(number, targets.stream().map(TargetSpec::name).distinct().count());
+    assertEquals(number, targets.stream().map(one -> one.x() + "," + one.y()).distinct().count());
+    assertEquals(name + "-" + number + "-targets", changed.name());
+  }
+
+  @Test
+  void keepsTheFilesTargetsFirst() {
+    Scenario scenario = read("ring-random");
+    assertEquals(scenario.targets(), ChangedWorld.withTargets(scenario, 6).targets().subList(0, 3));
+  }
+
+  @Test
+  void furtherScriptedTargetsWalkTheSameWay() {
+    List<TargetSpec> targets = targets(ChangedWorld.withTargets(read("ring-scripted"), 8));
+    assertEquals(4, targets.get(3).waypoints().size());
+    assertTrue(targets.get(7).waypoints().containsAll(targets.get(0).waypoints()));
+  }
+
+  @Test
+  void givesTheSameTargetsEveryTime() {
+    Scenario scenario = read("lattice-random");
+    assertEquals(ChangedWorld.withTargets(scenario, 8), ChangedWorld.withTargets(scenario, 8));
   }
 }

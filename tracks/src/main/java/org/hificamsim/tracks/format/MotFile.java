@@ -2,6 +2,7 @@ package org.hificamsim.tracks.format;
 
 import java.nio.file.Path;
 import java.util.function.Consumer;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.file.Fields;
 import org.hificamsim.data.CsvReader;
 
@@ -15,6 +16,49 @@ public final class MotFile {
   private static final int WORLD = 7; // the column of x
   private static final int WITH_WORLD = 10; // columns
 
+  /**
+   * A row of a MOTChallenge file: a target's box in one frame.
+   *
+   * @param place in the file
+   * @param frame from 1
+   * @param target its number
+   * @param left of the box, pixels
+   * @param top of the box, pixels from the picture's upper edge down
+   * @param width pixels
+   * @param height pixels
+   * @param confidence 0 where the row is not to count; 1 where the file has none
+   * @param x in the world, NaN where the file does not say
+   * @param y in the world, NaN where the file does not say
+   * @param z in the world, NaN where the file does not say
+   */
+  public record Row(
+      Place place,
+      double frame,
+      String target,
+      double left,
+      double top,
+      double width,
+      double height,
+      double confidence,
+      double x,
+      double y,
+      double z) {
+    /** Whether the file says where on the ground the target was. */
+    public boolean inWorld() {
+      return !Double.isNaN(x);
+    }
+
+    /** Where the box stands, to the right, pixels. */
+    public double footX() {
+      return left + width / 2;
+    }
+
+    /** Where the box stands, down, pixels. */
+    public double footY() {
+      return top + height;
+    }
+  }
+
   private MotFile() {}
 
   /**
@@ -22,7 +66,7 @@ public final class MotFile {
    *
    * @throws org.hificamsim.core.InputException with the place, when something is wrong
    */
-  public static void read(Path file, Consumer<MotRow> rows) {
+  public static void read(Path file, Consumer<Row> rows) {
     try (CsvReader table =
         CsvReader.betweenCommas(file, "rows of frame,id,left,top,width,height")) {
       int[] columns = {0}; // of the first row
@@ -36,12 +80,12 @@ public final class MotFile {
     }
   }
 
-  private static MotRow row(Fields fields, int columns) {
+  private static Row row(Fields fields, int columns) {
     if (fields.count() != columns && fields.count() >= BOX) {
       throw fields.invalid(columns, "further field", columns + " fields as in the first line");
     }
     boolean inWorld = columns >= WITH_WORLD && !isNowhere(fields);
-    return new MotRow(
+    return new Row(
         fields.place(0),
         fields.number(0, "frame"),
         RowFormat.target(fields, 1),

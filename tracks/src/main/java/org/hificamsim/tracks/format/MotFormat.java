@@ -22,7 +22,7 @@ final class MotFormat implements TrackFormat {
     return clock;
   }
 
-  private static TrackSample inPicture(MotRow row) {
+  private static TrackSample inPicture(MotFile.Row row) {
     return new TrackSample(
         row.place(),
         row.target(),
@@ -33,14 +33,14 @@ final class MotFormat implements TrackFormat {
         row.height());
   }
 
-  private static TrackSample inWorld(MotRow row) {
+  private static TrackSample inWorld(MotFile.Row row) {
     if (!row.inWorld()) {
       throw noWorld(row);
     }
     return new TrackSample(row.place(), row.target(), row.frame(), row.x(), row.y());
   }
 
-  private static InputException noWorld(MotRow row) {
+  private static InputException noWorld(MotFile.Row row) {
     return row.place()
         .error(
             "the row has no position in the world, expected --unit px and --homography FILE, which"

@@ -5,9 +5,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.PlainXml;
 import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
+import org.xml.sax.Attributes;
 
 /** Reads walls: GeoJSON, XML with {@code Line} elements, or the lines of an SVG, by the ending. */
 public final class WallFile {
@@ -45,5 +47,26 @@ public final class WallFile {
   private static InputException noScale(Path file) {
     return new InputException(
         file + ": expected --scale M with an SVG, how many metres a unit of the drawing is");
+  }
+
+  /** Elements {@code <Line x1="" y1="" x2="" y2=""/>}, wherever they stand. */
+  private static final class XmlWalls extends PlainXml {
+    private final WallCollector walls;
+
+    XmlWalls(WallCollector walls) {
+      this.walls = walls;
+    }
+
+    @Override
+    public void startElement(String uri, String local, String name, Attributes attributes) {
+      if (name.equals("Line")) {
+        walls.line(
+            List.of(
+                walls.point(
+                    place(), number(attributes, name, "x1"), number(attributes, name, "y1")),
+                walls.point(
+                    place(), number(attributes, name, "x2"), number(attributes, name, "y2"))));
+      }
+    }
   }
 }
