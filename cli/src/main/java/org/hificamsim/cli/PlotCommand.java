@@ -11,8 +11,8 @@ import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.presentation.figures.KMinFigure;
 import org.hificamsim.presentation.figures.KMinPanel;
+import org.hificamsim.presentation.figures.OverTime;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.runs.output.ResultFolder;
@@ -57,13 +57,13 @@ final class PlotCommand implements Callable<Integer> {
         parts.stream().filter(part -> runs.stream().map(part).distinct().count() > 1).toList();
     List<Function<RunCurve, String>> same =
         parts.stream().filter(part -> !differ.contains(part)).toList();
-    List<KMinFigure.Line> lines = new ArrayList<>();
+    List<OverTime.Line> lines = new ArrayList<>();
     for (int i = 0; i < runs.size(); i++) {
       String label = differ.isEmpty() ? folders.get(i).toString() : join(runs.get(i), differ, " ");
-      lines.add(new KMinFigure.Line(label, runs.get(i).means()));
+      lines.add(new OverTime.Line(label, runs.get(i).means()));
     }
     int steps = runs.stream().mapToInt(run -> run.means().length).max().orElseThrow();
-    return KMinFigure.of(
+    return OverTime.figure(
         "Coverage redundancy over time",
         join(runs.get(0), same, ", ") + ". " + KMinPanel.note(steps) + repeats(runs) + ".",
         lines);

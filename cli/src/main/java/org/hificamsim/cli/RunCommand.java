@@ -173,14 +173,8 @@ final class RunCommand implements Callable<Integer> {
     screen
         .out()
         .printf(
-            Locale.ROOT,
-            "heat map of %s x %s cells: of area and steps %.1f %% covered by 1 or more cameras,"
-                + " %.1f %% by 2 or more; of the area %.1f %% never%n",
-            map.cells().columns(),
-            map.cells().rows(),
-            100 * map.covered(),
-            100 * map.coveredK(),
-            100 * map.blind());
+            "heat map of %s x %s cells: %s%n",
+            map.cells().columns(), map.cells().rows(), map.shares());
   }
 
   private static World world(RunPlan plan, Catalogue catalogue) {

@@ -115,7 +115,7 @@ public final class ReproductionFigures {
     List<XYChart> panels = new ArrayList<>();
     for (int number : figure.scenarios) {
       List<CaseResult> group = hifi(number, figure.policies);
-      KMinPanel panel = OverTime.panel(title(number), group, colors, most);
+      KMinPanel panel = OverTime.panel(title(number), group, colors::of, most);
       if (number == 4 && !Double.isNaN(figure.published)) {
         panel.level(figure.published * StatUtils.mean(last(group).meanKMin()), PUBLISHED);
       }
@@ -176,17 +176,12 @@ public final class ReproductionFigures {
   }
 
   private XYChart models(int number, String policy, double most) {
-    List<CaseResult> pair = both(number, List.of(policy));
-    KMinPanel panel =
-        new KMinPanel(number + ", " + policy, pair.get(0).plan().steps(), most).compact();
-    pair.forEach(one -> panel.band(one, color(one)));
-    pair.forEach(one -> panel.raw(one.meanKMin(), color(one)));
-    pair.forEach(one -> panel.smooth(one.meanKMin(), color(one)));
-    return panel;
-  }
-
-  private static Color color(CaseResult one) {
-    return MODELS.get(one.plan().detection().name());
+    return OverTime.panel(
+            number + ", " + policy,
+            both(number, List.of(policy)),
+            one -> MODELS.get(one.plan().detection().name()),
+            most)
+        .untitled(); // the note names the axes
   }
 
   private List<CaseResult> both(int number, List<String> policies) {

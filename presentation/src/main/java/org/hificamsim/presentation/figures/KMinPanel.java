@@ -2,7 +2,9 @@ package org.hificamsim.presentation.figures;
 
 import java.awt.Color;
 import java.util.Arrays;
+import java.util.List;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Stream;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Lowess;
 import org.hificamsim.presentation.plot.XyPanel;
@@ -44,30 +46,33 @@ public final class KMinPanel extends XyPanel {
     return raw.thinned(RAW_POINTS);
   }
 
-  /** Leaves out the axes' titles, for figures of many panels whose note names them. */
-  public KMinPanel compact() {
-    untitled();
-    return this;
+  /** Where a y axis ends that holds all that is drawn of these, and a tenth more. */
+  static double ceiling(List<double[]> means) {
+    double most =
+        means.stream()
+            .map(Curve::of)
+            .flatMap(curve -> Stream.of(drawn(curve), Lowess.smooth(curve)))
+            .flatMapToDouble(curve -> Arrays.stream(curve.y()))
+            .max()
+            .orElse(1);
+    return Math.max(0.2, Math.ceil(most * 1.1 * 5) / 5);
   }
 
   /** Adds a dashed horizontal line: a published level. */
-  public KMinPanel level(double value, Color color) {
+  public void level(double value, Color color) {
     dashed(new Curve(new double[] {0, steps}, new double[] {value, value}), color);
-    return this;
   }
 
   /** Adds the mean beneath; call it for all before the first {@link #smooth}. */
-  public KMinPanel raw(double[] means, Color color) {
+  void raw(double[] means, Color color) {
     faint(drawn(Curve.of(means)), color);
-    return this;
   }
 
   /** Adds the 95% interval of a case's mean over its runs; nothing for a single run. */
-  public KMinPanel band(CaseResult one, Color color) {
+  void band(CaseResult one, Color color) {
     if (one.runs().size() > 1) {
       band(bound(one, Estimate::low), bound(one, Estimate::high), color);
     }
-    return this;
   }
 
   private static Curve bound(CaseResult one, ToDoubleFunction<Estimate> side) {
@@ -85,23 +90,18 @@ public final class KMinPanel extends XyPanel {
     return Lowess.smooth(new Curve(x, y));
   }
 
-  /** Adds the smooth line; where there are too few points to smooth, a straight one. */
-  public KMinPanel smooth(double[] means, Color color) {
-    Curve curve = Curve.of(means);
-    if (Lowess.smooths(curve.size())) {
-      line(Lowess.smooth(curve), color);
+  /**
+   * Adds a policy's smooth line, dashed for the optimum; where there are too few points to smooth,
+   * a straight one.
+   */
+  void smooth(String policy, double[] means, Color color) {
+    Curve curve = Lowess.smooth(Curve.of(means));
+    if (PolicyColors.isOptimal(policy)) {
+      dashed(curve, color);
+    } else if (Lowess.smooths(means.length)) {
+      line(curve, color);
     } else {
       straight(curve, color);
-    }
-    return this;
-  }
-
-  /** Adds a policy's smooth line in its colour, dashed for the optimum. */
-  void smooth(String policy, double[] means, PolicyColors colors) {
-    if (PolicyColors.isOptimal(policy)) {
-      dashed(Lowess.smooth(Curve.of(means)), colors.of(policy));
-    } else {
-      smooth(means, colors.of(policy));
     }
   }
 }

@@ -1,8 +1,10 @@
 package org.hificamsim.presentation.figures;
 
+import java.awt.Color;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.runs.compare.CaseResult;
 import org.knowm.xchart.XYChart;
@@ -11,8 +13,24 @@ import org.knowm.xchart.XYChart;
 public final class OverTime {
   private static final int WIDTH = 470;
   private static final int HEIGHT = 300;
+  private static final int SINGLE_WIDTH = 620;
+  private static final int SINGLE_HEIGHT = 330;
 
   private OverTime() {}
+
+  /** The mean k_min of some runs, by step. */
+  public record Line(String label, double[] means) {}
+
+  /** One panel of lines; one named for a policy has that policy's colour. */
+  public static Figure figure(String title, String note, List<Line> lines) {
+    PolicyColors colors = new PolicyColors(lines.stream().map(Line::label).toList());
+    int steps = lines.stream().mapToInt(line -> line.means().length).max().orElseThrow();
+    double most = KMinPanel.ceiling(lines.stream().map(Line::means).toList());
+    KMinPanel panel = new KMinPanel("", steps, most);
+    lines.forEach(line -> panel.raw(line.means(), colors.of(line.label())));
+    lines.forEach(line -> panel.smooth(line.label(), line.means(), colors.of(line.label())));
+    return new Figure(title, note, colors.legend(), List.of(panel), 1, SINGLE_WIDTH, SINGLE_HEIGHT);
+  }
 
   /** The figure of one scenario. */
   public static Figure figure(String title, List<CaseResult> cases) {
@@ -20,18 +38,18 @@ public final class OverTime {
     double most = ceiling(cases);
     Map<String, List<CaseResult>> detections = CaseGroups.byDetection(cases);
     List<XYChart> panels = new ArrayList<>();
-    detections.forEach((name, group) -> panels.add(panel(name, group, colors, most)));
+    detections.forEach((name, group) -> panels.add(panel(name, group, colors::of, most)));
     return new Figure(
         title, note(cases), colors.legend(), panels, Math.min(3, panels.size()), WIDTH, HEIGHT);
   }
 
-  /** A panel of cases that differ in their policy. */
+  /** A panel of cases, each in its colour. */
   public static KMinPanel panel(
-      String title, List<CaseResult> cases, PolicyColors colors, double most) {
+      String title, List<CaseResult> cases, Function<CaseResult, Color> color, double most) {
     KMinPanel panel = new KMinPanel(title, cases.get(0).plan().steps(), most);
-    cases.forEach(one -> panel.band(one, colors.of(one.plan().policy())));
-    cases.forEach(one -> panel.raw(one.meanKMin(), colors.of(one.plan().policy())));
-    cases.forEach(one -> panel.smooth(one.plan().policy(), one.meanKMin(), colors));
+    cases.forEach(one -> panel.band(one, color.apply(one)));
+    cases.forEach(one -> panel.raw(one.meanKMin(), color.apply(one)));
+    cases.forEach(one -> panel.smooth(one.plan().policy(), one.meanKMin(), color.apply(one)));
     return panel;
   }
 
@@ -42,7 +60,7 @@ public final class OverTime {
 
   /** Where a y axis ends that holds all cases. */
   public static double ceiling(List<CaseResult> cases) {
-    return KMinFigure.ceiling(cases.stream().map(CaseResult::meanKMin).toList());
+    return KMinPanel.ceiling(cases.stream().map(CaseResult::meanKMin).toList());
   }
 
   /** What the note of a figure says of such panels. */

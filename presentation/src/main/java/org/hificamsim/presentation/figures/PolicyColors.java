@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
+import org.hificamsim.runs.compare.CaseResult;
 
 /** A colour for each policy: the same in every figure for those of chapter 7. */
 public final class PolicyColors {
@@ -55,6 +56,11 @@ public final class PolicyColors {
   /** The colour of a policy that was given at the start. */
   public Color of(String policy) {
     return colors.get(policy);
+  }
+
+  /** The colour of a case's policy. */
+  public Color of(CaseResult one) {
+    return of(one.plan().policy());
   }
 
   /** The legend, in the order of the policies; the optimum is dashed. */

@@ -7,7 +7,6 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Rectangle2D;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Locale;
 import org.hificamsim.presentation.plot.Fonts;
 import org.hificamsim.presentation.plot.Paintable;
 import org.hificamsim.presentation.plot.Palette;
@@ -65,13 +64,7 @@ public final class HeatPicture implements Paintable {
         graphics,
         setup.scenario() + ", heat map of " + steps(),
         StepPicture.settings(setup, run.recording().seed()),
-        String.format(
-            Locale.ROOT,
-            "of area and steps %.1f %% covered by 1 or more cameras, %.1f %% by 2 or more;"
-                + " of the area %.1f %% never",
-            100 * map.covered(),
-            100 * map.coveredK(),
-            100 * map.blind()));
+        map.shares());
     Rectangle2D area = StepPicture.area(run);
     run.script().paint(graphics, area, run, run.count() - 1, ShownFigure.of(figure, map), values);
     key(graphics, StepPicture.MARGIN, area.getMaxY() + 6);

@@ -11,10 +11,5 @@ import java.util.OptionalInt;
  */
 public record Look(double floor, OptionalInt zones, boolean tracks) {
   /** Half through, without zones or tracks. */
-  public static final Look USUAL = new Look(0.5, OptionalInt.empty());
-
-  /** Without tracks. */
-  public Look(double floor, OptionalInt zones) {
-    this(floor, zones, false);
-  }
+  public static final Look USUAL = new Look(0.5, OptionalInt.empty(), false);
 }

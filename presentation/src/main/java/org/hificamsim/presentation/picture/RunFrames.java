@@ -2,7 +2,6 @@ package org.hificamsim.presentation.picture;
 
 import java.awt.image.BufferedImage;
 import java.lang.reflect.Array;
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -26,7 +25,6 @@ public final class RunFrames {
   private final Look look;
   private final FieldScript script;
   private final BufferedImage[] floor;
-  private final long[] steps;
   private final int[] kMin;
   private final int most;
 
@@ -40,7 +38,6 @@ public final class RunFrames {
     this.script = new FieldScript(setup);
     this.floor = setup.floor().stream().map(FloorPictures::image).toArray(BufferedImage[]::new);
     this.recording = recording;
-    this.steps = recording.frames().stream().mapToLong(Frame::step).toArray();
     List<StepCoverage> measured = recording.frames().stream().map(Frame::measure).toList();
     this.kMin = measured.stream().mapToInt(StepCoverage::kMin).toArray();
     this.most = measured.stream().mapToInt(StepCoverage::targets).max().orElse(1);
@@ -83,7 +80,7 @@ public final class RunFrames {
 
   /** The step of a frame. */
   public long step(int index) {
-    return steps[index];
+    return frame(index).step();
   }
 
   /** How many steps lie between two frames. */
@@ -111,19 +108,13 @@ public final class RunFrames {
       throw new InputException(
           "%s is %s, expected a step from 0 to %s".formatted(option, step, last()));
     }
-    int index = before(step);
+    int index = (int) recording.frames().stream().skip(1).takeWhile(f -> f.step() <= step).count();
     if (step(index) != step) {
       throw new InputException(
           "%s is %s, but the recording was thinned, expected a multiple of %s or %s; maybe %s"
               .formatted(option, step, recording.every(), last(), step(index)));
     }
     return index;
-  }
-
-  /** The frame of a step, or the last one before it. */
-  private int before(long step) {
-    int found = Arrays.binarySearch(steps, step);
-    return Math.max(0, found < 0 ? -found - 2 : found);
   }
 
   /** Where every camera is in a frame. */

@@ -15,6 +15,7 @@ import java.util.Base64;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import javax.imageio.ImageIO;
 import javax.imageio.ImageReadParam;
@@ -73,29 +74,28 @@ public final class FloorPictures {
       if (!Files.isRegularFile(file)) {
         throw refused(scenarioFile, plan, "there is no such file", null);
       }
-      return data(Files.readAllBytes(file), scenarioFile, plan);
+      return data(Files.readAllBytes(file))
+          .orElseThrow(() -> refused(scenarioFile, plan, "it is neither", null));
     } catch (IOException | InvalidPathException e) {
       throw refused(scenarioFile, plan, "it cannot be read", e);
     }
   }
 
-  private static String data(byte[] bytes, Path scenarioFile, Floorplan plan) throws IOException {
+  /** The picture as a data URI; nothing if it is neither PNG nor JPEG. */
+  private static Optional<String> data(byte[] bytes) throws IOException {
     try (ImageInputStream in = ImageIO.createImageInputStream(new ByteArrayInputStream(bytes))) {
       Iterator<ImageReader> readers = ImageIO.getImageReaders(in);
       ImageReader reader = readers.hasNext() ? readers.next() : null;
       String type = reader == null ? "" : reader.getFormatName().toLowerCase(Locale.ROOT);
       if (!TYPES.contains(type)) {
-        throw refused(scenarioFile, plan, "it is neither", null);
+        return Optional.empty();
       }
       reader.setInput(in);
       BufferedImage image = read(reader);
       boolean small = Math.max(reader.getWidth(0), reader.getHeight(0)) <= MAX_PIXELS;
-      return small && bytes.length <= MAX_BYTES ? uri(type, bytes) : smaller(image);
+      return Optional.of(small && bytes.length <= MAX_BYTES ? uri(type, bytes) : smaller(image));
     } catch (RuntimeException e) {
-      if (e instanceof InputException) {
-        throw e;
-      }
-      throw refused(scenarioFile, plan, "it cannot be read", e); // readers throw what they like
+      throw new IOException(e); // readers throw what they like
     }
   }
 

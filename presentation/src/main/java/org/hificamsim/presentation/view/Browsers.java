@@ -1,10 +1,9 @@
 package org.hificamsim.presentation.view;
 
-import java.awt.Desktop;
-import java.awt.GraphicsEnvironment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Objects;
 import java.util.stream.Stream;
 
 /** Opens the user's browser. */
@@ -15,6 +14,8 @@ public final class Browsers {
       <meta http-equiv="refresh" content="0; url=%s"><title>HiFi-CamSim</title>
       """;
 
+  private static final Path XDG_OPEN = Path.of("/usr/bin/xdg-open");
+
   private Browsers() {}
 
   /**
@@ -24,13 +25,16 @@ public final class Browsers {
    */
   public static void open(String address) {
     try {
-      if (hasScreen()) {
+      if (Files.isExecutable(XDG_OPEN) && hasScreen()) {
         Path file = Files.createTempFile("hificamsim-", ".html");
         file.toFile().deleteOnExit();
         Files.writeString(file, page(address));
-        show(file);
+        new ProcessBuilder(XDG_OPEN.toString(), file.toString())
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .redirectError(ProcessBuilder.Redirect.DISCARD)
+            .start();
       }
-    } catch (IOException | UnsupportedOperationException e) {
+    } catch (IOException e) {
       // the address has been printed
     }
   }
@@ -41,22 +45,7 @@ public final class Browsers {
   }
 
   private static boolean hasScreen() {
-    boolean windows = System.getProperty("os.name").startsWith("Windows");
-    boolean mac = System.getProperty("os.name").startsWith("Mac");
-    return windows
-        || mac
-        || Stream.of("DISPLAY", "WAYLAND_DISPLAY")
-            .anyMatch(name -> System.getenv(name) != null && !System.getenv(name).isEmpty());
-  }
-
-  private static void show(Path file) throws IOException {
-    if (Files.isExecutable(Path.of("/usr/bin/xdg-open"))) {
-      new ProcessBuilder("/usr/bin/xdg-open", file.toString())
-          .redirectOutput(ProcessBuilder.Redirect.DISCARD)
-          .redirectError(ProcessBuilder.Redirect.DISCARD)
-          .start();
-    } else if (!GraphicsEnvironment.isHeadless() && Desktop.isDesktopSupported()) {
-      Desktop.getDesktop().browse(file.toUri());
-    }
+    return Stream.of("DISPLAY", "WAYLAND_DISPLAY")
+        .anyMatch(name -> !Objects.requireNonNullElse(System.getenv(name), "").isEmpty());
   }
 }

@@ -21,7 +21,8 @@ import org.hificamsim.runs.Settings;
 /**
  * One or two simulations of the same targets, in step. The targets are the same because each world
  * has the same seed and targets move without regard to cameras. Equal commands between equal steps
- * give equal steps. Not for several threads.
+ * give equal steps. A command with a wrong value throws an {@link InputException}, and nothing has
+ * changed then. Not for several threads.
  */
 public final class LiveRun {
   private final Catalogue catalogue;
@@ -87,11 +88,7 @@ public final class LiveRun {
     sides = new ArrayList<>(choices.stream().map(choice -> side(world.get(), choice)).toList());
   }
 
-  /**
-   * Puts a camera elsewhere in every simulation; seen from the next step on.
-   *
-   * @throws InputException when there is no such camera online, or the place is not in the field
-   */
+  /** Puts a camera elsewhere in every simulation; seen from the next step on. */
   public void drag(int camera, double x, double y) {
     scenario.move(online(camera), x, y);
     sides.forEach(side -> side.world().moveCamera(camera, x, y));
@@ -102,7 +99,6 @@ public final class LiveRun {
    * Turns a camera in every simulation; seen from the next step on.
    *
    * @param heading degrees, 0 is +y and 90 is +x
-   * @throws InputException when there is no such camera online
    */
   public void turn(int camera, double heading) {
     scenario.turn(online(camera), heading);
@@ -135,7 +131,6 @@ public final class LiveRun {
    * camera is.
    *
    * @param like number of the camera that has its kind and heading
-   * @throws InputException when there is no such camera online, or the place is not in the field
    */
   public void add(int like, double x, double y) {
     scenario.add(online(like), x, y);
@@ -145,9 +140,6 @@ public final class LiveRun {
   /**
    * Adds a solid wall to every simulation, as if it had been there from the start: targets are
    * where they would be then, learning begins again. The next step says where every camera is.
-   *
-   * @throws InputException when its ends are one point or not in the field, or a camera or target
-   *     would stand in it
    */
   public void wall(double x1, double y1, double x2, double y2) {
     scenario.wall(x1, y1, x2, y2);
@@ -158,7 +150,6 @@ public final class LiveRun {
    * Takes an obstacle away, as {@link #wall} adds one.
    *
    * @param obstacle its number, from 0
-   * @throws InputException when there is no such obstacle
    */
   public void remove(int obstacle) {
     scenario.remove(obstacle);
@@ -169,7 +160,6 @@ public final class LiveRun {
    * Has a camera stay in a view in every simulation, from the next step on.
    *
    * @param view -1 to leave it to the policies again
-   * @throws InputException when there is no such camera online, or it has no such view
    */
   public void hold(int camera, int view) {
     String name = online(camera);
@@ -212,8 +202,6 @@ public final class LiveRun {
   /**
    * Gives a simulation another model, threshold or policy: the targets go on, learning begins
    * again.
-   *
-   * @throws InputException when the choice is wrong; nothing has changed then
    */
   public void choose(int side, LiveChoice choice) {
     if (side < 0 || side >= sides.size()) {

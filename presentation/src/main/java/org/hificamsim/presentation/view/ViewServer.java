@@ -136,6 +136,10 @@ public final class ViewServer implements AutoCloseable {
       } else {
         answer(exchange);
       }
+    } catch (InputException e) {
+      Reply.lineIfPossible(exchange, 400, Place.printable(e.getMessage()));
+    } catch (LiveSession.SessionEnded e) {
+      Reply.lineIfPossible(exchange, 503, Place.printable(e.getMessage()));
     } catch (RuntimeException | Error e) {
       Reply.lineIfPossible(exchange, 500, Place.printable(RunFault.describe(e)));
     }
@@ -161,48 +165,28 @@ public final class ViewServer implements AutoCloseable {
     } else if (!"application/json".equals(type)) {
       Reply.line(exchange, 415, "expected application/json");
     } else {
-      obey(exchange, body);
-    }
-  }
-
-  private void obey(HttpExchange exchange, byte[] body) throws IOException, InterruptedException {
-    try {
       await(session.submit(Command.read(body)));
       exchange.sendResponseHeaders(204, -1);
-    } catch (InputException e) {
-      Reply.line(exchange, 400, Place.printable(e.getMessage()));
-    } catch (ExecutionException e) {
-      tell(exchange, e.getCause());
     }
   }
 
   private void scenario(HttpExchange exchange) throws IOException, InterruptedException {
-    try {
-      String xml = (String) await(session.scenario());
-      exchange.getResponseHeaders().set("Content-Disposition", "attachment");
-      Reply.send(exchange, 200, "application/xml", xml.getBytes(StandardCharsets.UTF_8));
-    } catch (ExecutionException e) {
-      tell(exchange, e.getCause());
-    }
+    String xml = (String) await(session.scenario());
+    exchange.getResponseHeaders().set("Content-Disposition", "attachment");
+    Reply.send(exchange, 200, "application/xml", xml.getBytes(StandardCharsets.UTF_8));
   }
 
-  private static Object await(Future<Object> answer)
-      throws InterruptedException, ExecutionException {
+  private static Object await(Future<Object> answer) throws InterruptedException {
     try {
       return answer.get(MAX_COMMAND, TimeUnit.SECONDS);
     } catch (TimeoutException e) {
-      throw new ExecutionException(
-          new InputException("the step before takes longer than a minute", e));
+      throw new InputException("the step before takes longer than a minute", e);
+    } catch (ExecutionException e) {
+      if (e.getCause() instanceof Error error) {
+        throw error;
+      }
+      throw (RuntimeException) e.getCause();
     }
-  }
-
-  private static void tell(HttpExchange exchange, Throwable fault) throws IOException {
-    int status =
-        fault instanceof InputException
-            ? 400
-            : fault instanceof LiveSession.SessionEnded ? 503 : 500;
-    String text = status == 500 ? RunFault.describe(fault) : fault.getMessage();
-    Reply.line(exchange, status, Place.printable(text));
   }
 
   private void events(HttpExchange exchange) throws IOException, InterruptedException {

@@ -87,7 +87,7 @@ class SitePictureTest {
   @Test
   void pixelDensitiesAreShownOfTheCameraThatIsAskedFor() {
     Setup setup = setup(List.of(), List.of(), List.of());
-    BufferedImage image = image(setup, 1, new Look(0.5, OptionalInt.of(0)));
+    BufferedImage image = image(setup, 1, new Look(0.5, OptionalInt.of(0), false));
     Color identify = at(image, 6.3, 10.4); // 500 px/m at a metre: identify to 2 m
     Color recognise = at(image, 8.3, 10.9); // to 4 m
     Color observe = at(image, 11.3, 10.9); // to 8 m
@@ -104,7 +104,7 @@ class SitePictureTest {
     Color half = at(image(setup, 1, Look.USUAL), 20.3, 17.3);
     assertEquals(255, half.getRed());
     assertEquals(127.5, half.getGreen(), 1);
-    Look whole = new Look(1, OptionalInt.empty());
+    Look whole = new Look(1, OptionalInt.empty(), false);
     assertEquals(Color.RED, at(image(setup, 1, whole), 20.3, 17.3));
     assertEquals(Color.WHITE, at(image(setup, 1, whole), 20.3, 3.3), "beside the plan");
     ByteArrayOutputStream svg = new ByteArrayOutputStream();

@@ -1,6 +1,7 @@
 package org.hificamsim.runs.heat;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
 /**
@@ -48,6 +49,17 @@ public record HeatMap(FieldCells cells, List<Place> places) {
   /** The share of the free area in which no camera would ever detect. */
   public double blind() {
     return mean(place -> place.meanK == 0 ? 1 : 0);
+  }
+
+  /** The three shares in words. */
+  public String shares() {
+    return String.format(
+        Locale.ROOT,
+        "of area and steps %.1f %% covered by 1 or more cameras, %.1f %% by 2 or more;"
+            + " of the area %.1f %% never",
+        100 * covered(),
+        100 * coveredK(),
+        100 * blind());
   }
 
   /** The mean over the free cells; NaN where there are none. */
