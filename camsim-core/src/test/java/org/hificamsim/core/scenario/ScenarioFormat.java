@@ -94,7 +94,7 @@ public final class ScenarioFormat {
                     .filter(row -> row.isRequired() == required)
                     .map(
                         row ->
-                            row.named() + (body.type() == null ? " (" + row.meaning() + ")" : ""))
+                            row.named() + (body.type().isRecord() ? " (" + row.meaning() + ")" : ""))
                     .collect(Collectors.joining(", ")))
         .filter(names -> !names.isEmpty())
         .collect(Collectors.joining("; optional "));
