@@ -26,11 +26,7 @@ final class Element<S> {
   private String content = "";
 
   private Element(
-      String name,
-      Class<S> type,
-      Function<Spec<S>, S> make,
-      List<Object> standards,
-      String doc) {
+      String name, Class<S> type, Function<Spec<S>, S> make, List<Object> standards, String doc) {
     this.name = name;
     this.doc = doc;
     this.type = type;

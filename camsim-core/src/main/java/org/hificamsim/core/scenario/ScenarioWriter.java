@@ -5,6 +5,7 @@ import static java.util.stream.Collectors.joining;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import org.hificamsim.core.obstacle.Obstacle;
 
 /**
  * Writes scenarios as XML that {@link ScenarioReader} reads back as an equal scenario; comments and
@@ -48,7 +49,12 @@ public final class ScenarioWriter {
   }
 
   private void simulation() {
-    Scenario.GROUPS.forEach(this::group);
+    if (!scenario.obstacles().isEmpty()) {
+      xml.element(
+          Scenario.OBSTACLES_HOLDER.name(),
+          Map.of(),
+          () -> scenario.obstacles().forEach(this::obstacle));
+    }
     xml.element(Scenario.CAMERAS_HOLDER.name(), Map.of(), this::cameras);
     xml.element(Scenario.TARGETS_HOLDER.name(), Map.of(), this::targets);
     List<ScenarioEvent> events = tracked.others(scenario.events());
@@ -58,18 +64,10 @@ public final class ScenarioWriter {
     scenario.visionGraph().ifPresent(this::visionGraph);
   }
 
-  private <C> void group(Group<C> group) {
-    List<C> all = scenario.get(group.property());
-    if (!all.isEmpty()) {
-      xml.element(group.holder().name(), Map.of(), () -> all.forEach(one -> member(group, one)));
-    }
-  }
-
-  private <C> void member(Group<C> group, C one) {
-    group.members().stream()
-        .filter(element -> element.type().isInstance(one))
-        .findFirst()
-        .ifPresent(element -> member(element, one));
+  private void obstacle(Obstacle obstacle) {
+    ObstacleElements.ALL.stream()
+        .filter(element -> element.type().isInstance(obstacle))
+        .forEach(element -> member(element, obstacle));
   }
 
   private <S> void member(Element<S> element, Object one) {

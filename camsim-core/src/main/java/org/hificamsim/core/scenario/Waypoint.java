@@ -10,6 +10,7 @@ public record Waypoint(double x, double y) {
           A corner of a path.
           x, y: place to walk to, m
           """);
+
   static {
     ELEMENT.required("x", Type.COORDINATE);
     ELEMENT.required("y", Type.COORDINATE);
