@@ -185,14 +185,7 @@ public final class ScenarioReader {
     Map<String, Element<? extends Obstacle>> kinds =
         ObstacleElements.ALL.stream().collect(Collectors.toMap(Element::name, one -> one));
     List<XmlElement> elements = root.below().filter(xml -> kinds.containsKey(xml.name())).toList();
-    return faults.each(elements, xml -> read(xml, kinds.get(xml.name())));
-  }
-
-  private <S> S read(XmlElement xml, Element<S> element) {
-    Attributes<S> attributes = new Attributes<>(xml, element);
-    S read = attributes.read();
-    attributes.warnOfUnknown(warnings);
-    return read;
+    return faults.each(elements, xml -> Attributes.read(xml, kinds.get(xml.name()), warnings));
   }
 
   private <T> T said(
