@@ -91,7 +91,7 @@ public final class OutputFile implements Closeable {
   /** A stream; the caller closes it before {@link #commit}. */
   public synchronized OutputStream stream() throws IOException {
     Unfinished.add(this);
-    return buffered(unbuffered(draft));
+    return stream(draft);
   }
 
   /** Moves the file into place. */
@@ -107,12 +107,10 @@ public final class OutputFile implements Closeable {
   }
 
   /** A stream to a file that must not be there yet, not even as a link. */
-  static OutputStream unbuffered(Path draft) throws IOException {
-    return Files.newOutputStream(draft, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-  }
-
-  static OutputStream buffered(OutputStream out) {
-    return new BufferedOutputStream(out, BUFFER);
+  static OutputStream stream(Path draft) throws IOException {
+    return new BufferedOutputStream(
+        Files.newOutputStream(draft, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+        BUFFER);
   }
 
   static Writer writer(OutputStream out) {

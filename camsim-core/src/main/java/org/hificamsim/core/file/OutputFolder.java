@@ -15,11 +15,9 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
-import java.security.DigestOutputStream;
-import java.security.MessageDigest;
-import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
+import java.util.Set;
 import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.InputException;
@@ -36,8 +34,8 @@ public final class OutputFolder implements Closeable {
   private final Path folder;
   private final Path drafts;
   private final FileChannel lock;
-  private final Map<String, MessageDigest> names = new LinkedHashMap<>();
-  private final Map<String, String> written = new LinkedHashMap<>();
+  private final Set<String> names = new LinkedHashSet<>();
+  private final Set<String> written = new LinkedHashSet<>();
 
   /**
    * Makes the folder where it is missing.
@@ -135,34 +133,29 @@ public final class OutputFolder implements Closeable {
 
   /** A stream for a file of this name; the caller closes it before {@link #commit}. */
   public synchronized OutputStream stream(String name) throws IOException {
-    MessageDigest digest = Sha256.digest();
-    names.put(name, digest);
-    return OutputFile.buffered(
-        new DigestOutputStream(OutputFile.unbuffered(drafts.resolve(name)), digest));
+    names.add(name);
+    return OutputFile.stream(drafts.resolve(name));
   }
 
   /**
    * Moves every file opened into place, and removes what an earlier run left under {@code stale}.
    */
   public synchronized void commit(List<String> stale) throws IOException {
-    for (String name : names.keySet()) {
+    for (String name : names) {
       OutputFile.move(drafts.resolve(name), folder.resolve(name));
     }
     for (String name : stale) {
-      if (!names.containsKey(name)) {
+      if (!names.contains(name)) {
         Files.deleteIfExists(folder.resolve(name));
       }
     }
-    names.forEach((name, digest) -> written.put(name, Sha256.text(digest)));
+    written.addAll(names);
     names.clear();
   }
 
-  /**
-   * The files that commits have moved into place, each with its SHA-256 in hexadecimal: worked out
-   * while it was written, by the thread that wrote it.
-   */
-  public synchronized Map<String, String> written() {
-    return new LinkedHashMap<>(written);
+  /** The files that commits have moved into place. */
+  public synchronized List<String> written() {
+    return List.copyOf(written);
   }
 
   /** Removes whatever has not been committed, and lets others use the folder. */

@@ -3,6 +3,7 @@ package org.hificamsim.core.file;
 import java.io.BufferedInputStream;
 import java.io.BufferedReader;
 import java.io.Closeable;
+import java.io.FilterReader;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.InputStreamReader;
@@ -11,8 +12,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Locale;
+import java.util.StringTokenizer;
 import java.util.zip.GZIPInputStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -22,14 +25,16 @@ import org.hificamsim.core.Place;
  * that a file of any size takes little memory, and the fields of a line between blanks and tabs.
  */
 public final class TextLines implements Fields, Closeable {
+  /** Characters of a line; no line of numbers comes near it. */
+  static final int MAX_LINE = 1 << 20;
+
   private static final String MARK = "\ufeff"; // that some editors put before UTF-8
 
   private final String file;
   private final BufferedReader in;
   private int number;
   private String text = "";
-  private int[] bounds = new int[32]; // where a field starts, then where it ends
-  private int count;
+  private final List<String> fields = new ArrayList<>();
 
   /** The lines of a text that is part of a file and begins in one of its lines, from 1. */
   public TextLines(String file, Reader in, int firstLine) {
@@ -80,7 +85,11 @@ public final class TextLines implements Fields, Closeable {
       if (number == 1 && text.startsWith(MARK)) {
         text = text.substring(1);
       }
-      split();
+      fields.clear();
+      StringTokenizer split = new StringTokenizer(text, " \t");
+      while (split.hasMoreTokens()) {
+        fields.add(split.nextToken());
+      }
       return line != null;
     } catch (IOException e) {
       throw unreadable(file, number, e);
@@ -95,7 +104,7 @@ public final class TextLines implements Fields, Closeable {
    */
   public boolean nextFields() {
     while (next()) {
-      if (count > 0 && !isComment()) {
+      if (!fields.isEmpty() && !isComment()) {
         return true;
       }
     }
@@ -104,39 +113,7 @@ public final class TextLines implements Fields, Closeable {
 
   /** Whether the line starts with {@code #}. */
   public boolean isComment() {
-    return count > 0 && text.charAt(bounds[0]) == '#';
-  }
-
-  private void split() {
-    count = 0;
-    int start = skip(0, true);
-    while (start < text.length()) {
-      int end = skip(start, false);
-      add(start, end);
-      start = skip(end, true);
-    }
-  }
-
-  /** The end of the blanks, or of the field, that begin there. */
-  private int skip(int from, boolean blanks) {
-    int at = from;
-    while (at < text.length() && isBlank(text.charAt(at)) == blanks) {
-      at++;
-    }
-    return at;
-  }
-
-  private static boolean isBlank(char c) {
-    return c == ' ' || c == '\t';
-  }
-
-  private void add(int start, int end) {
-    if (2 * count == bounds.length) {
-      bounds = Arrays.copyOf(bounds, 2 * bounds.length);
-    }
-    bounds[2 * count] = start;
-    bounds[2 * count + 1] = end;
-    count++;
+    return !fields.isEmpty() && fields.get(0).startsWith("#");
   }
 
   /** The line, without its end. */
@@ -151,17 +128,22 @@ public final class TextLines implements Fields, Closeable {
 
   @Override
   public int count() {
-    return count;
+    return fields.size();
   }
 
   @Override
   public String text(int field) {
-    return text.substring(bounds[2 * field], bounds[2 * field + 1]);
+    return fields.get(field);
   }
 
   @Override
   public Place place(int field) {
-    return new Place(file, number, 1 + (field < count ? bounds[2 * field] : text.length()));
+    int end = 0;
+    for (String before : fields.subList(0, Math.min(field, count()))) {
+      end = text.indexOf(before, end) + before.length();
+    }
+    int begin = field < count() ? text.indexOf(fields.get(field), end) : text.length();
+    return new Place(file, number, 1 + begin);
   }
 
   /** The fault of a file that cannot be read on. */
@@ -180,6 +162,27 @@ public final class TextLines implements Fields, Closeable {
       in.close();
     } catch (IOException e) {
       throw unreadable(file, number, e);
+    }
+  }
+
+  /** Lets no line through that would not fit into the memory, as in a file that is no text. */
+  private static final class ShortLines extends FilterReader {
+    private int length;
+
+    ShortLines(Reader in) {
+      super(in);
+    }
+
+    @Override
+    public int read(char[] buffer, int start, int most) throws IOException {
+      int count = super.read(buffer, start, most);
+      for (int i = start; i < start + count; i++) {
+        length = buffer[i] == '\n' || buffer[i] == '\r' ? 0 : length + 1;
+      }
+      if (length > MAX_LINE) {
+        throw new IOException("a line has more than " + MAX_LINE + " characters");
+      }
+      return count;
     }
   }
 }

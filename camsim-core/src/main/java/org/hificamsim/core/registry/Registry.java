@@ -95,11 +95,10 @@ public final class Registry<T> {
    * @throws InputException when the name, an option or a value is unknown
    */
   public T create(String spec) {
-    for (int end = spec.length(); end > 0; end = spec.lastIndexOf(':', end - 1)) {
-      Entry<T> entry = entry(spec.substring(0, end));
-      if (entry != null) {
-        return create(entry, end == spec.length() ? "" : spec.substring(end + 1));
-      }
+    int end = nameEnd(spec);
+    if (end > 0) {
+      return create(
+          entry(spec.substring(0, end)), spec.substring(Math.min(end + 1, spec.length())));
     }
     throw new InputException(
         "unknown %s '%s', expected %s"
@@ -117,12 +116,16 @@ public final class Registry<T> {
 
   /** Whether {@code spec} starts with a registered name. */
   public boolean knows(String spec) {
-    for (int end = spec.length(); end > 0; end = spec.lastIndexOf(':', end - 1)) {
-      if (entry(spec.substring(0, end)) != null) {
-        return true;
-      }
+    return nameEnd(spec) > 0;
+  }
+
+  /** Where the registered name ends that {@code spec} starts with; 0 or less without one. */
+  private int nameEnd(String spec) {
+    int end = spec.length();
+    while (end > 0 && entry(spec.substring(0, end)) == null) {
+      end = spec.lastIndexOf(':', end - 1);
     }
-    return false;
+    return end;
   }
 
   /** The options that an implementation declares, with their defaults. */

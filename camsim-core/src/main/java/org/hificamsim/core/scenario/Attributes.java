@@ -40,6 +40,14 @@ final class Attributes<S> {
     return (Type<T>) narrowed.getOrDefault(attribute, attribute.type());
   }
 
+  /** What an element is read as that has nothing but its attributes; warns of unknown ones. */
+  static <S> S read(XmlElement xml, Element<S> element, Consumer<String> warnings) {
+    Attributes<S> attributes = new Attributes<>(xml, element);
+    S read = attributes.read();
+    attributes.warnOfUnknown(warnings);
+    return read;
+  }
+
   /** What the element is read as. */
   S read() {
     try {

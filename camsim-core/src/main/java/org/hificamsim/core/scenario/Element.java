@@ -1,6 +1,9 @@
 package org.hificamsim.core.scenario;
 
+import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.RecordComponent;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,53 +20,45 @@ final class Element<S> {
   private final String doc;
   private final Class<S> type;
   private final Function<Spec<S>, S> make;
-  private final Function<S, Spec<S>> of;
   private final List<Object> standards; // of all properties of what it is read as
   private final List<Property<S, ?>> attributes = new ArrayList<>();
   private final List<Property<S, ?>> ignored = new ArrayList<>();
   private String content = "";
 
   private Element(
-      String name,
-      Class<S> type,
-      Function<Spec<S>, S> make,
-      Function<S, Spec<S>> of,
-      List<Object> standards,
-      String doc) {
+      String name, Class<S> type, Function<Spec<S>, S> make, List<Object> standards, String doc) {
     this.name = name;
     this.doc = doc;
     this.type = type;
     this.make = make;
-    this.of = of;
     this.standards = standards;
   }
 
   /**
-   * An element.
+   * An element that is read as a spec of its own.
    *
    * @param doc what it is, then a line of Markdown for each attribute: {@code name: what it says |
    *     what holds without it}, the latter where no default of the attribute's says it
    */
-  Element(
-      String name, Class<S> type, Function<Spec<S>, S> make, Function<S, Spec<S>> of, String doc) {
-    this(name, type, make, of, new ArrayList<>(), doc);
-  }
-
-  /** An element that is read as a spec of its own. */
   static <S extends Spec<S>> Element<S> of(
       String name, Class<S> type, Function<Spec<S>, S> make, String doc) {
-    return new Element<>(name, type, make, spec -> spec, doc);
+    return new Element<>(name, type, make, new ArrayList<>(), doc);
+  }
+
+  /** An element that is read as a record: its properties are the components, in their order. */
+  static <R extends Record> Element<R> ofRecord(String name, Class<R> type, String doc) {
+    return new Element<>(name, type, said -> made(type, said), new ArrayList<>(), doc);
   }
 
   /** An element whose reader makes something of what it says. */
   static <S> Element<S> of(String name, String doc) {
-    return new Element<>(name, null, null, null, new ArrayList<>(), doc);
+    return new Element<>(name, null, null, new ArrayList<>(), doc);
   }
 
   /** Another element with attributes of this one, read as the same. */
   Element<S> like(String otherName, String otherDoc, List<Property<S, ?>> its) {
     String rows = doc.substring(doc.indexOf('\n') + 1);
-    Element<S> other = new Element<>(otherName, type, make, of, standards, otherDoc + "\n" + rows);
+    Element<S> other = new Element<>(otherName, type, make, standards, otherDoc + "\n" + rows);
     other.attributes.addAll(its);
     other.ignored.addAll(ignored);
     return other;
@@ -157,9 +152,35 @@ final class Element<S> {
     return make.apply(said);
   }
 
+  private static <R extends Record> R made(Class<R> type, Spec<R> said) {
+    try {
+      Class<?>[] components =
+          Arrays.stream(type.getRecordComponents())
+              .map(RecordComponent::getType)
+              .toArray(Class<?>[]::new);
+      return type.getDeclaredConstructor(components).newInstance(said.values());
+    } catch (InvocationTargetException e) {
+      throw e.getCause() instanceof RuntimeException fault ? fault : new IllegalStateException(e);
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
   /** The values from which an object was made. */
+  @SuppressWarnings("unchecked") // a spec of this element
   Spec<S> said(S made) {
-    return of.apply(made);
+    if (made instanceof Spec<?> spec) {
+      return (Spec<S>) spec;
+    }
+    Object[] values = standards();
+    try {
+      for (int i = 0; i < values.length; i++) {
+        values[i] = type.getRecordComponents()[i].getAccessor().invoke(made);
+      }
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(e);
+    }
+    return new Spec<>(this, values, Map.of());
   }
 
   /** The attributes to write, in order. */

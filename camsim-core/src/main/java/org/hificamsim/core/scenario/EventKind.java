@@ -21,6 +21,20 @@ record EventKind<E extends ScenarioEvent, B>(
     Element<B> body,
     BiFunction<Integer, Spec<B>, E> make,
     Function<E, Spec<B>> of) {
+  /** A kind whose record has the step, and then the attributes of its body in their order. */
+  static <E extends Record & ScenarioEvent> EventKind<E, E> of(
+      String participant, String happening, Class<E> type, String doc) {
+    Element<E> body = Element.ofRecord("event", type, doc);
+    Property<E, Integer> step = body.property(0);
+    return new EventKind<>(
+        participant,
+        happening,
+        type,
+        body,
+        (at, said) -> body.make(said.put(step, at)),
+        body::said);
+  }
+
   /** The attributes to write of an event of this kind, in order. */
   Map<String, String> written(ScenarioEvent event) {
     Map<String, String> all =

@@ -99,20 +99,17 @@ shows, m (ours) | the field's borders
   /** The links between cameras at the start. */
   public static final Property<Scenario, VisionGraph> VISION_GRAPH = ELEMENT.property(null);
 
-  private static final Group<Obstacle> ALL_OBSTACLES =
-      Group.of(
-          "obstacles",
-          "What hides targets from cameras; where `transmittance` is 0 no target walks (ours).",
-          ObstacleElements.ALL);
-
   /** In file order. */
-  public static final Property<Scenario, List<Obstacle>> OBSTACLES = ALL_OBSTACLES.property();
-
-  /** Elements of any number that are read as they are declared. */
-  static final List<Group<?>> GROUPS = List.of(ALL_OBSTACLES);
+  public static final Property<Scenario, List<Obstacle>> OBSTACLES = ELEMENT.property(List.of());
 
   static final Element<Scenario> ROOT =
       Element.<Scenario>of("root", "A scenario.").holds("simulation");
+  static final Element<Scenario> OBSTACLES_HOLDER =
+      Element.<Scenario>of(
+              "obstacles",
+              "What hides targets from cameras; where `transmittance` is 0 no target walks (ours).")
+          .holds(
+              ObstacleElements.ALL.stream().map(Element::name).collect(joining(" | ", "(", ")*")));
   static final Element<Scenario> CAMERAS_HOLDER =
       Element.<Scenario>of("cameras", "The cameras of the start.").holds("optics*, zoom?, camera+");
   static final Element<Scenario> TARGETS_HOLDER =
@@ -122,8 +119,7 @@ shows, m (ours) | the field's borders
       Element.<Scenario>of("events", "What happens when.").holds("event*");
 
   static {
-    String groups = GROUPS.stream().map(one -> one.holder().name() + "? & ").collect(joining());
-    ELEMENT.holds(groups + "zoom? & cameras & objects? & events? & visiongraph?");
+    ELEMENT.holds("obstacles? & zoom? & cameras & objects? & events? & visiongraph?");
   }
 
   private Scenario(Spec<Scenario> said) {
@@ -137,11 +133,8 @@ shows, m (ours) | the field's borders
 
   /** All elements of scenario files. */
   static List<Element<?>> elements() {
-    List<Element<?>> all = new ArrayList<>(List.of(ROOT, ELEMENT));
-    for (Group<?> group : GROUPS) {
-      all.add(group.holder());
-      all.addAll(group.members());
-    }
+    List<Element<?>> all = new ArrayList<>(List.of(ROOT, ELEMENT, OBSTACLES_HOLDER));
+    all.addAll(ObstacleElements.ALL);
     all.addAll(
         List.of(
             CAMERAS_HOLDER,

@@ -54,9 +54,11 @@ public sealed interface ScenarioEvent {
       double viewingAngle,
       double range)
       implements ScenarioEvent {
-    private static final Element<ChangeCamera> BODY =
-        Element.of(
-            "event",
+    static final EventKind<ChangeCamera, ChangeCamera> KIND =
+        EventKind.of(
+            "camera",
+            "change",
+            ChangeCamera.class,
             """
             The camera gets these values; -1 leaves one as it was. One with a lens keeps its views.
             name: the camera
@@ -64,41 +66,20 @@ public sealed interface ScenarioEvent {
             heading, viewing_angle: degrees
             range: reach, m
             """);
-    private static final Property<ChangeCamera, String> CAMERA = BODY.required("name", Type.CAMERA);
-    static final Property<ChangeCamera, Double> X =
-        BODY.required("x", Type.orUnchanged(Type.COORDINATE));
-    static final Property<ChangeCamera, Double> Y =
-        BODY.required("y", Type.orUnchanged(Type.COORDINATE));
-    private static final Property<ChangeCamera, Double> HEADING =
-        BODY.required("heading", Type.FINITE);
-    private static final Property<ChangeCamera, Double> VIEWING_ANGLE =
-        BODY.required("viewing_angle", Type.orUnchanged(Type.OPENING));
-    private static final Property<ChangeCamera, Double> RANGE =
-        BODY.required("range", Type.orUnchanged(Type.LENGTH));
 
-    static final EventKind<ChangeCamera, ChangeCamera> KIND =
-        new EventKind<>(
-            "camera", "change", ChangeCamera.class, BODY, ChangeCamera::new, ChangeCamera::said);
-
-    private ChangeCamera(int step, Spec<ChangeCamera> said) {
-      this(
-          step,
-          said.get(CAMERA),
-          said.get(X),
-          said.get(Y),
-          said.get(HEADING),
-          said.get(VIEWING_ANGLE),
-          said.get(RANGE));
+    static {
+      KIND.body().required("name", Type.CAMERA);
     }
 
-    private Spec<ChangeCamera> said() {
-      return BODY.empty()
-          .put(CAMERA, camera)
-          .put(X, x)
-          .put(Y, y)
-          .put(HEADING, heading)
-          .put(VIEWING_ANGLE, viewingAngle)
-          .put(RANGE, range);
+    static final Property<ChangeCamera, Double> X =
+        KIND.body().required("x", Type.orUnchanged(Type.COORDINATE));
+    static final Property<ChangeCamera, Double> Y =
+        KIND.body().required("y", Type.orUnchanged(Type.COORDINATE));
+
+    static {
+      KIND.body().required("heading", Type.FINITE);
+      KIND.body().required("viewing_angle", Type.orUnchanged(Type.OPENING));
+      KIND.body().required("range", Type.orUnchanged(Type.LENGTH));
     }
 
     @Override
@@ -113,26 +94,21 @@ public sealed interface ScenarioEvent {
    * @param duration steps; any value but 0 means for ever, as in CamSim; 0 does nothing
    */
   record FailCamera(int step, String camera, int duration) implements ScenarioEvent {
-    private static final Element<FailCamera> BODY =
-        Element.of(
-            "event",
+    static final EventKind<FailCamera, FailCamera> KIND =
+        EventKind.of(
+            "camera",
+            "error",
+            FailCamera.class,
             """
             The camera fails.
             name: the camera
             duration: 0 for nothing, any other number of steps for ever, as in CamSim
             """);
-    private static final Property<FailCamera, String> CAMERA = BODY.required("name", Type.CAMERA);
-    private static final Property<FailCamera, Integer> DURATION =
-        BODY.required("duration", Type.whole(-1));
 
-    static final EventKind<FailCamera, FailCamera> KIND =
-        new EventKind<>(
-            "camera",
-            "error",
-            FailCamera.class,
-            BODY,
-            (step, said) -> new FailCamera(step, said.get(CAMERA), said.get(DURATION)),
-            fail -> BODY.empty().put(CAMERA, fail.camera).put(DURATION, fail.duration));
+    static {
+      KIND.body().required("name", Type.CAMERA);
+      KIND.body().required("duration", Type.whole(-1));
+    }
 
     @Override
     public Optional<String> existingCamera() {
@@ -154,50 +130,37 @@ public sealed interface ScenarioEvent {
 
   /** The target with these features disappears; without such a target nothing happens. */
   record RemoveTarget(int step, double features) implements ScenarioEvent {
-    private static final Element<RemoveTarget> BODY =
-        Element.of(
-            "event",
+    static final EventKind<RemoveTarget, RemoveTarget> KIND =
+        EventKind.of(
+            "object",
+            "error",
+            RemoveTarget.class,
             """
             The target leaves.
             name: its features
             """);
-    private static final Property<RemoveTarget, Double> FEATURES =
-        BODY.required("name", Type.FINITE);
 
-    static final EventKind<RemoveTarget, RemoveTarget> KIND =
-        new EventKind<>(
-            "object",
-            "error",
-            RemoveTarget.class,
-            BODY,
-            (step, said) -> new RemoveTarget(step, said.get(FEATURES)),
-            remove -> BODY.empty().put(FEATURES, remove.features));
+    static {
+      KIND.body().required("name", Type.FINITE);
+    }
   }
 
   /** The global registration goes offline. */
   record FailRegistration(int step, int duration) implements ScenarioEvent {
-    private static final Element<FailRegistration> BODY =
-        Element.of(
-            "event",
+    static final EventKind<FailRegistration, FailRegistration> KIND =
+        EventKind.of(
+            "grc",
+            "error",
+            FailRegistration.class,
             """
             CamSim's global registration fails: see the end.
             duration: steps
             name: of no effect
             """);
-    private static final Property<FailRegistration, Integer> DURATION =
-        BODY.required("duration", Type.whole(-1));
 
     static {
-      BODY.ignored("name", Type.CAMERA);
+      KIND.body().required("duration", Type.whole(-1));
+      KIND.body().ignored("name", Type.CAMERA);
     }
-
-    static final EventKind<FailRegistration, FailRegistration> KIND =
-        new EventKind<>(
-            "grc",
-            "error",
-            FailRegistration.class,
-            BODY,
-            (step, said) -> new FailRegistration(step, said.get(DURATION)),
-            fail -> BODY.empty().put(DURATION, fail.duration));
   }
 }

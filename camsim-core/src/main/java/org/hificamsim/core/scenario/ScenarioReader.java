@@ -12,6 +12,7 @@ import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.obstacle.Obstacle;
 
 /**
  * Reads scenario files: CamSim's XML, the coverage study's dialect, and this project's optional
@@ -101,9 +102,7 @@ public final class ScenarioReader {
     Scenario said = Scenario.ELEMENT.make(attributes.said(faults)).with(Scenario.NAME, name());
     faults.check(() -> checkThreshold(said, attributes));
     Scenario scenario = faults.or(said, () -> withFloorplan(said, attributes));
-    for (Group<?> group : Scenario.GROUPS) {
-      scenario = with(group, scenario);
-    }
+    scenario = scenario.with(Scenario.OBSTACLES, obstacles());
     scenario = withStory(withZooms(scenario, attributes));
     if (faults.none()) {
       requireSome(simulation, scenario);
@@ -128,14 +127,11 @@ public final class ScenarioReader {
   }
 
   private XmlElement simulation() {
-    List<XmlElement> all = all(Scenario.ELEMENT);
-    if (all.isEmpty()) {
-      throw root.place().error("no <simulation>, expected one with min_x, max_x, min_y, max_y");
-    }
-    if (all.size() > 1) {
-      throw all.get(1).place().error("a second <simulation>, expected one");
-    }
-    return all.get(0);
+    return root.only(Scenario.ELEMENT.name(), "one")
+        .orElseThrow(
+            () ->
+                root.place()
+                    .error("no <simulation>, expected one with min_x, max_x, min_y, max_y"));
   }
 
   private String name() {
@@ -185,19 +181,11 @@ public final class ScenarioReader {
     return shown;
   }
 
-  private <C> Scenario with(Group<C> group, Scenario scenario) {
-    List<XmlElement> members =
-        root.below().filter(xml -> group.named(xml.name()).isPresent()).toList();
-    return scenario.with(
-        group.property(),
-        faults.each(members, xml -> read(xml, group.named(xml.name()).orElseThrow())));
-  }
-
-  private <S> S read(XmlElement xml, Element<S> element) {
-    Attributes<S> attributes = new Attributes<>(xml, element);
-    S read = attributes.read();
-    attributes.warnOfUnknown(warnings);
-    return read;
+  private List<Obstacle> obstacles() {
+    Map<String, Element<? extends Obstacle>> kinds =
+        ObstacleElements.ALL.stream().collect(Collectors.toMap(Element::name, one -> one));
+    List<XmlElement> elements = root.below().filter(xml -> kinds.containsKey(xml.name())).toList();
+    return faults.each(elements, xml -> Attributes.read(xml, kinds.get(xml.name()), warnings));
   }
 
   private <T> T said(
@@ -251,12 +239,7 @@ public final class ScenarioReader {
     List<XmlElement> elements = all(TracksReader.ELEMENT);
     TracksReader reader = new TracksReader(path, scenario.field(), scenario.stepTime(), warnings);
     List<List<ScenarioEvent>> events = faults.each(elements, reader::events);
-    if (elements.size() > 1) {
-      faults.check(
-          () -> {
-            throw elements.get(1).place().error("a second <tracks>, expected one");
-          });
-    }
+    faults.check(() -> root.only(TracksReader.ELEMENT.name(), "one"));
     return events.stream()
         .flatMap(List::stream)
         .map(event -> new EventStory.Told(event, elements.get(0)))

@@ -1,24 +1,29 @@
 package org.hificamsim.core.scenario;
 
-import static java.util.stream.Collectors.joining;
-
+import java.io.IOException;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.hificamsim.core.obstacle.Obstacle;
+import org.hificamsim.core.scenario.ScenarioEvent.AddTarget;
 
 /**
  * Writes scenarios as XML that {@link ScenarioReader} reads back as an equal scenario; comments and
  * layout of an original file are not kept.
  */
 public final class ScenarioWriter {
+  private static final double NANOS = 1e9; // in a second
+
   private final XmlWriter xml = new XmlWriter();
   private final Scenario scenario;
-  private final TrackedTargets tracked;
+  private final List<AddTarget> tracked; // targets that follow tracks, in order
   private final Optional<String> tracksFile;
 
   private ScenarioWriter(Scenario scenario, Optional<String> tracksFile) {
     this.scenario = scenario;
-    this.tracked = TrackedTargets.of(scenario.events());
+    this.tracked = scenario.events(AddTarget.class).filter(ScenarioWriter::isTracked).toList();
     this.tracksFile = tracksFile;
   }
 
@@ -48,28 +53,25 @@ public final class ScenarioWriter {
   }
 
   private void simulation() {
-    Scenario.GROUPS.forEach(this::group);
+    if (!scenario.obstacles().isEmpty()) {
+      xml.element(
+          Scenario.OBSTACLES_HOLDER.name(),
+          Map.of(),
+          () -> scenario.obstacles().forEach(this::obstacle));
+    }
     xml.element(Scenario.CAMERAS_HOLDER.name(), Map.of(), this::cameras);
     xml.element(Scenario.TARGETS_HOLDER.name(), Map.of(), this::targets);
-    List<ScenarioEvent> events = tracked.others(scenario.events());
+    List<ScenarioEvent> events = eventsWithoutTracks();
     if (!events.isEmpty()) {
       xml.element(Scenario.EVENTS_HOLDER.name(), Map.of(), () -> events.forEach(this::event));
     }
     scenario.visionGraph().ifPresent(this::visionGraph);
   }
 
-  private <C> void group(Group<C> group) {
-    List<C> all = scenario.get(group.property());
-    if (!all.isEmpty()) {
-      xml.element(group.holder().name(), Map.of(), () -> all.forEach(one -> member(group, one)));
-    }
-  }
-
-  private <C> void member(Group<C> group, C one) {
-    group.members().stream()
-        .filter(element -> element.type().isInstance(one))
-        .findFirst()
-        .ifPresent(element -> member(element, one));
+  private void obstacle(Obstacle obstacle) {
+    ObstacleElements.ALL.stream()
+        .filter(element -> element.type().isInstance(obstacle))
+        .forEach(element -> member(element, obstacle));
   }
 
   private <S> void member(Element<S> element, Object one) {
@@ -83,7 +85,8 @@ public final class ScenarioWriter {
         .distinct()
         .forEach(optics -> element(OpticsSpec.ELEMENT, optics));
     if (!scenario.zooms().isEmpty()) {
-      String radii = scenario.zooms().stream().map(String::valueOf).collect(joining(" "));
+      String radii =
+          scenario.zooms().stream().map(String::valueOf).collect(Collectors.joining(" "));
       xml.text(ZoomListReader.ELEMENT.name(), radii);
     }
     scenario.cameras().forEach(camera -> element(CameraSpec.ELEMENT, camera));
@@ -97,9 +100,51 @@ public final class ScenarioWriter {
     }
     tracksFile.ifPresent(
         file -> xml.element(TracksReader.ELEMENT.name(), Map.of(TracksReader.FILE.name(), file)));
-    if (!tracked.additions().isEmpty()) { // as text: what is written is all of the scenario
-      xml.lines(TracksReader.ELEMENT.name(), tracked::write);
+    if (!tracked.isEmpty()) { // as text: what is written is all of the scenario
+      xml.lines(TracksReader.ELEMENT.name(), this::tracks);
     }
+  }
+
+  /** A file of tracks has a target's two events, which add and remove it. */
+  private List<ScenarioEvent> eventsWithoutTracks() {
+    Set<ScenarioEvent> removals =
+        tracked.stream()
+            .map(add -> track(add).removal(add.target().features()))
+            .collect(Collectors.toSet());
+    return scenario.events().stream()
+        .filter(event -> !(event instanceof AddTarget add && isTracked(add)))
+        .filter(event -> !removals.contains(event))
+        .toList();
+  }
+
+  private void tracks(Appendable out) throws IOException {
+    TrackWriter writer = new TrackWriter(out, interval(track(tracked.get(0))), 0);
+    for (AddTarget add : tracked) {
+      TargetSpec target = add.target();
+      if (target.extent().isPresent()) {
+        writer.target(target.features(), target.extent().get());
+      } else {
+        writer.target(target.features(), target.size());
+      }
+      Track track = track(add);
+      for (int i = 0; i < track.samples(); i++) {
+        writer.sample(track.time(i), track.x(i), track.y(i));
+      }
+    }
+  }
+
+  /** Between its first two samples, to the nanosecond. */
+  private static double interval(Track track) {
+    double interval = track.samples() == 1 ? 1 : track.time(1) - track.time(0);
+    return Math.max(1, Math.rint(interval * NANOS)) / NANOS;
+  }
+
+  private static boolean isTracked(AddTarget add) {
+    return add.target().track().isPresent();
+  }
+
+  private static Track track(AddTarget add) {
+    return add.target().track().orElseThrow();
   }
 
   private void event(ScenarioEvent event) {
@@ -108,8 +153,7 @@ public final class ScenarioWriter {
             .filter(one -> one.type().isInstance(event))
             .findFirst()
             .orElseThrow();
-    List<Waypoint> path =
-        event instanceof ScenarioEvent.AddTarget add ? add.target().waypoints() : List.of();
+    List<Waypoint> path = event instanceof AddTarget add ? add.target().waypoints() : List.of();
     withWaypoints(EventReader.ELEMENT.name(), kind.written(event), path);
   }
 

@@ -29,6 +29,11 @@ public class Spec<S> {
     this(said.element, said.values, said.extras);
   }
 
+  /** By the properties' numbers; null for none. */
+  final Object[] values() {
+    return values;
+  }
+
   /** The value of a property; null where there is none. */
   @SuppressWarnings("unchecked") // nothing else is put there
   final <T> T value(Property<S, T> property) {

@@ -138,9 +138,7 @@ final class TargetReader {
   }
 
   private Waypoint waypoint(XmlElement xml, boolean anywhere) {
-    Attributes<Waypoint> attributes = new Attributes<>(xml, Waypoint.ELEMENT);
-    Waypoint waypoint = attributes.read();
-    attributes.warnOfUnknown(warnings);
+    Waypoint waypoint = Attributes.read(xml, Waypoint.ELEMENT, warnings);
     clearing.requireFree(xml, waypoint.x(), waypoint.y());
     if (!field.contains(waypoint.x(), waypoint.y()) && !anywhere) {
       warnings.accept(xml.place() + ": <waypoint> lies outside the field, out of reach");

@@ -5,6 +5,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.DoubleStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.core.file.TextLines;
@@ -28,12 +29,13 @@ final class TrackReader {
   private final double stepTime;
   private final List<Tracked> tracks = new ArrayList<>();
   private final Map<Double, Double> lastTimes = new HashMap<>();
-  private final Samples samples = new Samples();
+  private DoubleStream.Builder samples = DoubleStream.builder(); // time, x and y of each
   private Place begun;
   private double features;
   private double size;
   private Optional<Extent> extent = Optional.empty();
   private double interval;
+  private double last; // time of the last sample; NaN before the first
   private double anchor;
   private int since;
   private long total;
@@ -90,6 +92,8 @@ final class TrackReader {
 
   private void begin() {
     begun = lines.place(0);
+    samples = DoubleStream.builder();
+    last = Double.NaN;
     features = lines.number(1, "target");
     if (word(2).equals("width")) {
       double width = number(3, "width", Range.POSITIVE_LENGTH);
@@ -124,19 +128,20 @@ final class TrackReader {
     if (first == 1) {
       anchor = lines.number(0, "time", START, this::isLater);
       since = 0;
-    } else if (samples.isEmpty()) {
+    } else if (Double.isNaN(last)) {
       throw lines.invalid(2, "time, x and y", "all three in a track's first line");
     }
     requireRoom();
-    samples.add(
-        anchor + since++ * interval,
-        number(first, "x", Range.COORDINATE),
-        number(first + 1, "y", Range.COORDINATE));
+    last = anchor + since++ * interval;
+    samples
+        .add(last)
+        .add(number(first, "x", Range.COORDINATE))
+        .add(number(first + 1, "y", Range.COORDINATE));
   }
 
   private boolean isLater(double time) {
-    double last = samples.isEmpty() ? lastTimes.getOrDefault(features, -1.0) : samples.last();
-    return time >= 0 && time <= 1e9 && time > last;
+    double before = Double.isNaN(last) ? lastTimes.getOrDefault(features, -1.0) : last;
+    return time >= 0 && time <= 1e9 && time > before;
   }
 
   private void requireRoom() {
@@ -149,10 +154,11 @@ final class TrackReader {
     if (begun == null) {
       return;
     }
-    if (samples.isEmpty()) {
+    if (Double.isNaN(last)) {
       throw begun.error("a target without a sample, expected lines of time, x and y");
     }
-    lastTimes.put(features, samples.last());
-    tracks.add(new Tracked(begun, features, size, extent, samples.track(stepTime)));
+    lastTimes.put(features, last);
+    Track track = new Track(samples.build().toArray(), stepTime);
+    tracks.add(new Tracked(begun, features, size, extent, track));
   }
 }

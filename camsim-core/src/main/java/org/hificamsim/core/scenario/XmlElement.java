@@ -5,6 +5,7 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -82,6 +83,19 @@ final class XmlElement {
   /** The elements below with this name, at any depth, in document order. */
   List<XmlElement> all(String wanted) {
     return below().filter(element -> element.name.equals(wanted)).toList();
+  }
+
+  /**
+   * The element below with this name; empty where there is none.
+   *
+   * @param expected what error lines say of a second one
+   */
+  Optional<XmlElement> only(String wanted, String expected) {
+    List<XmlElement> all = all(wanted);
+    if (all.size() > 1) {
+      throw all.get(1).place().error("a second <" + wanted + ">, expected " + expected);
+    }
+    return all.stream().findFirst();
   }
 
   /** All elements below, in document order. */

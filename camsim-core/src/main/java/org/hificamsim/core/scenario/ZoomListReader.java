@@ -2,7 +2,6 @@ package org.hificamsim.core.scenario;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 
 /** Reads the coverage study's list of candidate radii. */
@@ -19,21 +18,21 @@ final class ZoomListReader {
 
   /** The radii, rising; empty where the file has no zoom list. */
   static List<Double> zooms(XmlElement root) {
-    List<XmlElement> lists = root.all(ELEMENT.name());
-    if (lists.isEmpty()) {
-      return List.of();
-    }
-    if (lists.size() > 1) {
-      throw lists.get(1).place().error("a second <zoom>, expected one for all cameras");
-    }
-    XmlElement list = lists.get(0);
+    return root.only(ELEMENT.name(), "one for all cameras")
+        .map(ZoomListReader::radii)
+        .orElse(List.of());
+  }
+
+  private static List<Double> radii(XmlElement list) {
     String text = list.text().strip();
     if (text.isEmpty()) {
       throw list.place().error("<zoom> is empty, expected radii such as 2.5 5.0 7.5");
     }
     List<Double> radii = new ArrayList<>();
+    double last = 0;
     for (String item : text.split("\\s+")) {
-      radii.add(radius(list, item, radii));
+      last = radius(list, item, last);
+      radii.add(last);
     }
     if (radii.size() > MAX_LEVELS) {
       throw list.place()
@@ -42,25 +41,17 @@ final class ZoomListReader {
     return radii;
   }
 
-  private static double radius(XmlElement list, String item, List<Double> before) {
-    double last = before.isEmpty() ? 0 : before.get(before.size() - 1);
-    double radius = radius(list, item);
-    if (radius <= last) {
-      throw invalid(list, item, "' after " + last + ", expected rising radii, each once");
-    }
-    return radius;
-  }
-
-  private static double radius(XmlElement list, String item) {
+  private static double radius(XmlElement list, String item, double last) {
+    String expected = "', expected radii above 0 and at most 1e9 (m), between spaces";
     try {
-      return Range.POSITIVE_LENGTH.parse(item);
+      double radius = Range.POSITIVE_LENGTH.parse(item);
+      if (radius > last) {
+        return radius;
+      }
+      expected = "' after " + last + ", expected rising radii, each once";
     } catch (IllegalArgumentException e) {
-      throw invalid(list, item, "', expected radii above 0 and at most 1e9 (m), between spaces");
+      // reported below
     }
-  }
-
-  private static InputException invalid(XmlElement list, String item, String problem) {
-    String quoted = Place.shortened(item);
-    return list.place().error("<zoom> has '" + quoted + problem);
+    throw list.place().error("<zoom> has '" + Place.shortened(item) + expected);
   }
 }

@@ -20,8 +20,7 @@ public final class Cameras {
   private final String[] names;
   private final Mount[] mounts;
   private final int[] view;
-  private final boolean[] aimed;
-  private final Pose[] aimedPose;
+  private final Pose[] aimed; // where a camera looks that was turned to any angle; else null
   private final double[] aimedPan;
   private final boolean[] online;
   private Motion motion;
@@ -32,8 +31,7 @@ public final class Cameras {
     names = new String[count];
     mounts = new Mount[count];
     view = new int[count];
-    aimed = new boolean[count];
-    aimedPose = new Pose[count];
+    aimed = new Pose[count];
     aimedPan = new double[count];
     online = new boolean[count];
   }
@@ -49,7 +47,7 @@ public final class Cameras {
   /** Lets moves take time, once all cameras are defined. */
   void startMotion(double stepTime) {
     ViewSet[] sets = Arrays.stream(mounts).map(Mount::set).toArray(ViewSet[]::new);
-    if (Motion.takesTime(sets)) {
+    if (Arrays.stream(sets).anyMatch(ViewSet::takesTime)) {
       motion = new Motion(sets, stepTime);
       for (int camera = 0; camera < view.length; camera++) {
         motion.arrive(camera, view[camera]);
@@ -73,7 +71,7 @@ public final class Cameras {
 
   private void mount(int camera, Mount mount) {
     mounts[camera] = mount;
-    aimed[camera] = false;
+    aimed[camera] = null;
     if (motion != null) {
       motion.refit(camera, mount.set());
     }
@@ -102,16 +100,15 @@ public final class Cameras {
    */
   public void aim(int camera, int newView, double pan) {
     jumpTo(camera, newView);
-    aimedPose[camera] = mounts[camera].pose().turned(pan);
-    aimed[camera] = true;
+    aimed[camera] = mounts[camera].pose().turned(pan);
     aimedPan[camera] = pan;
     looks++;
   }
 
   /** A view that was aimed has its own angle again. */
   private void release(int camera) {
-    if (aimed[camera]) {
-      aimed[camera] = false;
+    if (aimed[camera] != null) {
+      aimed[camera] = null;
       looks++;
     }
   }
@@ -146,8 +143,8 @@ public final class Cameras {
 
   /** Where the camera stands and which way it looks in one of its views. */
   public Pose pose(int camera, int ofView) {
-    return aimed[camera] && ofView == view[camera]
-        ? aimedPose[camera]
+    return aimed[camera] != null && ofView == view[camera]
+        ? aimed[camera]
         : mounts[camera].pose(ofView);
   }
 
@@ -219,7 +216,7 @@ public final class Cameras {
 
   /** The pan angle of one of the views, radians off the mounted heading. */
   public double pan(int camera, int ofView) {
-    return aimed[camera] && ofView == view[camera]
+    return aimed[camera] != null && ofView == view[camera]
         ? aimedPan[camera]
         : mounts[camera].set().pan(ofView);
   }

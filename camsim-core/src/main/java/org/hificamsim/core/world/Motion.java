@@ -1,6 +1,5 @@
 package org.hificamsim.core.world;
 
-import java.util.Arrays;
 import org.hificamsim.core.scenario.Moving;
 
 /**
@@ -87,10 +86,5 @@ final class Motion {
   /** The view through which a camera sees on its way to a goal; -1 while it sees nothing. */
   int seeing(int camera, int goal) {
     return moving[camera] ? passing[camera] : goal;
-  }
-
-  /** Whether any camera of these needs time for a move. */
-  static boolean takesTime(ViewSet[] views) {
-    return Arrays.stream(views).anyMatch(ViewSet::takesTime);
   }
 }

@@ -2,7 +2,6 @@ package org.hificamsim.core.world;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Comparator;
 import java.util.Deque;
 import java.util.HashMap;
@@ -12,7 +11,6 @@ import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.core.visibility.Pose;
 
 /**
  * All cameras and targets that a scenario will ever have, by number, and the events in their order;
@@ -20,116 +18,62 @@ import org.hificamsim.core.visibility.Pose;
  *
  * <p>Cameras and targets are numbered in the order of the file, those of the start first, then
  * those that events add, in the order in which they appear.
+ *
+ * @param removed the target that each event removes, or {@link #NONE}: known from the start, since
+ *     a search in a step would cost and allocate
+ * @param mounts how each camera is mounted when it is added
+ * @param cameraNumbers by name; of several cameras with the name the first
  */
-final class Participants {
-  /** What an event removes that removes no target. */
+record Participants(
+    Scenario scenario,
+    Views views,
+    List<ScenarioEvent> events,
+    List<Integer> removed,
+    List<CameraSpec> cameras,
+    List<Mount> mounts,
+    Map<String, Integer> cameraNumbers,
+    List<TargetSpec> targets) {
+  /** The number of what is not there. */
   static final int NONE = -1;
 
-  private final Scenario scenario;
-  private final Views views;
-  private final ScenarioEvent[] events;
-  private final int[] removed;
-  private final List<CameraSpec> cameras = new ArrayList<>();
-  private final List<TargetSpec> targets = new ArrayList<>();
-  private final List<Mount> mounts;
-  private final Map<String, Integer> cameraNumbers = new HashMap<>();
-
-  Participants(Scenario scenario) {
-    this.scenario = scenario;
-    this.views = new Views(scenario);
-    this.events =
-        scenario.events().stream()
-            .sorted(Comparator.comparingInt(ScenarioEvent::step))
-            .toArray(ScenarioEvent[]::new);
-    collect();
-    removed = removed();
-    mounts = cameras.stream().map(this::mount).toList();
+  /** Finds them. */
+  static Participants of(Scenario scenario) {
+    List<ScenarioEvent> events =
+        scenario.events().stream().sorted(Comparator.comparingInt(ScenarioEvent::step)).toList();
+    Scenario inOrder = scenario.with(Scenario.EVENTS, events);
+    List<CameraSpec> cameras = inOrder.everyCamera().toList();
+    Views views = new Views(scenario);
+    Map<String, Integer> numbers = new HashMap<>();
     for (int camera = 0; camera < cameras.size(); camera++) {
-      cameraNumbers.putIfAbsent(cameras.get(camera).name(), camera);
+      numbers.putIfAbsent(cameras.get(camera).name(), camera);
     }
+    return new Participants(
+        scenario,
+        views,
+        events,
+        removed(scenario.targets(), events),
+        cameras,
+        cameras.stream().map(views::mount).toList(),
+        numbers,
+        inOrder.everyTarget().toList());
   }
 
-  private void collect() {
-    cameras.addAll(scenario.cameras());
-    targets.addAll(scenario.targets());
-    for (ScenarioEvent event : events) {
-      if (event instanceof ScenarioEvent.AddCamera add) {
-        cameras.add(add.camera());
-      } else if (event instanceof ScenarioEvent.AddTarget add) {
-        targets.add(add.target());
-      }
-    }
-  }
-
-  private Mount mount(CameraSpec spec) {
-    Pose pose = Pose.of(spec.x(), spec.y(), Math.toRadians(spec.heading()));
-    return views.mount(pose, views.of(spec));
-  }
-
-  /** Who removes whom is known from the start: a search in each step would cost and allocate. */
-  private int[] removed() {
+  private static List<Integer> removed(List<TargetSpec> atStart, List<ScenarioEvent> events) {
     Map<Double, Deque<Integer>> present = new HashMap<>(); // one each, if a file was read
     int next = 0;
-    for (TargetSpec target : scenario.targets()) {
+    for (TargetSpec target : atStart) {
       present.computeIfAbsent(target.features(), any -> new ArrayDeque<>()).add(next++);
     }
-    int[] numbers = new int[events.length];
-    Arrays.fill(numbers, NONE);
-    for (int i = 0; i < events.length; i++) {
-      if (events[i] instanceof ScenarioEvent.AddTarget add) {
+    List<Integer> removed = new ArrayList<>();
+    for (ScenarioEvent event : events) {
+      Integer number = null;
+      if (event instanceof ScenarioEvent.AddTarget add) {
         present.computeIfAbsent(add.target().features(), any -> new ArrayDeque<>()).add(next++);
-      } else if (events[i] instanceof ScenarioEvent.RemoveTarget remove) {
-        Deque<Integer> same = present.getOrDefault(remove.features(), new ArrayDeque<>());
-        numbers[i] = same.isEmpty() ? NONE : same.remove();
+      } else if (event instanceof ScenarioEvent.RemoveTarget remove) {
+        number = present.getOrDefault(remove.features(), new ArrayDeque<>()).poll();
       }
+      removed.add(number == null ? NONE : number);
     }
-    return numbers;
-  }
-
-  Scenario scenario() {
-    return scenario;
-  }
-
-  Views views() {
-    return views;
-  }
-
-  int events() {
-    return events.length;
-  }
-
-  ScenarioEvent event(int number) {
-    return events[number];
-  }
-
-  /** The target that an event removes, or {@link #NONE}. */
-  int removed(int event) {
-    return removed[event];
-  }
-
-  int cameras() {
-    return mounts.size();
-  }
-
-  CameraSpec camera(int number) {
-    return cameras.get(number);
-  }
-
-  /** How a camera is mounted when it is added. */
-  Mount mount(int camera) {
-    return mounts.get(camera);
-  }
-
-  /** The number of a camera; of several with the name the first; -1 for none. */
-  int cameraNumber(String name) {
-    return cameraNumbers.getOrDefault(name, -1);
-  }
-
-  int targets() {
-    return targets.size();
-  }
-
-  TargetSpec target(int number) {
-    return targets.get(number);
+    return removed;
   }
 }

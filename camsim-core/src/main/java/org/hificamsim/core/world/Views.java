@@ -55,6 +55,11 @@ final class Views {
     return made.computeIfAbsent(new Kind(own, viewingAngle, camera.optics()), this::make);
   }
 
+  /** How a camera is mounted as the scenario gives it. */
+  Mount mount(CameraSpec spec) {
+    return mount(Pose.of(spec.x(), spec.y(), Math.toRadians(spec.heading())), of(spec));
+  }
+
   /** A camera with these views. */
   Mount mount(Pose pose, ViewSet set) {
     return new Mount(pose, set, set.zooms().stream().mapToInt(this::number).toArray());

@@ -36,7 +36,7 @@ public final class World {
    * @throws InputException when a target asks for a movement that is not registered
    */
   public World(Scenario scenario, Registry<Movement> registry, long seed) {
-    this(new Participants(scenario), registry, seed);
+    this(Participants.of(scenario), registry, seed);
   }
 
   private World(Participants participants, Registry<Movement> registry, long seed) {
@@ -44,10 +44,11 @@ public final class World {
     this.registry = registry;
     this.random = new RandomStreams(seed);
     Scenario scenario = participants.scenario();
-    cameras = new Cameras(participants.cameras());
+    cameras = new Cameras(participants.cameras().size());
     Obstacles obstacles = new Obstacles(scenario.obstacles());
-    targets = new Targets(scenario.field(), obstacles, scenario.order(), participants.targets());
-    movements = new Movement[participants.targets()];
+    int count = participants.targets().size();
+    targets = new Targets(scenario.field(), obstacles, scenario.order(), count);
+    movements = new Movement[count];
     start();
     sightLines = new SightLines(obstacles, scenario.occlusion(), cameras, targets);
   }
@@ -120,12 +121,12 @@ public final class World {
    * camera later do not change this.
    */
   public CameraSpec cameraSpec(int camera) {
-    return participants.camera(camera);
+    return participants.cameras().get(camera);
   }
 
   /** How the scenario describes a target, also one that is yet to appear. */
   public TargetSpec targetSpec(int target) {
-    return participants.target(target);
+    return participants.targets().get(target);
   }
 
   /** Sets the one observer of the events that fire from now on. */
@@ -160,7 +161,8 @@ public final class World {
 
   /** Fires the events of this step. */
   public void fireEvents(long step) {
-    while (nextEvent < participants.events() && participants.event(nextEvent).step() <= step) {
+    List<ScenarioEvent> events = participants.events();
+    while (nextEvent < events.size() && events.get(nextEvent).step() <= step) {
       fire(nextEvent++);
     }
     sightLines.refresh();
@@ -176,7 +178,7 @@ public final class World {
   }
 
   private void fire(int number) {
-    ScenarioEvent event = participants.event(number);
+    ScenarioEvent event = participants.events().get(number);
     if (event instanceof ScenarioEvent.AddCamera) {
       observer.cameraAdded(addCamera());
     } else if (event instanceof ScenarioEvent.ChangeCamera change) {
@@ -185,20 +187,20 @@ public final class World {
       failCamera(fail);
     } else if (event instanceof ScenarioEvent.AddTarget) {
       observer.targetAppeared(addTarget());
-    } else if (participants.removed(number) != Participants.NONE) {
-      removeTarget(participants.removed(number));
+    } else if (participants.removed().get(number) != Participants.NONE) {
+      removeTarget(participants.removed().get(number));
     }
   }
 
   private int addCamera() {
-    cameras.place(nextCamera, participants.mount(nextCamera));
+    cameras.place(nextCamera, participants.mounts().get(nextCamera));
     cameras.switchTo(nextCamera, true);
     return nextCamera++;
   }
 
   private void changeCamera(ScenarioEvent.ChangeCamera change) {
     int camera = onlineCamera(change.camera());
-    if (camera < 0) {
+    if (camera == Participants.NONE) {
       return;
     }
     cameras.place(
@@ -217,7 +219,7 @@ public final class World {
 
   /** A camera with optics keeps its views, but for round ones. */
   private void refit(int camera, double range, double viewingAngle) {
-    ViewSet set = participants.views().of(range, viewingAngle, participants.camera(camera));
+    ViewSet set = participants.views().of(range, viewingAngle, cameraSpec(camera));
     cameras.place(camera, participants.views().mount(cameras.pose(camera), set));
   }
 
@@ -227,19 +229,19 @@ public final class World {
 
   private void failCamera(ScenarioEvent.FailCamera fail) {
     int camera = onlineCamera(fail.camera());
-    if (camera >= 0 && fail.duration() != 0) {
+    if (camera != Participants.NONE && fail.duration() != 0) {
       cameras.switchTo(camera, false);
       observer.cameraFailed(camera, fail.duration());
     }
   }
 
   private int onlineCamera(String name) {
-    int camera = participants.cameraNumber(name);
-    return camera >= 0 && cameras.online(camera) ? camera : -1;
+    int camera = participants.cameraNumbers().getOrDefault(name, Participants.NONE);
+    return camera != Participants.NONE && cameras.online(camera) ? camera : Participants.NONE;
   }
 
   private int addTarget() {
-    TargetSpec spec = participants.target(nextTarget);
+    TargetSpec spec = targetSpec(nextTarget);
     double heading = scenario().headings().radians(spec.heading());
     targets.appear(nextTarget, spec.x(), spec.y(), heading, spec.speed());
     movements[nextTarget].start(nextTarget, targets, spec);
@@ -252,12 +254,12 @@ public final class World {
   }
 
   private void defineAll() {
-    for (int camera = 0; camera < participants.cameras(); camera++) {
-      cameras.define(camera, participants.camera(camera).name(), participants.mount(camera));
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      cameras.define(camera, cameraSpec(camera).name(), participants.mounts().get(camera));
     }
     cameras.startMotion(scenario().stepTime());
     for (int target = 0; target < movements.length; target++) {
-      TargetSpec spec = participants.target(target);
+      TargetSpec spec = targetSpec(target);
       targets.define(target, spec.name(), spec.size(), spec.width());
       movements[target] = registry.create(movementName(spec));
     }

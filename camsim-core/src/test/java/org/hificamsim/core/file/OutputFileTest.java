@@ -58,7 +58,7 @@ class OutputFileTest {
     Path target = Files.writeString(folder.resolve("target"), "mine");
     Path link = Files.createSymbolicLink(folder.resolve("link"), target);
     for (Path planted : List.of(target, link)) {
-      assertThrows(IOException.class, () -> OutputFile.unbuffered(planted));
+      assertThrows(IOException.class, () -> OutputFile.stream(planted));
     }
     assertEquals("mine", Files.readString(target));
   }

@@ -65,7 +65,7 @@ class TextLinesTest {
 
   @Test
   void aLineOfAMillionCharactersIsTheLongest() {
-    String longest = "x".repeat(ShortLines.MAX);
+    String longest = "x".repeat(TextLines.MAX_LINE);
     TextLines lines = new TextLines("t", new StringReader("ab\n" + longest + "\n" + longest), 7);
     for (int line = 7; line < 10; line++) {
       assertTrue(lines.next(), "line " + line);

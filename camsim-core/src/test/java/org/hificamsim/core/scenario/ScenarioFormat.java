@@ -47,10 +47,8 @@ public final class ScenarioFormat {
 
   /** The element of this name, or all that it holds any number of. */
   private static List<Element<?>> elements(String name) {
-    for (Group<?> group : Scenario.GROUPS) {
-      if (group.holder().name().equals(name)) {
-        return List.copyOf(group.members());
-      }
+    if (name.equals(Scenario.OBSTACLES_HOLDER.name())) {
+      return List.copyOf(ObstacleElements.ALL);
     }
     return Scenario.elements().stream().filter(one -> one.name().equals(name)).limit(1).toList();
   }
@@ -94,7 +92,8 @@ public final class ScenarioFormat {
                     .filter(row -> row.isRequired() == required)
                     .map(
                         row ->
-                            row.named() + (body.type() == null ? " (" + row.meaning() + ")" : ""))
+                            row.named()
+                                + (body.type().isRecord() ? " (" + row.meaning() + ")" : ""))
                     .collect(Collectors.joining(", ")))
         .filter(names -> !names.isEmpty())
         .collect(Collectors.joining("; optional "));

@@ -13,6 +13,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
+import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.Sha256;
@@ -43,15 +44,15 @@ public final class CrateFile {
   /**
    * Writes the file.
    *
-   * @param written each file with its SHA-256, {@code manifest.json} among them
+   * @param written files, {@code manifest.json} among them
    * @param beside files that were written otherwise
    * @param plans that were run
    */
   public static void write(
-      Path folder, Map<String, String> written, List<String> beside, List<RunPlan> plans)
+      Path folder, List<String> written, List<String> beside, List<RunPlan> plans)
       throws IOException {
-    Map<String, String> hashes = new TreeMap<>(written);
-    for (String name : beside) {
+    Map<String, String> hashes = new TreeMap<>();
+    for (String name : Stream.concat(written.stream(), beside.stream()).toList()) {
       hashes.put(name, Sha256.of(folder.resolve(name)));
     }
     CrateFile file = new CrateFile(new ResultFolder(folder));

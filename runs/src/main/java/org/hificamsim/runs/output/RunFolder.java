@@ -6,7 +6,6 @@ import java.io.OutputStream;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
-import java.util.Map;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
@@ -113,8 +112,8 @@ public final class RunFolder implements Closeable {
     InputFiles.write(folder, List.of(plan));
   }
 
-  /** The files that are in their place, each with its SHA-256. */
-  public Map<String, String> written() {
+  /** The files that are in their place. */
+  public List<String> written() {
     return folder.written();
   }
 
