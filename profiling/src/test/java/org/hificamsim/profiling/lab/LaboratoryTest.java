@@ -18,7 +18,6 @@ import java.util.stream.Stream;
 import org.hificamsim.profiling.SmallLab;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
-import org.hificamsim.profiling.dataset.DatasetReading;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.opencv.Mats;
 import org.junit.jupiter.api.BeforeAll;
@@ -197,7 +196,7 @@ class LaboratoryTest {
   }
 
   private static Dataset read(Path lab) {
-    DatasetReading reading = DatasetReader.read(lab);
+    DatasetReader.Reading reading = DatasetReader.read(lab);
     assertEquals(List.of(), reading.problems());
     return reading.dataset().orElseThrow();
   }
