@@ -10,7 +10,6 @@ import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.DetectorShape;
@@ -44,6 +43,7 @@ import picocli.CommandLine.Spec;
     description = "Fits f and g to measurements.csv; writes models/*.json and report.html.")
 final class FitCommand implements Callable<Integer> {
   private static final String BEST = "best";
+  private static final double PARSIMONY = 0.001; // what a node of a formula costs
   private static final int WIDTH = 16; // of the models' names, at least
 
   /** What {@code --g} takes. */
@@ -99,21 +99,6 @@ final class FitCommand implements Callable<Integer> {
       description = "Shape of g: ${COMPLETION-CANDIDATES}; line is the thesis's.")
   private String shape;
 
-  @Option(
-      names = "--parsimony",
-      paramLabel = "X",
-      description = "What each node of a formula costs, in squared error.")
-  private double parsimony;
-
-  @Option(
-      names = "--epsilon",
-      paramLabel = "X",
-      description = "Errors below this cost support vectors nothing.")
-  private double epsilon;
-
-  @Option(names = "--penalty", paramLabel = "C", description = "What larger errors cost them.")
-  private double penalty;
-
   @Mixin private ThreadsOption threads;
 
   @Spec private CommandSpec spec;
@@ -124,7 +109,7 @@ final class FitCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     FitSettings settings = settings();
     int count = threads.count();
-    PhotoCamera camera = DatasetReader.camera(folder);
+    PhotoCamera camera = PhotoCamera.of(folder);
     List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
     int models = FittedModel.writeAll(result, folder.resolve("models"), name);
@@ -195,14 +180,11 @@ final class FitCommand implements Callable<Integer> {
     Numbers.inRange("--population", population, 50, 1_000_000);
     Numbers.inRange("--generations", generations, 1, 100_000);
     Numbers.inRange("--restarts", restarts, 1, 1000);
-    Numbers.within("--parsimony", parsimony, 0, 1);
-    Numbers.within("--epsilon", epsilon, 0, 10);
-    Numbers.within("--penalty", penalty, 1e-6, 1e6);
     return new FitSettings(
         folds,
         seed.settings().seed(),
-        new SymbolicSettings(population, generations, parsimony, seed.settings().seed(), restarts),
-        new SupportVectorSettings(epsilon, penalty, SupportVectorSettings.THESIS.tolerance()),
+        new SymbolicSettings(population, generations, PARSIMONY, seed.settings().seed(), restarts),
+        SupportVectorSettings.THESIS,
         shape(),
         AlarmThreshold.read(folder));
   }

@@ -55,10 +55,9 @@ final class LabCommand implements Callable<Integer> {
 
   @Option(
       names = "--aperture",
-      paramLabel = "N,N",
-      split = ",",
-      description = "f-number: blur by distance, and diffraction; 0 for none; one of several.")
-  private List<Double> aperture;
+      paramLabel = "N",
+      description = "f-number: blur by distance, and diffraction; 0 for none.")
+  private double aperture;
 
   @Option(
       names = "--focus-error",
@@ -80,10 +79,9 @@ final class LabCommand implements Callable<Integer> {
 
   @Option(
       names = "--distortion",
-      paramLabel = "X,X",
-      split = ",",
-      description = "Factor on the radial distortion; 0 for none; one of several.")
-  private List<Double> distortion;
+      paramLabel = "X",
+      description = "Factor on the radial distortion; 0 for none.")
+  private double distortion;
 
   @Option(
       names = "--pose",
@@ -141,21 +139,23 @@ final class LabCommand implements Callable<Integer> {
     focalLengths.forEach(z -> Numbers.within("--focal-lengths", z, 0.001, 1));
     distances.forEach(d -> Numbers.within("--distances", d, 0.2, 11));
     Numbers.inRange("--objects", objects, 1, MAX_OBJECTS);
-    aperture.forEach(n -> Numbers.within("--aperture", n, 0, 64));
+    Numbers.within("--aperture", aperture, 0, 64);
     Numbers.within("--focus-error", focusError, 0, 0.2);
     Numbers.within("--iso", iso, 0, 1e6);
     Numbers.within("--vignetting", vignetting, 0, 1);
-    distortion.forEach(x -> Numbers.within("--distortion", x, -3, 3));
+    Numbers.within("--distortion", distortion, -3, 3);
     Numbers.within("--pose", pose, 0, 20);
     Numbers.within("--offset", offset, 0, 0.4);
     Numbers.within("--lighting", lighting, 0, 0.3);
     Numbers.inRange("--clutter", clutter, 0, MAX_CLUTTER);
-    return LabSettings.thesis(seed.settings().seed())
-        .withScale(scale)
-        .withGrid(focalLengths, distances, objects)
-        .with(texture)
-        .with(
-            new LabSettings.Optics(aperture, focusError, iso, vignetting, distortion),
-            new LabSettings.Scene(pose, offset, lighting, clutter));
+    return new LabSettings(
+        seed.settings().seed(),
+        scale,
+        focalLengths,
+        distances,
+        objects,
+        texture,
+        new LabSettings.Optics(aperture, focusError, iso, vignetting, distortion),
+        new LabSettings.Scene(pose, offset, lighting, clutter));
   }
 }

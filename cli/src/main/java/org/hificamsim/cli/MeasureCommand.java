@@ -12,7 +12,6 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
-import org.hificamsim.profiling.dataset.DatasetReading;
 import org.hificamsim.profiling.detector.Detectors;
 import org.hificamsim.profiling.detector.RatioTest;
 import org.hificamsim.profiling.measure.MatchPictures;
@@ -84,7 +83,7 @@ final class MeasureCommand implements Callable<Integer> {
     MeasureSettings settings = settings();
     int count = threads.count();
     PrintWriter err = screen.errors();
-    DatasetReading reading = DatasetReader.read(folder);
+    DatasetReader.Reading reading = DatasetReader.read(folder);
     reading.problems().forEach(problem -> err.println("error: " + problem));
     if (reading.dataset().isEmpty()) {
       err.flush();

@@ -12,12 +12,27 @@ import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
 import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
+import org.hificamsim.profiling.lab.Texture;
 
 /** A laboratory of a few dozen small photos, which is rendered once. */
 public final class SmallLab {
   private static final Map<String, byte[]> FILES = new LinkedHashMap<>();
 
   private SmallLab() {}
+
+  /** Settings with the defaults' imperfections. */
+  public static LabSettings settings(
+      long seed, double scale, List<Double> focalLengths, List<Double> distances, int objects) {
+    return new LabSettings(
+        seed,
+        scale,
+        focalLengths,
+        distances,
+        objects,
+        Texture.PHOTOS,
+        new LabSettings.Optics(5.6, 0.02, 1600, 0.5, 1),
+        new LabSettings.Scene(4, 0.08, 0.08, 48));
+  }
 
   /** Puts it into a folder. */
   public static synchronized Dataset render(Path folder) {
@@ -39,9 +54,7 @@ public final class SmallLab {
 
   private static void photograph(Path folder) throws IOException {
     LabSettings settings =
-        LabSettings.thesis(1)
-            .withScale(0.08)
-            .withGrid(List.of(0.010, 0.024, 0.085), List.of(1.0, 2.0, 4.0, 8.0), 4);
+        settings(1, 0.08, List.of(0.010, 0.024, 0.085), List.of(1.0, 2.0, 4.0, 8.0), 4);
     new Laboratory(settings).render(folder, 2, () -> {});
     try (Stream<Path> files = Files.walk(folder)) {
       for (Path file : files.filter(Files::isRegularFile).toList()) {

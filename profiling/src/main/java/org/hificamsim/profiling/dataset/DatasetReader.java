@@ -31,7 +31,7 @@ public final class DatasetReader {
   }
 
   /** Reads and checks a folder; no picture is decoded yet. */
-  public static DatasetReading read(Path folder) {
+  public static Reading read(Path folder) {
     DatasetReader reader = new DatasetReader(folder);
     Optional<Dataset> dataset = Optional.empty();
     try {
@@ -39,21 +39,20 @@ public final class DatasetReader {
     } catch (InputException e) {
       reader.problems.add(e.getMessage());
     }
-    return new DatasetReading(
-        reader.problems.isEmpty() ? dataset : Optional.empty(), reader.problems);
+    return new Reading(reader.problems.isEmpty() ? dataset : Optional.empty(), reader.problems);
   }
 
   /**
-   * The camera of a folder alone.
+   * A data set as far as it could be read.
    *
-   * @throws InputException with its place, when {@code camera.json} is missing or wrong
+   * @param dataset there when there are no problems
+   * @param problems each in one line: {@code FILE:LINE:COLUMN: what is wrong, the value, what was
+   *     expected}
    */
-  public static PhotoCamera camera(Path folder) {
-    return CameraFile.read(folder.resolve(Dataset.CAMERA));
-  }
+  public record Reading(Optional<Dataset> dataset, List<String> problems) {}
 
   private Optional<Dataset> dataset() {
-    PhotoCamera camera = CameraFile.read(folder.resolve(Dataset.CAMERA));
+    PhotoCamera camera = PhotoCamera.of(folder);
     Path cocoFile = folder.resolve(Dataset.COCO);
     CocoPatches coco = Files.exists(cocoFile) ? CocoPatches.read(cocoFile) : CocoPatches.none();
     CsvRows table =

@@ -38,12 +38,13 @@ final class LabelledPhotoReader {
   /** The row's photo; empty where something is wrong with it, which is reported then. */
   Optional<LabelledPhoto> read() {
     int before = problems.size();
-    Picture image = check(this::image);
+    Picture image = check(() -> picture("image"));
     String object = check(this::object);
     Double size = check(() -> length("size_m", MAX_SIZE));
     Double distance = check(() -> length("distance_m", FARTHEST));
     Double focalLength = image == null ? null : check(() -> focalLength(image.file()));
-    ImageHeader frame = image == null ? level() : image.header();
+    ImageHeader frame =
+        image == null ? new ImageHeader(camera.width(), camera.height()) : image.header();
     Patch patch = object == null ? null : check(() -> patch(object, frame));
     Optional<Path> mask = Optional.ofNullable(check(() -> mask(frame)));
     return problems.size() > before
@@ -53,11 +54,6 @@ final class LabelledPhotoReader {
                 row.text("image"), image.file(), object, size, distance, focalLength, patch, mask));
   }
 
-  /** What is supposed of a photo that cannot be read. */
-  private ImageHeader level() {
-    return new ImageHeader(camera.width(), camera.height());
-  }
-
   private <T> T check(Supplier<T> part) {
     try {
       return part.get();
@@ -65,10 +61,6 @@ final class LabelledPhotoReader {
       problems.add(e.getMessage());
       return null;
     }
-  }
-
-  private Picture image() {
-    return picture("image");
   }
 
   /** The mask, which is of its picture's size. */
@@ -126,39 +118,36 @@ final class LabelledPhotoReader {
   }
 
   private double focalLength(Path image) {
-    if (row.text("focal_length_m").isEmpty()) {
-      return exifFocalLength(
-          Exif.focalLength(image)
-              .orElseThrow(
-                  () -> row.invalid("focal_length_m", "metres, or a photo whose EXIF has it")));
+    String column = "focal_length_m";
+    if (!row.text(column).isEmpty()) {
+      return length(column, MAX);
     }
-    return length("focal_length_m", MAX);
-  }
-
-  private double exifFocalLength(double metres) {
+    double metres =
+        Exif.focalLength(image)
+            .orElseThrow(() -> row.invalid(column, "metres, or a photo whose EXIF has it"));
     if (metres <= MAX) {
       return metres;
     }
     throw row.invalid(
-        "focal_length_m",
+        column,
         "metres, since the photo's EXIF has %s m, which is no lens's (at most %s)"
             .formatted(metres, (long) MAX));
   }
 
   private Patch patch(String object, ImageHeader image) {
-    if (PATCH.stream().allMatch(column -> row.text(column).isEmpty())) {
-      return within(coco.patch(row.text("image"), object).orElseThrow(this::noPatch), image);
-    }
-    return within(
-        new Patch(
-            pixels("patch_x", 0),
-            pixels("patch_y", 0),
-            pixels("patch_width", 1),
-            pixels("patch_height", 1)),
-        image);
-  }
-
-  private Patch within(Patch patch, ImageHeader image) {
+    Patch patch =
+        PATCH.stream().allMatch(column -> row.text(column).isEmpty())
+            ? coco.patch(row.text("image"), object)
+                .orElseThrow(
+                    () ->
+                        row.invalid(
+                            "patch_x",
+                            "pixels, or one box for the image and object in " + Dataset.COCO))
+            : new Patch(
+                pixels("patch_x", 0),
+                pixels("patch_y", 0),
+                pixels("patch_width", 1),
+                pixels("patch_height", 1));
     if (patch.width() < 1 || patch.height() < 1 || !patch.within(image.width(), image.height())) {
       throw row.place("patch_x")
           .error(
@@ -166,10 +155,6 @@ final class LabelledPhotoReader {
                   .formatted(patch, image.width(), image.height()));
     }
     return patch;
-  }
-
-  private InputException noPatch() {
-    return row.invalid("patch_x", "pixels, or one box for the image and object in " + Dataset.COCO);
   }
 
   private int pixels(String column, int least) {

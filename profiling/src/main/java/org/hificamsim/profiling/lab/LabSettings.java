@@ -4,8 +4,8 @@ import com.fasterxml.jackson.annotation.JsonUnwrapped;
 import java.util.List;
 
 /**
- * What a laboratory is rendered with; {@link #thesis} gives the published experiment (thesis 3.5)
- * with realistic imperfections, each of which 0 turns off.
+ * What a laboratory is rendered with: the experiment of thesis 3.5 with realistic imperfections,
+ * each of which 0 turns off.
  *
  * @param seed of everything random
  * @param scale image width as a share of the sensor's 5184 pixels, (0, 1]
@@ -28,24 +28,14 @@ public record LabSettings(
   /**
    * The camera's imperfections.
    *
-   * @param aperture f-numbers N of the lens, which set blur and diffraction; 0 for a pinhole. Each
-   *     picture has one of them by chance
+   * @param aperture f-number N of the lens, which sets blur and diffraction; 0 for a pinhole
    * @param focusError standard deviation of the focused distance, as a share of it
    * @param iso sensitivity, which sets the noise; 0 for none
    * @param vignetting share of the cos^4 fall-off towards the corners that is left, [0, 1]
-   * @param distortion factors on the lens's radial distortion; each picture has one by chance
+   * @param distortion factor on the lens's radial distortion
    */
   public record Optics(
-      List<Double> aperture,
-      double focusError,
-      double iso,
-      double vignetting,
-      List<Double> distortion) {
-    public Optics {
-      aperture = List.copyOf(aperture);
-      distortion = List.copyOf(distortion);
-    }
-  }
+      double aperture, double focusError, double iso, double vignetting, double distortion) {}
 
   /**
    * The scene's disorder.
@@ -62,37 +52,8 @@ public record LabSettings(
     distances = List.copyOf(distances);
   }
 
-  /** The experiment of thesis 3.5: 6 focal lengths, 10 distances, 8 objects. */
-  public static LabSettings thesis(long seed) {
-    return new LabSettings(
-        seed,
-        0.25,
-        List.of(0.010, 0.015, 0.024, 0.050, 0.070, 0.085),
-        List.of(1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0),
-        LabObject.ALL.size(),
-        Texture.PHOTOS,
-        new Optics(List.of(5.6), 0.02, 1600, 0.5, List.of(1.0)),
-        new Scene(4, 0.08, 0.08, 48));
-  }
-
-  /** The same in another size. */
-  public LabSettings withScale(double share) {
-    return new LabSettings(seed, share, focalLengths, distances, objects, texture, optics, scene);
-  }
-
-  /** The same at other focal lengths (metres), distances (metres) and with fewer objects. */
-  public LabSettings withGrid(List<Double> lengths, List<Double> ranges, int things) {
-    return new LabSettings(seed, scale, lengths, ranges, things, texture, optics, scene);
-  }
-
-  /** The same with other surfaces. */
-  public LabSettings with(Texture surfaces) {
-    return new LabSettings(seed, scale, focalLengths, distances, objects, surfaces, optics, scene);
-  }
-
-  /** The same with another camera and scene. */
-  public LabSettings with(Optics lens, Scene surroundings) {
-    return new LabSettings(
-        seed, scale, focalLengths, distances, objects, texture, lens, surroundings);
+  /** The objects that are photographed. */
+  List<LabObject> photographed() {
+    return LabObject.ALL.subList(0, objects);
   }
 }

@@ -11,7 +11,6 @@ import org.hificamsim.profiling.opencv.Mats;
 import org.hificamsim.profiling.opencv.OpenCv;
 import org.opencv.core.Core;
 import org.opencv.core.Mat;
-import org.opencv.core.Rect;
 import org.opencv.imgproc.Imgproc;
 
 /** Renders the laboratory's experiment into a data set folder. */
@@ -50,19 +49,17 @@ public final class Laboratory {
           new Photographer(settings, room, textures(surfaces, mats, random));
       LabFolder files = new LabFolder(folder);
       Parallel.map(
-          LabObject.ALL.subList(0, settings.objects()),
-          threads,
-          object -> template(files, photographer, object));
-      List<LabRow> rows =
+          settings.photographed(), threads, object -> template(files, photographer, object));
+      List<LabFolder.Row> rows =
           Parallel.map(
               Shot.all(settings),
               threads,
               shot -> {
-                LabRow row = take(files, photographer, shot);
+                LabFolder.Row row = take(files, photographer, shot);
                 progress.run();
                 return row;
               });
-      List<LabRow> taken = rows.stream().filter(Objects::nonNull).toList();
+      List<LabFolder.Row> taken = rows.stream().filter(Objects::nonNull).toList();
       PhotoCount outcome = new PhotoCount(taken.size(), rows.size() - taken.size());
       files.finish(settings, Sensor.scaled(settings.scale()), taken, outcome);
       return outcome;
@@ -72,7 +69,7 @@ public final class Laboratory {
   private Map<LabObject, Mat> textures(Surfaces surfaces, Mats mats, SplittableRandom random) {
     int side = (int) Math.max(64, 1.2 * Sensor.scaled(settings.scale()).height());
     Map<LabObject, Mat> textures = new LinkedHashMap<>();
-    for (LabObject object : LabObject.ALL.subList(0, settings.objects())) {
+    for (LabObject object : settings.photographed()) {
       textures.put(object, mats.own(surfaces.target(object, side, random.split())));
     }
     return textures;
@@ -86,13 +83,13 @@ public final class Laboratory {
   }
 
   /** One picture's row, or null where its object does not fit the frame. */
-  private static LabRow take(LabFolder files, Photographer photographer, Shot shot) {
-    try (Photo photo = photographer.take(shot)) {
+  private static LabFolder.Row take(LabFolder files, Photographer photographer, Shot shot) {
+    try (Photographer.Photo photo = photographer.take(shot)) {
       if (Core.countNonZero(photo.mask()) == 0 || !Photographer.within(photo.mask())) {
         return null;
       }
-      Rect patch = Imgproc.boundingRect(photo.mask());
-      return files.write(shot, photo, patch);
+      files.write(shot, photo);
+      return new LabFolder.Row(shot, Imgproc.boundingRect(photo.mask()));
     }
   }
 }

@@ -29,15 +29,29 @@ final class Photographer {
     this.textures = textures;
   }
 
+  /**
+   * A picture and the silhouette of its object.
+   *
+   * @param image 8 bits, BGR
+   * @param mask 255 where the object is, before blur
+   */
+  record Photo(Mat image, Mat mask) implements AutoCloseable {
+    @Override
+    public void close() {
+      image.release();
+      mask.release();
+    }
+  }
+
   /** Takes one picture. */
   Photo take(Shot shot) {
     RandomGenerator random =
         new SplittableRandom(settings.seed() + 1_000_003L * (shot.index() + 1));
-    double bend = chosen(settings.optics().distortion(), shot, 1);
-    Pinhole camera = camera(shot.focalLength(), bend);
-    RadialDistortion distortion = RadialDistortion.at(shot.focalLength(), bend);
-    double aperture = chosen(settings.optics().aperture(), shot, 2);
-    FocusedLens lens = focused(shot, aperture, random);
+    Pinhole camera = camera(shot.focalLength());
+    double error = settings.optics().focusError() * clamped(random.nextGaussian());
+    FocusedLens lens =
+        new FocusedLens(
+            shot.focalLength(), settings.optics().aperture(), shot.distance() * (1 + error));
     Board board = placed(shot, camera, random);
     double gain = 1 + settings.scene().lighting() * clamped(random.nextGaussian());
     try (Mats mats = new Mats()) {
@@ -49,17 +63,14 @@ final class Photographer {
         layer.put(thing, blur(lens, camera, thing.distance()));
       }
       layer.put(board, blur(lens, camera, shot.distance()));
-      Mat mask = mask(mats.own(layer.silhouette(board)), camera, distortion);
-      Mat image = exposed(canvas, camera, distortion, lens, gain, random);
-      return new Photo(image, mask, new Conditions(aperture, distortion.k(), gain));
+      Mat mask = mask(mats.own(layer.silhouette(board)), camera);
+      return new Photo(exposed(canvas, camera, lens, gain, random), mask);
     }
   }
 
   /** The close-up by which an object is known: sharp, upright, before a plain wall. */
   Mat template(LabObject object) {
-    double bend = settings.optics().distortion().get(0);
-    Pinhole camera = camera(MAX, bend);
-    RadialDistortion distortion = RadialDistortion.at(MAX, bend);
+    Pinhole camera = camera(MAX);
     double size =
         TEMPLATE_FRAME_SHARE * sensor.height() / camera.magnification(CLOSE_UP) / object.aspect();
     Board board =
@@ -72,35 +83,27 @@ final class Photographer {
             0,
             CLOSE_UP,
             Board.Pose.FRONTAL);
-    FocusedLens lens = new FocusedLens(MAX, settings.optics().aperture().get(0), CLOSE_UP);
+    FocusedLens lens = new FocusedLens(MAX, settings.optics().aperture(), CLOSE_UP);
     RandomGenerator random = new SplittableRandom(settings.seed() - object.name().hashCode());
     try (Mats mats = new Mats()) {
       Mat canvas = mats.own(new Mat(camera.canvas(), CvType.CV_32FC3, Scalar.all(0.4)));
       Layer layer = new Layer(canvas, camera);
       layer.put(board, 0);
-      Mat mask = mats.own(mask(mats.own(layer.silhouette(board)), camera, distortion));
-      Mat picture = mats.own(exposed(canvas, camera, distortion, lens, 1, random));
+      Mat mask = mats.own(mask(mats.own(layer.silhouette(board)), camera));
+      Mat picture = mats.own(exposed(canvas, camera, lens, 1, random));
       return picture.submat(Imgproc.boundingRect(mask)).clone();
     }
   }
 
-  /** One of several values, by a chance of its own. */
-  private double chosen(List<Double> values, Shot shot, int salt) {
-    SplittableRandom random = new SplittableRandom(31 * (settings.seed() + shot.index()) + salt);
-    return values.get(random.split().nextInt(values.size()));
-  }
-
-  private Pinhole camera(double focalLength, double bend) {
-    int margin =
-        (int) Math.ceil(RadialDistortion.MAX * bend * Math.max(sensor.width(), sensor.height()))
-            + 2;
+  private Pinhole camera(double focalLength) {
+    double bend = RadialDistortion.MAX * settings.optics().distortion();
+    int margin = (int) Math.ceil(bend * Math.max(sensor.width(), sensor.height())) + 2;
     return new Pinhole(
         focalLength, Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height(), margin);
   }
 
-  private FocusedLens focused(Shot shot, double aperture, RandomGenerator random) {
-    double error = settings.optics().focusError() * clamped(random.nextGaussian());
-    return new FocusedLens(shot.focalLength(), aperture, shot.distance() * (1 + error));
+  private RadialDistortion distortion(Pinhole camera) {
+    return RadialDistortion.at(camera.focalLength(), settings.optics().distortion());
   }
 
   private static double blur(FocusedLens lens, Pinhole camera, double distance) {
@@ -139,9 +142,9 @@ final class Photographer {
     return Math.max(-2.5, Math.min(2.5, deviate));
   }
 
-  private static Mat mask(Mat silhouette, Pinhole camera, RadialDistortion distortion) {
+  private Mat mask(Mat silhouette, Pinhole camera) {
     try (Mats mats = new Mats()) {
-      Mat frame = mats.own(distortion.frame(silhouette, camera, Imgproc.INTER_LINEAR));
+      Mat frame = mats.own(distortion(camera).frame(silhouette, camera, Imgproc.INTER_LINEAR));
       Mat mask = new Mat();
       Core.compare(frame, new Scalar(0.5), mask, Core.CMP_GE);
       return mask;
@@ -149,14 +152,9 @@ final class Photographer {
   }
 
   private Mat exposed(
-      Mat canvas,
-      Pinhole camera,
-      RadialDistortion distortion,
-      FocusedLens lens,
-      double gain,
-      RandomGenerator random) {
+      Mat canvas, Pinhole camera, FocusedLens lens, double gain, RandomGenerator random) {
     try (Mats mats = new Mats()) {
-      Mat light = mats.own(distortion.frame(canvas, camera, Imgproc.INTER_CUBIC));
+      Mat light = mats.own(distortion(camera).frame(canvas, camera, Imgproc.INTER_CUBIC));
       Sensor.diffract(light, lens.diffraction() * camera.pitch());
       Core.multiply(light, tint(gain, random), light);
       sensor.vignette(light, camera.focalLength(), settings.optics().vignetting());

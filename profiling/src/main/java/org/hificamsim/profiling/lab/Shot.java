@@ -15,7 +15,7 @@ record Shot(int index, LabObject object, double focalLength, double distance) {
   /** Every combination of object, focal length and distance. */
   static List<Shot> all(LabSettings settings) {
     List<Shot> shots = new ArrayList<>();
-    for (LabObject object : LabObject.ALL.subList(0, settings.objects())) {
+    for (LabObject object : settings.photographed()) {
       for (double focalLength : settings.focalLengths()) {
         for (double distance : settings.distances()) {
           shots.add(new Shot(shots.size(), object, focalLength, distance));

@@ -17,4 +17,25 @@ interface Surfaces extends AutoCloseable {
 
   @Override
   void close();
+
+  /** Random shapes, words and grain; the wall stays bare. */
+  record Painted() implements Surfaces {
+    @Override
+    public Mat target(LabObject object, int side, RandomGenerator random) {
+      return TexturePainter.paint(object.pattern(), side, random);
+    }
+
+    @Override
+    public Mat thing(int index, int side, RandomGenerator random) {
+      return TexturePainter.paint(Pattern.ALL.get(index % Pattern.ALL.size()), side, random);
+    }
+
+    @Override
+    public List<Board> wall(double distance, RandomGenerator random) {
+      return List.of();
+    }
+
+    @Override
+    public void close() {}
+  }
 }

@@ -1,31 +1,23 @@
 package org.hificamsim.profiling.lab;
 
 import com.fasterxml.jackson.annotation.JsonValue;
-import java.util.Locale;
+import org.hificamsim.core.Spelling;
 
 /** What is on the laboratory's objects, and behind them. */
 public enum Texture {
   /** Photographs: what is on real surfaces. */
-  PHOTOS {
-    @Override
-    Surfaces surfaces() {
-      return new PhotoSurfaces();
-    }
-  },
+  PHOTOS,
   /** Painted shapes, words and grain: denser in features than most real surfaces. */
-  PAINTED {
-    @Override
-    Surfaces surfaces() {
-      return new PaintedSurfaces();
-    }
-  };
+  PAINTED;
 
   /** New ones; the caller closes them. */
-  abstract Surfaces surfaces();
+  Surfaces surfaces() {
+    return this == PHOTOS ? new PhotoSurfaces() : new Surfaces.Painted();
+  }
 
   /** Its name in files and options. */
   @JsonValue
   public String word() {
-    return name().toLowerCase(Locale.ROOT);
+    return Spelling.of(this);
   }
 }

@@ -101,7 +101,7 @@ class DatasetReaderTest {
     String row = "images/a.jpg;ball;0,22;1;0,085;10;10;20;30;";
     Files.writeString(
         folder.resolve("dataset.csv"), "\uFEFF" + HEADER.replace(',', ';') + "\r\n" + row + "\r\n");
-    DatasetReading reading = DatasetReader.read(folder);
+    DatasetReader.Reading reading = DatasetReader.read(folder);
     assertEquals(List.of(), reading.problems());
     assertEquals(0.22, reading.dataset().orElseThrow().samples().get(0).size());
   }
@@ -215,14 +215,14 @@ class DatasetReaderTest {
 
   private LabelledPhoto sample(String row) throws IOException {
     table(HEADER, row);
-    DatasetReading reading = DatasetReader.read(folder);
+    DatasetReader.Reading reading = DatasetReader.read(folder);
     assertEquals(List.of(), reading.problems());
     return reading.dataset().orElseThrow().samples().get(0);
   }
 
   private List<String> problems(String... rows) throws IOException {
     table(HEADER, rows);
-    DatasetReading reading = DatasetReader.read(folder);
+    DatasetReader.Reading reading = DatasetReader.read(folder);
     assertTrue(reading.dataset().isEmpty());
     return reading.problems();
   }

@@ -12,14 +12,12 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.stream.Stream;
-import org.hificamsim.data.CsvReader;
+import org.hificamsim.profiling.SmallLab;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.DatasetReader;
-import org.hificamsim.profiling.dataset.DatasetReading;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.opencv.Mats;
 import org.junit.jupiter.api.BeforeAll;
@@ -30,16 +28,9 @@ import org.opencv.core.Mat;
 import org.opencv.imgcodecs.Imgcodecs;
 
 class LaboratoryTest {
-  private static final LabSettings SMALL =
-      LabSettings.thesis(3).withScale(0.05).withGrid(List.of(0.015, 0.050), List.of(1.0, 4.0), 4);
-
-  /** No imperfection at all. */
-  private static final LabSettings IDEAL =
-      SMALL
-          .withScale(0.25)
-          .with(
-              new LabSettings.Optics(List.of(0.0), 0, 0, 0, List.of(0.0)),
-              new LabSettings.Scene(0, 0, 0, 0));
+  private static final List<Double> LENGTHS = List.of(0.015, 0.050);
+  private static final List<Double> DISTANCES = List.of(1.0, 4.0);
+  private static final LabSettings SMALL = SmallLab.settings(3, 0.05, LENGTHS, DISTANCES, 4);
 
   @TempDir Path folder;
 
@@ -76,45 +67,42 @@ class LaboratoryTest {
   }
 
   @Test
-  void tableHasWhatEachPictureWasTakenUnder() {
-    LabSettings settings =
-        SMALL.with(
-            new LabSettings.Optics(List.of(2.8, 5.6, 11.0), 0.02, 1600, 0.5, List.of(0.0, 3.0)),
-            new LabSettings.Scene(4, 0.08, 0.2, 8));
-    Dataset photos = rendered(settings);
-    assertEquals(Set.of(2.8, 5.6, 11.0), Set.copyOf(column(photos, "aperture")));
-    // Barrel at 15 mm, pincushion at 50 mm, none where the factor is 0.
-    assertEquals(3, Set.copyOf(column(photos, "distortion")).size());
-    assertTrue(column(photos, "distortion").contains(0.0));
-    assertEquals(photos.samples().size(), Set.copyOf(column(photos, "light")).size());
+  void lightChangesTheBrightnessOfThePicture() {
+    Dataset photos = rendered(bare(5, 0.05, List.of(0.050), List.of(3.0), 8, 0.3));
+    List<Double> corners = photos.samples().stream().map(LaboratoryTest::corner).toList();
+    // The corner shows the bare wall; display gamma is 2.2.
+    double ratio = Collections.max(corners) / Collections.min(corners);
+    assertTrue(ratio > 1.1, "ratio " + ratio);
+    assertTrue(ratio < Math.pow((1 + 2.5 * 0.3) / (1 - 2.5 * 0.3), 1 / 2.2), "ratio " + ratio);
   }
 
-  @Test
-  void lightIsTheBrightnessOfThePicture() {
-    LabSettings settings =
-        LabSettings.thesis(5)
-            .withScale(0.05)
-            .withGrid(List.of(0.050), List.of(3.0), 8)
-            .with(
-                new LabSettings.Optics(List.of(0.0), 0, 0, 0, List.of(0.0)),
-                new LabSettings.Scene(0, 0, 0.3, 0));
-    Dataset photos = rendered(settings);
-    List<Double> light = column(photos, "light");
-    double least = Collections.min(light);
-    double most = Collections.max(light);
-    LabelledPhoto darkest = photos.samples().get(light.indexOf(least));
-    LabelledPhoto brightest = photos.samples().get(light.indexOf(most));
-    // The corner shows the bare wall; display gamma is 2.2.
-    double ratio = corner(brightest) / corner(darkest);
-    assertEquals(Math.pow(most / least, 1 / 2.2), ratio, 0.08);
-    assertTrue(ratio > 1.1, "ratio " + ratio);
+  /** No imperfection at all but the light's. */
+  private static LabSettings bare(
+      long seed,
+      double scale,
+      List<Double> lengths,
+      List<Double> distances,
+      int objects,
+      double lighting) {
+    return new LabSettings(
+        seed,
+        scale,
+        lengths,
+        distances,
+        objects,
+        Texture.PHOTOS,
+        new LabSettings.Optics(0, 0, 0, 0, 0),
+        new LabSettings.Scene(0, 0, lighting, 0));
   }
 
   @Test
   void photographsAndPaintedShapesDiffer() throws IOException {
-    LabSettings one = SMALL.withGrid(List.of(0.050), List.of(4.0), 1);
-    new Laboratory(one.with(Texture.PHOTOS)).render(folder.resolve("photos"), 1, () -> {});
-    new Laboratory(one.with(Texture.PAINTED)).render(folder.resolve("painted"), 1, () -> {});
+    for (Texture texture : Texture.values()) {
+      LabSettings one =
+          new LabSettings(
+              3, 0.05, List.of(0.050), List.of(4.0), 1, texture, SMALL.optics(), SMALL.scene());
+      new Laboratory(one).render(folder.resolve(texture.word()), 1, () -> {});
+    }
     Path image = Path.of("images", "matchbox-50mm-04.0m.jpg");
     assertFalse(
         java.util.Arrays.equals(
@@ -142,15 +130,6 @@ class LaboratoryTest {
     }
   }
 
-  private static List<Double> column(Dataset photos, String name) {
-    return CsvReader.open(photos.folder().resolve(Dataset.TABLE), "photos")
-        .all(List.of(name))
-        .rows()
-        .stream()
-        .map(row -> Double.valueOf(row.text(name)))
-        .toList();
-  }
-
   private static double corner(LabelledPhoto sample) {
     try (Mats mats = new Mats()) {
       String file = sample.file().toString();
@@ -161,10 +140,8 @@ class LaboratoryTest {
 
   @Test
   void anotherSeedGivesOtherPhotos() throws IOException {
-    LabSettings other =
-        LabSettings.thesis(4).withScale(0.05).withGrid(List.of(0.050), List.of(4.0), 1);
-    LabSettings same =
-        LabSettings.thesis(3).withScale(0.05).withGrid(List.of(0.050), List.of(4.0), 1);
+    LabSettings other = SmallLab.settings(4, 0.05, List.of(0.050), List.of(4.0), 1);
+    LabSettings same = SmallLab.settings(3, 0.05, List.of(0.050), List.of(4.0), 1);
     new Laboratory(other).render(folder.resolve("other"), 1, () -> {});
     new Laboratory(same).render(folder.resolve("same"), 1, () -> {});
     Path image = Path.of("images", "matchbox-50mm-04.0m.jpg");
@@ -176,7 +153,7 @@ class LaboratoryTest {
 
   @Test
   void idealCamerasMaskIsThePinholesArea() {
-    Dataset dataset = rendered(IDEAL);
+    Dataset dataset = rendered(bare(3, 0.25, LENGTHS, DISTANCES, 4, 0));
     int compared = 0;
     for (LabelledPhoto sample : dataset.samples()) {
       LabObject object =
@@ -198,8 +175,7 @@ class LaboratoryTest {
 
   @Test
   void objectsLargerThanTheFrameAreDroppedAndCounted() throws IOException {
-    LabSettings close =
-        LabSettings.thesis(0).withScale(0.05).withGrid(List.of(0.085), List.of(1.0), 8);
+    LabSettings close = SmallLab.settings(0, 0.05, List.of(0.085), List.of(1.0), 8);
     Laboratory.PhotoCount outcome = new Laboratory(close).render(folder, 1, () -> {});
     // 85 mm at 1 m shows 0.176 m of height: three of the eight objects fit.
     assertEquals(new Laboratory.PhotoCount(3, 5), outcome);
@@ -220,7 +196,7 @@ class LaboratoryTest {
   }
 
   private static Dataset read(Path lab) {
-    DatasetReading reading = DatasetReader.read(lab);
+    DatasetReader.Reading reading = DatasetReader.read(lab);
     assertEquals(List.of(), reading.problems());
     return reading.dataset().orElseThrow();
   }
