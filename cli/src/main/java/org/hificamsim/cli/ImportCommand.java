@@ -18,7 +18,6 @@ import org.hificamsim.tracks.TrackSettings;
 import org.hificamsim.tracks.TrackedSite;
 import org.hificamsim.tracks.TracksImport;
 import org.hificamsim.tracks.format.TrackFormat;
-import org.hificamsim.tracks.format.TrackFormats;
 import org.hificamsim.tracks.ground.LocalProjection;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -52,7 +51,7 @@ final class ImportCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    TrackFormat reader = TrackFormats.registry().create(format);
+    TrackFormat reader = TrackFormat.registry().create(format);
     LocalProjection projection = recording.projection();
     String name = site.name(file);
     List<Obstacle> walls = site.walls(recording.unitOf(format), projection);

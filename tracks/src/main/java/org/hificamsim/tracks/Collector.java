@@ -70,16 +70,16 @@ final class Collector implements SampleSink {
   }
 
   private boolean isNew(TrackSample sample, TargetRecord target) {
-    if (sample.tick() > target.tick()) {
+    if (sample.tick() > target.tick) {
       return true;
     }
-    if (sample.tick() < target.tick()) {
+    if (sample.tick() < target.tick) {
       throw fault(
           sample,
           ": time runs backwards, from %s to %s, expected a target's samples in order of time"
-              .formatted(target.tick(), sample.tick()));
+              .formatted(target.tick, sample.tick()));
     }
-    if (!target.isAt(sample.x(), sample.y())) {
+    if (target.x != sample.x() || target.y != sample.y()) {
       throw fault(
           sample,
           " is at two places at time %s, expected one sample of a target at a time"
@@ -95,8 +95,8 @@ final class Collector implements SampleSink {
 
   private void count(TrackSample sample, TargetRecord target) {
     firstTick = Math.min(firstTick, sample.tick());
-    if (target.tick() != Double.NEGATIVE_INFINITY) {
-      double spacing = Math.rint((sample.tick() - target.tick()) * 1e6) / 1e6;
+    if (target.tick != Double.NEGATIVE_INFINITY) {
+      double spacing = Math.rint((sample.tick() - target.tick) * 1e6) / 1e6;
       if (spacings.size() < MAX_SPACINGS || spacings.containsKey(spacing)) {
         spacings.merge(spacing, 1L, Long::sum);
       }
@@ -143,7 +143,7 @@ final class Collector implements SampleSink {
   static final class TargetRecord {
     private final int number;
     private final String name;
-    private double tick = Double.NEGATIVE_INFINITY;
+    private double tick = Double.NEGATIVE_INFINITY; // when it was seen last
     private double x;
     private double y;
     private double widths;
@@ -163,16 +163,6 @@ final class Collector implements SampleSink {
     /** As the file says it. */
     String name() {
       return name;
-    }
-
-    /** When it was seen last; minus infinity before that. */
-    double tick() {
-      return tick;
-    }
-
-    /** Whether it was last seen at this very place. */
-    boolean isAt(double itsX, double itsY) {
-      return x == itsX && y == itsY;
     }
 
     /** Takes its latest sample. */

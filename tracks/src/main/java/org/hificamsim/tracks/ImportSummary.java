@@ -10,6 +10,7 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.tracks.Collector.TargetRecord;
+import org.hificamsim.tracks.Jumps.Speeds;
 
 /** What an import found: extent in time and place, speeds, gaps, and what is odd. */
 public final class ImportSummary {

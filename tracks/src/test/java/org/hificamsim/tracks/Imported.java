@@ -14,7 +14,7 @@ import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.scenario.TargetSpec;
 import org.hificamsim.tracks.format.Recording;
-import org.hificamsim.tracks.format.TrackFormats;
+import org.hificamsim.tracks.format.TrackFormat;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.Homography;
 import org.hificamsim.tracks.ground.LocalProjection;
@@ -82,7 +82,7 @@ final class Imported {
         new TrackSettings(gap, from, to, TargetSpec.DEFAULT_SIZE, Optional.empty());
     try (TracksImport read =
             new TracksImport(
-                TrackFormats.registry().create(format),
+                TrackFormat.registry().create(format),
                 recording,
                 homography,
                 new LocalProjection());

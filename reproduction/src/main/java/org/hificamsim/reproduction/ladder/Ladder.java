@@ -38,22 +38,21 @@ public final class Ladder {
           "the policies are '" + policies.get(0) + "' alone, expected two or more to choose from");
     }
     for (Scenario scenario : scenarios) {
-      this.scenarios.put(
-          scenario.name(), rungs.stream().map(rung -> on(rung, scenario, detections)).toList());
+      List<RungScenario> places = new ArrayList<>();
+      for (Rung rung : rungs) {
+        Scenario changed = rung.world().apply(scenario);
+        Detection detection = detections.apply(rung, changed);
+        places.add(new RungScenario(scenario.name(), rung, changed, detection));
+      }
+      this.scenarios.put(scenario.name(), places);
     }
     requireDistinct();
-  }
-
-  private static RungScenario on(
-      Rung rung, Scenario scenario, BiFunction<Rung, Scenario, Detection> detections) {
-    Scenario changed = rung.world().apply(scenario);
-    return new RungScenario(scenario.name(), rung, changed, detections.apply(rung, changed));
   }
 
   private void requireDistinct() {
     Map<List<String>, Rung> known = new LinkedHashMap<>();
     for (RungScenario one : all()) {
-      Rung other = known.put(one.key(), one.rung());
+      Rung other = known.put(List.of(one.changed().name(), one.detection().name()), one.rung());
       if (other != null) {
         throw new InputException(
             "rungs '%s' and '%s' are both detection '%s' in scenario '%s', expected each once"
@@ -82,11 +81,9 @@ public final class Ladder {
 
   /** Everything that has to be run. */
   public List<RunPlan> plans(Settings asked) {
-    List<RunPlan> plans = new ArrayList<>();
-    for (RungScenario one : all()) {
-      policies.forEach(policy -> plans.add(one.plan(policy, asked)));
-    }
-    return plans;
+    return all().stream()
+        .flatMap(one -> policies.stream().map(policy -> one.plan(policy, asked)))
+        .toList();
   }
 
   /** Each scenario by name, as each rung has it. */
@@ -114,11 +111,6 @@ public final class Ladder {
       return policies.stream()
           .map(policy -> cases.find(changed.name(), detection.name(), policy))
           .toList();
-    }
-
-    /** What tells its results from those of others. */
-    List<String> key() {
-      return List.of(changed.name(), detection.name());
     }
   }
 }

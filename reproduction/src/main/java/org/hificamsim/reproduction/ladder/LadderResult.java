@@ -6,6 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleBiFunction;
+import org.apache.commons.math3.stat.correlation.KendallsCorrelation;
 import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.Cases;
@@ -28,11 +29,12 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
       for (RungScenario place : places) {
         RungScores own = RungScores.of(place.results(cases, ladder.policies()));
         RungComparison comparison = new RungComparison(own, top);
-        results.add(RungResult.of(place, ladder.policies(), comparison));
+        List<String> chosen = Arrays.stream(own.best()).mapToObj(ladder.policies()::get).toList();
+        results.add(RungResult.of(place.scenario(), place.rung(), chosen, List.of(comparison)));
         byRung.computeIfAbsent(place.rung(), rung -> new ArrayList<>()).add(comparison);
       }
     }
-    byRung.forEach((rung, comparisons) -> results.add(RungResult.ofAll(rung, comparisons)));
+    byRung.forEach((rung, all) -> results.add(RungResult.of(RungResult.ALL, rung, List.of(), all)));
     return new LadderResult(List.copyOf(results), nanoseconds, ladder.measure());
   }
 
@@ -68,19 +70,7 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
     /** In place of a scenario's name. */
     public static final String ALL = "all";
 
-    static RungResult of(RungScenario place, List<String> policies, RungComparison comparison) {
-      return of(
-          place.scenario(),
-          place.rung(),
-          Arrays.stream(comparison.own().best()).mapToObj(policies::get).toList(),
-          List.of(comparison));
-    }
-
-    static RungResult ofAll(Rung rung, List<RungComparison> scenarios) {
-      return of(ALL, rung, List.of(), scenarios);
-    }
-
-    private static RungResult of(
+    static RungResult of(
         String scenario, Rung rung, List<String> chosen, List<RungComparison> comparisons) {
       return new RungResult(
           scenario,
@@ -105,6 +95,39 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
                   .filter(value -> !Double.isNaN(value))
                   .average()
                   .orElse(Double.NaN));
+    }
+  }
+
+  /**
+   * A rung compared with the top rung in one scenario; figures are of the seeds that a bootstrap
+   * draws.
+   */
+  record RungComparison(RungScores own, RungScores top) {
+    /**
+     * How alike both put the policies in order: Kendall's tau-b, 1 for the same order, -1 for the
+     * reverse; NaN where either has all policies tie.
+     */
+    double tau(int[] seeds) {
+      return new KendallsCorrelation().correlation(own.means(seeds), top.means(seeds));
+    }
+
+    /**
+     * The score that is lost under the top rung by choosing the policy that is best under this one,
+     * 0 or more; where several are, what is lost on average by choosing any of them. Other seeds
+     * may lead to another choice.
+     */
+    double regret(int[] seeds) {
+      return best(seeds) - top.mean(own.best(seeds), seeds);
+    }
+
+    /** The regret as a share of the top rung's best; NaN where that is 0. */
+    double share(int[] seeds) {
+      double best = best(seeds);
+      return best == 0 ? Double.NaN : regret(seeds) / best;
+    }
+
+    private double best(int[] seeds) {
+      return top.mean(top.best(seeds), seeds);
     }
   }
 }

@@ -3,6 +3,7 @@ package org.hificamsim.reproduction.sensitivity;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 
 /** Where the conclusion holds and where it flips, in words. */
 final class Findings {

@@ -5,7 +5,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.reproduction.PublishedCell;
-import org.hificamsim.reproduction.sensitivity.ParameterSweep.Variant;
+import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
+import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
 
 /**
  * How far a setting is from Table 8.1, all else at its default: the mean distance of its nine cells

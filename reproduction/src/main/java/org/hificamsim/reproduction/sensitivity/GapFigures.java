@@ -13,6 +13,7 @@ import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.reproduction.Layout;
+import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.knowm.xchart.XYChart;
 
 /** A picture per parameter, and one of all. */

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.Column;

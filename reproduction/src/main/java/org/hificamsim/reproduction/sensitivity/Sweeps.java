@@ -23,7 +23,7 @@ import org.hificamsim.hifi.model.PublishedModels;
 import org.hificamsim.hifi.optics.Optics;
 import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.ReproductionPlans;
-import org.hificamsim.reproduction.sensitivity.ParameterSweep.Variant;
+import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Settings;
 
@@ -190,5 +190,58 @@ public final class Sweeps {
             .map(one -> one.standard() ? one : change.apply(one))
             .toList();
     return new ParameterSweep(parameter, meaning, variants);
+  }
+
+  /**
+   * A parameter with the values that are tried, rising.
+   *
+   * @param parameter name in files
+   * @param meaning for people
+   */
+  record ParameterSweep(String parameter, String meaning, List<Variant> variants) {
+    /** The policies that the parameter can change. */
+    List<String> policies() {
+      return List.copyOf(variants.get(0).policies().keySet());
+    }
+
+    /**
+     * One value of one parameter, everything else at its default.
+     *
+     * @param standard whether the value is the default
+     * @param scenarios those of Table 7.1, by their names there
+     * @param policies what is run for each policy that the parameter can change, by its name
+     */
+    record Variant(
+        String value,
+        boolean standard,
+        Map<String, Scenario> scenarios,
+        Detection hifi,
+        Detection camsim,
+        Map<String, String> policies) {
+      /** Both detection models. */
+      List<Detection> detections() {
+        return List.of(camsim, hifi);
+      }
+
+      Variant withHifi(Detection other) {
+        return new Variant(value, standard, scenarios, other, camsim, policies);
+      }
+
+      Variant withCamSim(Detection other) {
+        return new Variant(value, standard, scenarios, hifi, other, policies);
+      }
+
+      Variant withScenarios(UnaryOperator<Scenario> change) {
+        Map<String, Scenario> changed = new LinkedHashMap<>();
+        scenarios.forEach((name, scenario) -> changed.put(name, change.apply(scenario)));
+        return new Variant(value, standard, changed, hifi, camsim, policies);
+      }
+
+      Variant withOption(String option) {
+        Map<String, String> changed = new LinkedHashMap<>();
+        policies.forEach((name, spec) -> changed.put(name, spec + ":" + option + "=" + value));
+        return new Variant(value, standard, scenarios, hifi, camsim, changed);
+      }
+    }
   }
 }

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Arrays;
+import org.hificamsim.reproduction.ladder.LadderResult.RungComparison;
 import org.junit.jupiter.api.Test;
 
 /** Order, choice and regret of made-up policies, one seed unless said. */

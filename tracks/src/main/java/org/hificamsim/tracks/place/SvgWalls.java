@@ -13,6 +13,7 @@ import org.hificamsim.core.obstacle.Obstacle;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.tracks.format.Unit;
 import org.hificamsim.tracks.ground.LocalProjection;
+import org.hificamsim.tracks.place.SvgText.SvgPath;
 import org.xml.sax.Attributes;
 
 /**
@@ -55,7 +56,7 @@ final class SvgWalls extends PlainXml {
         transforms.isEmpty() ? new AffineTransform() : new AffineTransform(transforms.peek());
     String own = attributes.getValue("transform");
     if (own != null) {
-      transform.concatenate(SvgNumbers.transform(own, () -> invalid(name, "transform", own)));
+      transform.concatenate(SvgText.transform(own, () -> invalid(name, "transform", own)));
     }
     transforms.push(transform);
     if (hidden == 0) {
@@ -77,7 +78,7 @@ final class SvgWalls extends PlainXml {
   private void size(Attributes attributes) {
     String box = attributes.getValue("viewBox");
     if (box != null) {
-      double[] numbers = SvgNumbers.all(box);
+      double[] numbers = SvgText.numbers(box);
       if (numbers.length != 4) {
         throw invalid("svg", "viewBox", box);
       }
@@ -86,7 +87,7 @@ final class SvgWalls extends PlainXml {
       height = numbers[3];
     } else {
       String text = text(attributes, "svg without viewBox", "height");
-      double[] numbers = SvgNumbers.all(text.replaceFirst("(px)?\\s*$", ""));
+      double[] numbers = SvgText.numbers(text.replaceFirst("(px)?\\s*$", ""));
       if (numbers.length != 1) {
         throw invalid("svg", "height", text);
       }
@@ -127,7 +128,7 @@ final class SvgWalls extends PlainXml {
   }
 
   private List<Point> points(String name, String text) {
-    double[] numbers = SvgNumbers.all(text);
+    double[] numbers = SvgText.numbers(text);
     if (numbers.length % 2 == 1) {
       throw invalid(name, "points", text);
     }
