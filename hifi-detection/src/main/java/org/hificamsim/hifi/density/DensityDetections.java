@@ -47,7 +47,7 @@ public final class DensityDetections {
   private static DetectionModel dori(Options options) {
     String meaning = "detect 25, observe 62.5, recognise 125, identify 250 pixels per metre";
     Dori level = options.choice("level", Dori.DETECT, meaning);
-    String name = named("dori-2014", "level", level);
+    String name = named("dori-2014", "level", level, Dori.DETECT);
     return new Standard(name, level.pixelsPerMetre, optics());
   }
 
@@ -73,7 +73,7 @@ public final class DensityDetections {
         "overview 20, outline 40, discern 80, perceive 125, characterise 250, validate 500,"
             + " scrutinise 1500";
     Oodpcvs level = options.choice("level", Oodpcvs.OVERVIEW, meaning);
-    String name = named("oodpcvs-2025", "level", level);
+    String name = named("oodpcvs-2025", "level", level, Oodpcvs.OVERVIEW);
     return new Standard(name, level.pixelsPerMetre, optics());
   }
 
@@ -94,12 +94,13 @@ public final class DensityDetections {
   private static DetectionModel acquisition(Options options) {
     String meaning = "cycles: detect 1.0, orient 1.4, recognise 4.0, identify 6.4";
     AcquisitionTask task = options.choice("task", AcquisitionTask.DETECT, meaning);
-    return new Acquisition(named("ttpf", "task", task), task.cycles, optics());
+    String name = named("ttpf", "task", task, AcquisitionTask.DETECT);
+    return new Acquisition(name, task.cycles, optics());
   }
 
-  /** The first one, the default, goes without saying. */
-  private static String named(String name, String key, Enum<?> chosen) {
-    return chosen.ordinal() == 0 ? name : name + ":" + key + "=" + Spelling.of(chosen);
+  /** The default goes without saying. */
+  private static String named(String name, String key, Enum<?> chosen, Enum<?> standard) {
+    return chosen == standard ? name : name + ":" + key + "=" + Spelling.of(chosen);
   }
 
   /** For scenarios that name no lens. */
