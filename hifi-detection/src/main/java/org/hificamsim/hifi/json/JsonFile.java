@@ -20,6 +20,15 @@ import org.hificamsim.data.JsonStream;
  * {@link JsonObject} to refuse by name.
  */
 public final class JsonFile {
+  /**
+   * A value in a JSON file.
+   *
+   * @param of a {@link JsonObject}, an array of values, a text or a number; of true, false and null
+   *     the token
+   * @param shown as an error line shows it
+   */
+  record Value(Place place, Object of, String shown) {}
+
   private final JsonStream json;
 
   private JsonFile(JsonStream json) {
@@ -64,8 +73,8 @@ public final class JsonFile {
   }
 
   private JsonObject whole() {
-    JsonValue value = value();
-    if (!(value instanceof JsonObject object)) {
+    Value value = value();
+    if (!(value.of() instanceof JsonObject object)) {
       throw value.place().error("the file holds " + value.shown() + ", expected an object in {}");
     }
     if (json.next() != null) {
@@ -75,15 +84,15 @@ public final class JsonFile {
     return object;
   }
 
-  private JsonValue value() {
+  private Value value() {
     Place place = json.place();
     return switch (json.token()) {
-      case START_OBJECT -> object(place);
+      case START_OBJECT -> new Value(place, object(place), "an object");
       case START_ARRAY -> items(place);
-      case VALUE_STRING -> new JsonValue.Text(place, json.text());
+      case VALUE_STRING -> new Value(place, json.text(), "'" + shortened(json.text()) + "'");
       case VALUE_NUMBER_INT, VALUE_NUMBER_FLOAT ->
-          new JsonValue.Numeral(place, json.value(), json.text());
-      default -> new JsonValue.Word(place, json.text());
+          new Value(place, json.value(), shortened(json.text()));
+      default -> new Value(place, json.token(), json.text());
     };
   }
 
@@ -98,11 +107,16 @@ public final class JsonFile {
     return new JsonObject(place, properties);
   }
 
-  private JsonValue items(Place place) {
-    List<JsonValue> values = new ArrayList<>();
+  private Value items(Place place) {
+    List<Value> values = new ArrayList<>();
     while (json.next() != JsonToken.END_ARRAY) {
       values.add(value());
     }
-    return new JsonValue.Items(place, values);
+    return new Value(place, values.toArray(Value[]::new), "a list of " + values.size());
+  }
+
+  /** The text, or its start where it is long. */
+  static String shortened(String text) {
+    return text.length() <= 60 ? text : text.substring(0, 60) + "...";
   }
 }

@@ -8,9 +8,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
-import java.util.stream.Collectors;
+import java.util.function.Predicate;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.hifi.json.JsonFile.Value;
 
 /**
  * An object of a JSON file, read property by property.
@@ -19,8 +20,8 @@ import org.hificamsim.core.Place;
  * out of range is an {@link InputException} with its place. {@link #whole} refuses what nobody
  * declared.
  */
-public final class JsonObject implements JsonValue {
-  record Property(Place place, JsonValue value) {}
+public final class JsonObject {
+  record Property(Place place, Value value) {}
 
   private final Place place;
   private final Map<String, Property> properties;
@@ -29,16 +30,6 @@ public final class JsonObject implements JsonValue {
   JsonObject(Place place, Map<String, Property> properties) {
     this.place = place;
     this.properties = properties;
-  }
-
-  @Override
-  public Place place() {
-    return place;
-  }
-
-  @Override
-  public String shown() {
-    return "an object";
   }
 
   /** Whether the property is there. */
@@ -50,70 +41,45 @@ public final class JsonObject implements JsonValue {
   /** A finite number in [{@code least}, {@code most}]. */
   public double number(String key, double least, double most) {
     String expected = "a number from " + least + " to " + most;
-    if (take(key, expected) instanceof Numeral numeral
-        && numeral.value() >= least
-        && numeral.value() <= most) {
-      return numeral.value();
-    }
-    throw wrong(key, expected);
+    return take(key, Double.class, value -> value >= least && value <= most, expected);
   }
 
   /** A whole number that is one of {@code values}. */
-  public int exactly(String key, int... values) {
-    String expected =
-        Arrays.stream(values).mapToObj(Integer::toString).collect(Collectors.joining(" or "));
-    if (take(key, expected) instanceof Numeral numeral) {
-      for (int value : values) {
-        if (numeral.value() == value) {
-          return value;
-        }
-      }
-    }
-    throw wrong(key, expected);
+  public int exactly(String key, List<Integer> values) {
+    String expected = String.join(" or ", values.stream().map(String::valueOf).toList());
+    Predicate<Double> known = value -> values.stream().anyMatch(one -> one.doubleValue() == value);
+    return take(key, Double.class, known, expected).intValue();
   }
 
   /** A whole number from 1 to {@code most}. */
   public int count(String key, int most) {
     double value = number(key, 1, most);
     if (value != Math.rint(value)) {
-      throw wrong(key, "a whole number from 1 to " + most);
+      throw error(key, "expected a whole number from 1 to " + most);
     }
     return (int) value;
   }
 
   /** A text. */
   public String text(String key) {
-    return text(key, "a text");
+    return take(key, String.class, any -> true, "a text");
   }
 
   /** A text that is one of {@code choices}. */
-  public String text(String key, Iterable<String> choices) {
-    String expected = "one of " + String.join(", ", choices);
-    String text = text(key, expected);
-    for (String choice : choices) {
-      if (choice.equals(text)) {
-        return text;
-      }
-    }
-    throw wrong(key, expected);
+  public String text(String key, List<String> choices) {
+    return take(key, String.class, choices::contains, "one of " + String.join(", ", choices));
   }
 
-  /** An object. */
-  public JsonObject object(String key) {
-    if (take(key, "an object") instanceof JsonObject object) {
-      return object;
-    }
-    throw wrong(key, "an object");
+  /** An object as a form reads it, which asks for each of its properties. */
+  public <T> T object(String key, Function<JsonObject, T> form) {
+    return take(key, JsonObject.class, any -> true, "an object").whole(form);
   }
 
   /** A list of objects. */
   public List<JsonObject> objects(String key) {
-    if (!(take(key, "a list of objects") instanceof Items items)) {
-      throw wrong(key, "a list of objects");
-    }
     List<JsonObject> objects = new ArrayList<>();
-    for (JsonValue item : items.values()) {
-      if (!(item instanceof JsonObject object)) {
+    for (Value item : take(key, Value[].class, any -> true, "a list of objects")) {
+      if (!(item.of() instanceof JsonObject object)) {
         throw item.place().error(key + " holds " + item.shown() + ", expected objects alone");
       }
       objects.add(object);
@@ -126,37 +92,32 @@ public final class JsonObject implements JsonValue {
    */
   public double[][] rows(String key, int columns, int mostRows, double least, double most) {
     String expected = "a list of 1 to " + mostRows + " rows";
-    if (!(take(key, expected) instanceof Items items)
-        || items.values().isEmpty()
-        || items.values().size() > mostRows) {
-      throw wrong(key, expected);
-    }
-    return items.values().stream()
+    Predicate<Value[]> few = rows -> rows.length > 0 && rows.length <= mostRows;
+    return Arrays.stream(take(key, Value[].class, few, expected))
         .map(row -> row(key, row, columns, least, most))
         .toArray(double[][]::new);
   }
 
   /** A list of exactly {@code count} finite numbers in [{@code least}, {@code most}]. */
   public double[] numbers(String key, int count, double least, double most) {
-    return row(key, take(key, "a list of " + count + " numbers"), count, least, most);
+    return row(key, value(key, "a list of " + count + " numbers"), count, least, most);
   }
 
-  private static double[] row(String key, JsonValue row, int columns, double least, double most) {
-    if (!(row instanceof Items cells) || cells.values().size() != columns) {
+  private static double[] row(String key, Value row, int columns, double least, double most) {
+    if (!(row.of() instanceof Value[] cells) || cells.length != columns) {
       throw row.place()
           .error(key + " holds " + row.shown() + ", expected lists of " + columns + " numbers");
     }
     double[] values = new double[columns];
     for (int i = 0; i < columns; i++) {
-      JsonValue cell = cells.values().get(i);
-      if (!(cell instanceof Numeral number)
-          || !(number.value() >= least && number.value() <= most)) {
+      Value cell = cells[i];
+      if (!(cell.of() instanceof Double number && number >= least && number <= most)) {
         throw cell.place()
             .error(
                 "%s holds %s, expected numbers from %s to %s"
                     .formatted(key, cell.shown(), least, most));
       }
-      values[i] = number.value();
+      values[i] = number;
     }
     return values;
   }
@@ -174,10 +135,10 @@ public final class JsonObject implements JsonValue {
    * @param expectation what was expected of it, starting with that word
    */
   public InputException error(String key, String expectation) {
-    JsonValue value = properties.get(key).value();
+    Value value = properties.get(key).value();
     return value
         .place()
-        .error(JsonValue.shortened(key) + " is " + value.shown() + ", " + expectation);
+        .error(JsonFile.shortened(key) + " is " + value.shown() + ", " + expectation);
   }
 
   /** What a form makes of this object; refuses properties that it did not ask for. */
@@ -193,22 +154,19 @@ public final class JsonObject implements JsonValue {
           .place()
           .error(
               "unknown property '%s', expected one of %s"
-                  .formatted(JsonValue.shortened(key), String.join(", ", declared)));
+                  .formatted(JsonFile.shortened(key), String.join(", ", declared)));
     }
   }
 
-  private InputException wrong(String key, String expected) {
-    return error(key, "expected " + expected);
-  }
-
-  private String text(String key, String expected) {
-    if (take(key, expected) instanceof Text text) {
-      return text.text();
+  private <T> T take(String key, Class<T> type, Predicate<T> valid, String expected) {
+    Object value = value(key, expected).of();
+    if (type.isInstance(value) && valid.test(type.cast(value))) {
+      return type.cast(value);
     }
-    throw wrong(key, expected);
+    throw error(key, "expected " + expected);
   }
 
-  private JsonValue take(String key, String expected) {
+  private Value value(String key, String expected) {
     if (!has(key)) {
       throw place.error("property '" + key + "' is missing, expected " + expected);
     }

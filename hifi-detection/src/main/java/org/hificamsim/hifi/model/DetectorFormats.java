@@ -24,9 +24,22 @@ final class DetectorFormats {
               new Format<>(
                   "saturating-exponential",
                   SaturatingExponential.class,
-                  DetectorFormats::saturating),
-              new Format<>("hill", HillCurve.class, DetectorFormats::hill),
-              new Format<>("logistic", LogisticCurve.class, DetectorFormats::logistic),
+                  g ->
+                      new SaturatingExponential(
+                          any(g, "floor"), above0(g, "rise"), above0(g, "scale"))),
+              new Format<>(
+                  "hill",
+                  HillCurve.class,
+                  g ->
+                      new HillCurve(
+                          any(g, "floor"),
+                          above0(g, "rise"),
+                          above0(g, "half"),
+                          above0(g, "exponent"))),
+              new Format<>(
+                  "logistic",
+                  LogisticCurve.class,
+                  g -> new LogisticCurve(above0(g, "half"), above0(g, "exponent"))),
               new Format<>("isotonic", IsotonicCurve.class, DetectorFormats::isotonic)));
 
   private DetectorFormats() {}
@@ -48,19 +61,6 @@ final class DetectorFormats {
     return new DetectorLine(any(json, "slope"), any(json, "intercept"));
   }
 
-  private static SaturatingExponential saturating(JsonObject json) {
-    return new SaturatingExponential(any(json, "floor"), rise(json), positive(json, "scale"));
-  }
-
-  private static HillCurve hill(JsonObject json) {
-    return new HillCurve(
-        any(json, "floor"), rise(json), positive(json, "half"), positive(json, "exponent"));
-  }
-
-  private static LogisticCurve logistic(JsonObject json) {
-    return new LogisticCurve(positive(json, "half"), positive(json, "exponent"));
-  }
-
   private static IsotonicCurve isotonic(JsonObject json) {
     double[][] knots =
         json.rows("knots", 2, MAX_KNOTS, -ModelFormat.STEEPEST, ModelFormat.STEEPEST);
@@ -75,11 +75,7 @@ final class DetectorFormats {
     return json.number(key, -ModelFormat.STEEPEST, ModelFormat.STEEPEST);
   }
 
-  private static double rise(JsonObject json) {
-    return json.number("rise", SMALLEST, LARGEST);
-  }
-
-  private static double positive(JsonObject json, String key) {
+  private static double above0(JsonObject json, String key) {
     return json.number(key, SMALLEST, LARGEST);
   }
 }

@@ -8,6 +8,7 @@ import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.PinholeAbstraction;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
+import org.hificamsim.hifi.feature.SvrRbfAbstraction.Range;
 import org.hificamsim.hifi.feature.SymbolicAbstraction;
 import org.hificamsim.hifi.json.JsonObject;
 import org.hificamsim.hifi.model.PartFormats.Format;
@@ -17,6 +18,7 @@ final class FeatureFormats {
   private static final double MAX_WEIGHT = 1e6;
   private static final double MAX_EXPONENT = 20;
   private static final double MAX_SENSOR = 1;
+  private static final int MAX_VECTORS = 50_000;
 
   private static final PartFormats<FeatureAbstraction> ALL =
       new PartFormats<>(
@@ -25,12 +27,12 @@ final class FeatureFormats {
               new Format<>("symbolic", SymbolicAbstraction.class, FeatureFormats::symbolic),
               new Format<>("power", PowerLawAbstraction.class, FeatureFormats::power),
               new Format<>("pinhole", PinholeAbstraction.class, FeatureFormats::pinhole),
-              new Format<>("svr-rbf", SvrRbfAbstraction.class, SvrRbfFormat::read)));
+              new Format<>("svr-rbf", SvrRbfAbstraction.class, FeatureFormats::svrRbf)));
 
   private FeatureFormats() {}
 
-  static FeatureAbstraction read(JsonObject f) {
-    return f.whole(ALL::read);
+  static FeatureAbstraction read(JsonObject json) {
+    return ALL.read(json);
   }
 
   static ObjectNode json(FeatureAbstraction f) {
@@ -63,6 +65,29 @@ final class FeatureFormats {
     return new PinholeAbstraction(
         json.number("sensorWidth", 1e-6, MAX_SENSOR),
         json.number("sensorHeight", 1e-6, MAX_SENSOR));
+  }
+
+  /** {@code support} is a list of {@code [q, d, z, weight]}. */
+  private static SvrRbfAbstraction svrRbf(JsonObject json) {
+    double gamma = json.number("gamma", 1e-9, MAX_WEIGHT);
+    double intercept = weight(json, "intercept");
+    List<Range> qdz =
+        json.object(
+            "ranges",
+            ranges ->
+                ModelFormat.LENGTHS.stream()
+                    .map(length -> ranges.object(length, FeatureFormats::range))
+                    .toList());
+    double[][] support = json.rows("support", 4, MAX_VECTORS, -MAX_WEIGHT, MAX_WEIGHT);
+    return new SvrRbfAbstraction(gamma, intercept, qdz.get(0), qdz.get(1), qdz.get(2), support);
+  }
+
+  private static Range range(JsonObject json) {
+    Range range = new Range(json.number("least", 0, 1000), json.number("most", 0, 1000));
+    if (!(range.most() > range.least())) {
+      throw json.error("most", "expected more than least, " + range.least());
+    }
+    return range;
   }
 
   private static double weight(JsonObject json, String key) {

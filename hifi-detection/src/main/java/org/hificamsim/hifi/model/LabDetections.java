@@ -1,11 +1,13 @@
 package org.hificamsim.hifi.model;
 
-import java.util.LinkedHashMap;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.registry.Registry;
+import org.hificamsim.hifi.HiFiDetection;
 
 /**
  * The names of the models that were fitted in the rendered laboratory by {@code profile}: {@code
@@ -13,37 +15,34 @@ import org.hificamsim.core.registry.Registry;
  * for and not before.
  */
 public final class LabDetections {
-  /** The detectors, by their short names. */
-  public static final List<String> DETECTORS = List.of("orb", "sift", "surf");
-
-  /** The feature abstractions by their short names, with what they are in words. */
-  public static final Map<String, String> FEATURES = features();
-
   private LabDetections() {}
 
   /** Adds every model. */
   public static void register(Registry<DetectionModel> registry) {
-    for (String detector : DETECTORS) {
-      FEATURES.forEach(
-          (f, title) ->
-              registry.register(
-                  "lab:" + detector + "-" + f,
-                  detector.toUpperCase(Locale.ROOT)
-                      + " line on the "
-                      + title
-                      + ", fitted in the lab",
-                  () -> ModelFiles.resource("lab/" + detector + "-" + f + ".json")));
+    for (String detector : List.of("orb", "sift", "surf")) {
+      register(registry, detector, "lin", "multiple linear regression");
+      register(registry, detector, "svr-rbf", "support vector regression, RBF kernel");
+      register(registry, detector, "sr", "symbolic regression");
+      register(registry, detector, "svr-lin", "support vector regression, linear kernel");
+      register(registry, detector, "power", "power law");
+      register(registry, detector, "pinhole", "pinhole camera");
     }
   }
 
-  private static Map<String, String> features() {
-    Map<String, String> features = new LinkedHashMap<>();
-    features.put("lin", "multiple linear regression");
-    features.put("svr-rbf", "support vector regression, RBF kernel");
-    features.put("sr", "symbolic regression");
-    features.put("svr-lin", "support vector regression, linear kernel");
-    features.put("power", "power law");
-    features.put("pinhole", "pinhole camera");
-    return java.util.Collections.unmodifiableMap(features);
+  private static void register(
+      Registry<DetectionModel> registry, String detector, String f, String title) {
+    String model = detector + "-" + f;
+    registry.register(
+        "lab:" + model,
+        detector.toUpperCase(Locale.ROOT) + " line on the " + title + ", fitted in the lab",
+        () -> model("lab/" + model + ".json"));
+  }
+
+  private static HiFiDetection model(String resource) {
+    try (InputStream in = LabDetections.class.getResourceAsStream(resource)) {
+      return ModelFiles.parse(resource, in.readAllBytes());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
   }
 }

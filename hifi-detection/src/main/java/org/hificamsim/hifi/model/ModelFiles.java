@@ -1,8 +1,12 @@
 package org.hificamsim.hifi.model;
 
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.core.util.Separators;
+import com.fasterxml.jackson.databind.ObjectWriter;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
@@ -20,6 +24,10 @@ public final class ModelFiles {
   /** The largest file that is read. */
   public static final int MAX_BYTES = 16 << 20;
 
+  private static final DefaultIndenter LINES = new DefaultIndenter("  ", "\n");
+  private static final int ROWS_LEVEL = 3;
+  private static final ObjectWriter WRITER = ModelFormat.MAPPER.writer(printer());
+
   private ModelFiles() {}
 
   /**
@@ -28,7 +36,7 @@ public final class ModelFiles {
    * @throws InputException in one line with file, line and column, when it is no valid model
    */
   public static HiFiDetection read(Path file) {
-    return ModelFormat.read(JsonFile.read(file, "a model in JSON", MAX_BYTES));
+    return JsonFile.read(file, "a model in JSON", MAX_BYTES).whole(ModelFormat::read);
   }
 
   /**
@@ -48,25 +56,13 @@ public final class ModelFiles {
     }
   }
 
-  /** The model in a resource of this class's package. */
-  static HiFiDetection resource(String name) {
-    try (InputStream in = ModelFiles.class.getResourceAsStream(name)) {
-      if (in == null) {
-        throw new IllegalStateException("resource " + name + " is missing from this build");
-      }
-      return parse(name, in.readAllBytes());
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
   /**
    * The model in a file's content.
    *
    * @param file its name, for error lines
    */
   public static HiFiDetection parse(String file, byte[] bytes) {
-    return ModelFormat.read(JsonFile.parse(file, bytes));
+    return JsonFile.parse(file, bytes).whole(ModelFormat::read);
   }
 
   /**
@@ -76,7 +72,8 @@ public final class ModelFiles {
    */
   public static byte[] bytes(HiFiDetection model) {
     try {
-      byte[] bytes = ModelWriter.bytes(model);
+      String text = WRITER.writeValueAsString(ModelFormat.json(model)) + "\n";
+      byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
       if (parse(model.name(), bytes).equals(model)) {
         return bytes;
       }
@@ -84,5 +81,33 @@ public final class ModelFiles {
       throw new IllegalArgumentException("no file can hold this model: " + e.getMessage(), e);
     }
     throw new IllegalArgumentException("no file can hold this model: " + model);
+  }
+
+  /** One property a line. */
+  private static DefaultPrettyPrinter printer() {
+    DefaultPrettyPrinter printer =
+        new DefaultPrettyPrinter(
+            Separators.createDefaultInstance()
+                .withObjectFieldValueSpacing(Separators.Spacing.AFTER));
+    printer.indentObjectsWith(LINES);
+    printer.indentArraysWith(new RowIndenter());
+    return printer;
+  }
+
+  /** Puts each row of a table on a line of its own, and its cells side by side. */
+  private static final class RowIndenter extends DefaultPrettyPrinter.NopIndenter {
+    private static final long serialVersionUID = 1L;
+
+    @Override
+    public void writeIndentation(JsonGenerator json, int level) throws IOException {
+      if (level < ROWS_LEVEL || !json.getOutputContext().getParent().inArray()) {
+        LINES.writeIndentation(json, level);
+      }
+    }
+
+    @Override
+    public boolean isInline() {
+      return false;
+    }
   }
 }

@@ -1,10 +1,13 @@
 package org.hificamsim.hifi.model;
 
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import org.hificamsim.hifi.FittedOn;
+import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.detector.DetectorLine;
@@ -13,38 +16,58 @@ import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.json.JsonObject;
 import org.hificamsim.hifi.optics.Optics;
 
-/** Reads the JSON form of a {@link HiFiDetection}, with the range of each number. */
+/**
+ * The JSON form of a {@link HiFiDetection}: reads it, with the range of each number, and writes it.
+ */
 final class ModelFormat {
-  static final String SCHEMA = "hificamsim-model";
+  static final ObjectMapper MAPPER = new ObjectMapper();
+  static final List<String> LENGTHS = List.of("q", "d", "z");
+  static final double STEEPEST = 1000;
 
   /** The version in which every g is a line. */
   static final int LINES_ALONE = 1;
 
   private static final int NEWEST = 2;
+  private static final String SCHEMA = "hificamsim-model";
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9:._-]{0,99}");
-  static final double STEEPEST = 1000;
   private static final double MIN_RMSE = 1e-9;
-  static final List<String> LENGTHS = List.of("q", "d", "z");
+  private static final double LONGEST = 1e5;
+  private static final int MAX_OBJECTS = 1_000_000;
 
   private ModelFormat() {}
 
-  static HiFiDetection read(JsonObject file) {
-    return file.whole(ModelFormat::model);
-  }
-
-  private static HiFiDetection model(JsonObject json) {
+  static HiFiDetection read(JsonObject json) {
     int version = version(json, SCHEMA, LINES_ALONE, NEWEST);
     refuseCovariates(json);
     String name = name(json);
-    FeatureAbstraction f = FeatureFormats.read(json.object("f"));
-    Fitted g = json.object("g").whole(one -> fitted(one, version));
+    FeatureAbstraction f = json.object("f", FeatureFormats::read);
+    Fitted g = json.object("g", one -> fitted(one, version));
     Optics optics = json.has("optics") ? optics(json) : PublishedModels.published().optics();
     double threshold =
         json.has("threshold") ? threshold(json) : PublishedModels.published().threshold(g.model());
     checkUnits(json);
-    boolean newer = version > LINES_ALONE;
-    Optional<FittedOn> on = newer ? FittedOnFormat.read(json) : Optional.empty();
+    Optional<FittedOn> on =
+        version > LINES_ALONE && json.has("fitted")
+            ? Optional.of(json.object("fitted", ModelFormat::fittedOn))
+            : Optional.empty();
     return new HiFiDetection(name, f, g.model(), optics, threshold, g.rmse(), on, provenance(json));
+  }
+
+  static ObjectNode json(HiFiDetection model) {
+    // The oldest version that can hold the model: what needs no newer one keeps its bytes.
+    boolean old = model.g() instanceof DetectorLine && model.fitted().isEmpty();
+    int version = old ? LINES_ALONE : NEWEST;
+    ObjectNode json = MAPPER.createObjectNode().put("schema", SCHEMA).put("version", version);
+    json.put("name", model.name());
+    json.set("f", FeatureFormats.json(model.f()));
+    ObjectNode g = json.putObject("g").setAll(DetectorFormats.json(model.g(), version));
+    model.rmse().ifPresent(rmse -> g.put("rmse", rmse));
+    json.putPOJO("optics", model.optics());
+    json.put("threshold", model.defaultThreshold());
+    model.fitted().ifPresent(on -> json.putPOJO("fitted", on));
+    ObjectNode units = json.putObject("units");
+    LENGTHS.forEach(length -> units.put(length, "m"));
+    return json.putPOJO("provenance", model.provenance().remarks());
   }
 
   /** Earlier versions of the simulator had models whose confidence depends on conditions. */
@@ -54,14 +77,9 @@ final class ModelFormat {
     }
   }
 
-  /** The oldest version that can hold a model: what needs no newer one keeps its bytes. */
-  static int version(HiFiDetection model) {
-    return model.g() instanceof DetectorLine && model.fitted().isEmpty() ? LINES_ALONE : NEWEST;
-  }
-
-  static int version(JsonObject json, String schema, int... versions) {
+  static int version(JsonObject json, String schema, Integer... versions) {
     json.text("schema", List.of(schema));
-    return json.exactly("version", versions);
+    return json.exactly("version", List.of(versions));
   }
 
   /** A detector model, and how the confidences scatter about it where that is known. */
@@ -80,12 +98,12 @@ final class ModelFormat {
   }
 
   static Optics optics(JsonObject json) {
-    return json.object("optics")
-        .whole(
-            optics ->
-                new Optics(
-                    optics.number("sensorWidth", 1e-6, 1),
-                    optics.number("longestFocalLength", 1e-6, 10)));
+    return json.object(
+        "optics",
+        optics ->
+            new Optics(
+                optics.number("sensorWidth", 1e-6, 1),
+                optics.number("longestFocalLength", 1e-6, 10)));
   }
 
   static double threshold(JsonObject json) {
@@ -94,8 +112,26 @@ final class ModelFormat {
 
   static Provenance provenance(JsonObject json) {
     return json.has("provenance")
-        ? new Provenance(json.object("provenance").texts())
+        ? new Provenance(json.object("provenance", JsonObject::texts))
         : Provenance.UNKNOWN;
+  }
+
+  private static FittedOn fittedOn(JsonObject json) {
+    return new FittedOn(
+        json.object("q", ModelFormat::span),
+        json.object("d", ModelFormat::span),
+        json.object("z", ModelFormat::span),
+        json.count("objects", MAX_OBJECTS),
+        json.number("betweenObjects", 0, STEEPEST),
+        json.number("withinObjects", 0, STEEPEST));
+  }
+
+  private static Span span(JsonObject json) {
+    Span span = new Span(json.number("least", 0, LONGEST), json.number("most", 0, LONGEST));
+    if (span.most() < span.least()) {
+      throw json.error("most", "expected " + span.least() + " or more, the least");
+    }
+    return span;
   }
 
   private static String name(JsonObject json) {
@@ -108,8 +144,7 @@ final class ModelFormat {
 
   private static void checkUnits(JsonObject json) {
     if (json.has("units")) {
-      json.object("units")
-          .whole(units -> LENGTHS.stream().map(q -> units.text(q, List.of("m"))).toList());
+      json.object("units", u -> LENGTHS.stream().map(q -> u.text(q, List.of("m"))).toList());
     }
   }
 }

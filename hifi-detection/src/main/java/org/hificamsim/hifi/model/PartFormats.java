@@ -36,8 +36,8 @@ record PartFormats<T>(List<Format<T>> formats) {
                         "no file format for "
                             + part.getClass().getName()
                             + ", expected a line in FeatureFormats or DetectorFormats"));
-    ObjectNode json = ModelWriter.MAPPER.createObjectNode().put("type", format.type());
-    return json.setAll(ModelWriter.MAPPER.<ObjectNode>valueToTree(part));
+    ObjectNode json = ModelFormat.MAPPER.createObjectNode().put("type", format.type());
+    return json.setAll(ModelFormat.MAPPER.<ObjectNode>valueToTree(part));
   }
 
   private Optional<Format<T>> format(Predicate<Format<T>> wanted) {

@@ -12,6 +12,7 @@ import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.json.JsonFile;
+import org.hificamsim.hifi.json.JsonObject;
 import org.hificamsim.hifi.optics.Optics;
 
 /**
@@ -71,15 +72,53 @@ public record PublishedModels(
     return g.equals(line) ? reference.threshold() : g.confidence(line.pip(reference.threshold()));
   }
 
-  private static PublishedModels read() {
-    try (InputStream in = PublishedModels.class.getResourceAsStream(RESOURCE)) {
-      return PublishedModelsFormat.read(JsonFile.parse(RESOURCE, in.readAllBytes()));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+  private static final class Published {
+    static final PublishedModels CATALOGUE = read();
+
+    private static PublishedModels read() {
+      try (InputStream in = PublishedModels.class.getResourceAsStream(RESOURCE)) {
+        return JsonFile.parse(RESOURCE, in.readAllBytes()).whole(PublishedModels::read);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
     }
   }
 
-  private static final class Published {
-    static final PublishedModels CATALOGUE = read();
+  /** The models of a catalogue in JSON. */
+  static PublishedModels read(JsonObject json) {
+    ModelFormat.version(json, "hificamsim-catalogue", 1);
+    return new PublishedModels(
+        ModelFormat.optics(json),
+        json.object("reference", PublishedModels::reference),
+        json.object("literal", PublishedModels::literal),
+        json.objects("features").stream().map(f -> f.whole(PublishedModels::feature)).toList(),
+        json.objects("lines").stream().map(g -> g.whole(PublishedModels::line)).toList());
+  }
+
+  private static Reference reference(JsonObject json) {
+    ModelFormat.provenance(json);
+    return new Reference(json.text("detector"), json.text("f"), ModelFormat.threshold(json));
+  }
+
+  private static LinearAbstraction literal(JsonObject json) {
+    ModelFormat.provenance(json);
+    return FeatureFormats.linear(json);
+  }
+
+  private static Feature feature(JsonObject json) {
+    return new Feature(
+        json.text("name"),
+        json.text("title"),
+        json.object("f", FeatureFormats::read),
+        ModelFormat.provenance(json));
+  }
+
+  private static Line line(JsonObject json) {
+    return new Line(
+        json.text("detector"),
+        json.text("f"),
+        DetectorFormats.line(json),
+        ModelFormat.rmse(json),
+        json.text("source"));
   }
 }

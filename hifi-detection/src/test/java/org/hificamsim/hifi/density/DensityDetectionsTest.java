@@ -61,7 +61,7 @@ class DensityDetectionsTest {
   @ParameterizedTest
   @CsvSource({"0, 0", "1, 0.5", "1.452, 0.80", "2.041, 0.95"})
   void acquisitionHasTheKnownProbabilities(double ratio, double probability) {
-    assertEquals(probability, TransferFunctionDetection.probability(ratio), 5e-4);
+    assertEquals(probability, DensityDetections.probability(ratio), 5e-4);
   }
 
   @Test

@@ -52,7 +52,10 @@ class JsonObjectTest {
   void aTextIsShownWholeUpToSixtyCharacters() {
     String sixty = "x".repeat(60);
     assertFault("x is '" + sixty + "', ", "{\"x\": \"" + sixty + "\"}", o -> o.number("x", 0, 1));
-    assertFault("x is '" + sixty + "...', ", "{\"x\": \"" + sixty + "y\"}", o -> o.object("x"));
+    assertFault(
+        "x is '" + sixty + "...', ",
+        "{\"x\": \"" + sixty + "y\"}",
+        o -> o.object("x", JsonObject::texts));
   }
 
   private static JsonObject object(String text) {

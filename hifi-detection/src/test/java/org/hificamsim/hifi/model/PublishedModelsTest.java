@@ -82,7 +82,7 @@ class PublishedModelsTest {
   }
 
   private static PublishedModels read(String text) {
-    return PublishedModelsFormat.read(JsonFile.parse("c", text.getBytes(StandardCharsets.UTF_8)));
+    return JsonFile.parse("c", text.getBytes(StandardCharsets.UTF_8)).whole(PublishedModels::read);
   }
 
   @Test

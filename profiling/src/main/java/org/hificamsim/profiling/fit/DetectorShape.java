@@ -3,6 +3,7 @@ package org.hificamsim.profiling.fit;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.function.DoubleUnaryOperator;
 import org.apache.commons.math3.stat.descriptive.rank.Percentile;
 import org.apache.commons.math3.stat.regression.SimpleRegression;
@@ -20,7 +21,7 @@ import org.hificamsim.profiling.fit.CurveFit.Bounded;
  * @param name the short name, as the model file's type says it
  * @param method fits confidences on PIP; the same for the same rows
  */
-public record DetectorShape(String name, Method method) {
+public record DetectorShape(String name, BiFunction<double[], double[], DetectorModel> method) {
   /** Every shape, the one with the fewest parameters first. */
   public static final List<DetectorShape> ALL =
       List.of(
@@ -36,19 +37,6 @@ public record DetectorShape(String name, Method method) {
   private static final double[] HILL_STARTS = {0.7, 1, 2, 4};
   private static final double[] PERCENTS = {5, 20, 35, 50, 65, 80, 95};
   private static final double SMALLEST = 1e-9;
-
-  /** How a shape is fitted. */
-  @FunctionalInterface
-  public interface Method {
-    /**
-     * The fitted model.
-     *
-     * @param pip the share of the image of each row, [0, 1]
-     * @param confidence what was measured of it
-     * @throws InputException when there are fewer than three rows
-     */
-    DetectorModel fit(double[] pip, double[] confidence);
-  }
 
   /** The names of all. */
   public static List<String> names() {
@@ -71,9 +59,15 @@ public record DetectorShape(String name, Method method) {
                         .formatted(name, String.join(", ", names()))));
   }
 
-  /** Fits it. */
+  /**
+   * Fits it.
+   *
+   * @param pip the share of the image of each row, [0, 1]
+   * @param confidence what was measured of it
+   * @throws InputException when there are fewer than three rows
+   */
   DetectorModel fit(double[] pip, double[] confidence) {
-    return method.fit(pip, confidence);
+    return method.apply(pip, confidence);
   }
 
   /** The logistic curve in log PIP: half and exponent. */

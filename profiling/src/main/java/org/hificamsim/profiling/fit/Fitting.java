@@ -36,7 +36,7 @@ public final class Fitting {
             camera,
             photos,
             List.copyOf(photos.get(0).confidences().keySet()),
-            FeatureResult.all(FeatureRegressions.all(camera, settings), photos, folds, threads),
+            FeatureResult.all(FeatureRegression.all(camera, settings), photos, folds, threads),
             objects.count() > 1 ? objects : folds,
             settings.thresholds(),
             Map.of());

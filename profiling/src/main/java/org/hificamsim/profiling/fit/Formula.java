@@ -13,8 +13,8 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
   /** How strongly its outermost operation binds: 1 for sums, 2 for products, 3 for the rest. */
   int strength();
 
-  /** The values for all rows of the predictors q, d, z. */
-  double[] values(double[][] rows);
+  /** The value for a row of the predictors q, d, z. */
+  double at(double[] row);
 
   /** A number. */
   record Constant(double value) implements Formula {
@@ -32,10 +32,8 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
 
     @Override
-    public double[] values(double[][] rows) {
-      double[] values = new double[rows.length];
-      java.util.Arrays.fill(values, value);
-      return values;
+    public double at(double[] row) {
+      return value;
     }
   }
 
@@ -47,12 +45,8 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
 
     @Override
-    public double[] values(double[][] rows) {
-      double[] values = new double[rows.length];
-      for (int i = 0; i < rows.length; i++) {
-        values[i] = rows[i][column];
-      }
-      return values;
+    public double at(double[] row) {
+      return row[column];
     }
   }
 
@@ -65,7 +59,7 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
       }
       Operation operation = new Operation(sign, left, right);
       if (left instanceof Constant && right instanceof Constant) {
-        double value = operation.values(new double[1][0])[0];
+        double value = operation.at(new double[0]);
         return Double.isFinite(value) ? new Constant(value) : operation;
       }
       if (sign == '*'
@@ -92,19 +86,15 @@ sealed interface Formula permits Formula.Constant, Formula.Variable, Formula.Ope
     }
 
     @Override
-    public double[] values(double[][] rows) {
-      double[] a = left.values(rows);
-      double[] b = right.values(rows);
-      for (int i = 0; i < a.length; i++) {
-        a[i] =
-            switch (sign) {
-              case '+' -> a[i] + b[i];
-              case '-' -> a[i] - b[i];
-              case '*' -> a[i] * b[i];
-              default -> a[i] / b[i];
-            };
-      }
-      return a;
+    public double at(double[] row) {
+      double a = left.at(row);
+      double b = right.at(row);
+      return switch (sign) {
+        case '+' -> a + b;
+        case '-' -> a - b;
+        case '*' -> a * b;
+        default -> a / b;
+      };
     }
 
     private static String bracketed(Formula part, int least) {

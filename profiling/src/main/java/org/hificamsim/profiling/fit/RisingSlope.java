@@ -1,8 +1,11 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.Arrays;
+import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
+import org.apache.commons.math3.stat.regression.SimpleRegression;
 
 /**
  * Whether confidence surely rises with PIP: the slope of the least squares line and its 95%
@@ -43,35 +46,25 @@ public record RisingSlope(double slope, double low, double high, boolean sure) {
   }
 
   private static double[] drawn(double[] x, double[] y, Groups objects, long seed) {
-    double[][] sums =
-        objects.rows().stream().map(rows -> sums(rows, x, y)).toArray(double[][]::new);
+    List<SimpleRegression> each =
+        objects.rows().stream().map(rows -> regression(rows, x, y)).toList();
     SplittableRandom random = new SplittableRandom(seed);
-    double[] slopes = new double[DRAWS];
-    for (int draw = 0; draw < DRAWS; draw++) {
-      double[] total = new double[sums[0].length];
-      for (int i = 0; i < sums.length; i++) {
-        double[] object = sums[random.nextInt(sums.length)];
-        Arrays.setAll(total, k -> total[k] + object[k]);
-      }
-      slopes[draw] = slope(total);
-    }
-    return Arrays.stream(slopes).filter(Double::isFinite).toArray();
+    return IntStream.range(0, DRAWS)
+        .mapToDouble(
+            draw -> {
+              SimpleRegression all = new SimpleRegression();
+              each.forEach(any -> all.append(each.get(random.nextInt(each.size()))));
+              return all.getSlope();
+            })
+        .filter(Double::isFinite)
+        .toArray();
   }
 
-  /** n, and the sums of x, y, x^2 and x y: what a slope needs to know of an object. */
-  private static double[] sums(int[] rows, double[] x, double[] y) {
-    double[] sums = new double[5];
+  private static SimpleRegression regression(int[] rows, double[] x, double[] y) {
+    SimpleRegression regression = new SimpleRegression();
     for (int row : rows) {
-      sums[0]++;
-      sums[1] += x[row];
-      sums[2] += y[row];
-      sums[3] += x[row] * x[row];
-      sums[4] += x[row] * y[row];
+      regression.addData(x[row], y[row]);
     }
-    return sums;
-  }
-
-  private static double slope(double[] s) {
-    return (s[0] * s[4] - s[1] * s[2]) / (s[0] * s[3] - s[1] * s[1]);
+    return regression;
   }
 }

@@ -47,7 +47,7 @@ final class SupportVectors {
         new LinearAbstraction(weights[2], weights[0], weights[1], machine.intercept());
     return new FittedFeature(
         f,
-        FeatureRegressions.equation(f),
+        FeatureRegression.equation(f),
         List.of(
             Coefficient.plain("intercept", f.intercept()),
             Coefficient.plain("q", f.q()),

@@ -130,10 +130,10 @@ public record SymbolicRegression(SymbolicSettings settings) {
   }
 
   private static double error(Formula formula, double[][] x, double[] y) {
-    double[] values = formula.values(x);
     double sum = 0;
     for (int i = 0; i < y.length; i++) {
-      sum += (values[i] - y[i]) * (values[i] - y[i]);
+      double error = formula.at(x[i]) - y[i];
+      sum += error * error;
     }
     return sum / y.length;
   }

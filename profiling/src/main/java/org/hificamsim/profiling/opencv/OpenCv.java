@@ -14,27 +14,44 @@ import org.opencv.core.Core;
  */
 public final class OpenCv {
   private static final Path DEBIAN = Path.of("/usr/lib/jni");
+  private static String origin;
 
   private OpenCv() {}
+
+  /** Reported in one line, with what helps. */
+  static final class OpenCvMissingException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    OpenCvMissingException(String reasons) {
+      super(
+          "OpenCV does not load, expected Debian's libopencv-java or org.openpnp:opencv for this"
+              + " machine ("
+              + reasons
+              + "). Maybe install libopencv-java and build again");
+    }
+  }
 
   /**
    * Loads the library where that has not been done.
    *
-   * @throws OpenCvMissingException in one line, when there is none that loads
+   * @throws OpenCvMissingException when there is none that loads
    */
-  public static void load() {
-    Loaded.check();
+  public static synchronized void load() {
+    if (origin == null) {
+      try {
+        origin = firstThatLoads(sources());
+      } catch (NoClassDefFoundError e) {
+        throw new OpenCvMissingException("its classes are not on the class path");
+      }
+      // The work is spread over images; one thread each keeps results and memory the same.
+      Core.setNumThreads(1);
+    }
   }
 
-  /** Where the library came from, for the record of a run. */
-  public static String origin() {
-    Loaded.check();
-    return Loaded.RESULT.origin();
-  }
-
-  /** Which OpenCV this is, as in {@code 4.6.0 (org.openpnp:opencv)}. */
-  public static String version() {
-    return Core.VERSION + " (" + origin() + ")";
+  /** Which OpenCV this is and where it came from, as in {@code 4.6.0 (org.openpnp:opencv)}. */
+  public static synchronized String version() {
+    load();
+    return Core.VERSION + " (" + origin + ")";
   }
 
   /** One way to load the library. */
@@ -45,21 +62,18 @@ public final class OpenCv {
   /** A way to load and what to call it. */
   record Source(String name, Way way) {}
 
-  /** The outcome of trying the sources: where it came from, or why there is none. */
-  record Result(String origin, String failure) {}
-
-  /** Tries one source after the other. */
-  static Result firstThatLoads(List<Source> sources) {
+  /** Tries one source after the other; the name of the one that loads. */
+  static String firstThatLoads(List<Source> sources) {
     List<String> reasons = new ArrayList<>();
     for (Source source : sources) {
       try {
         source.way().load();
-        return new Result(source.name(), null);
+        return source.name();
       } catch (Exception | LinkageError e) {
         reasons.add(source.name() + ": " + oneLine(e));
       }
     }
-    return new Result(null, String.join("; ", reasons));
+    throw new OpenCvMissingException(String.join("; ", reasons));
   }
 
   private static List<Source> sources() {
@@ -84,31 +98,10 @@ public final class OpenCv {
   private static String oneLine(Throwable e) {
     Throwable cause =
         e instanceof InvocationTargetException && e.getCause() != null ? e.getCause() : e;
-    String message = cause instanceof ClassNotFoundException ? "not in this build" : null;
-    message = message == null ? String.valueOf(cause.getMessage()) : message;
+    if (cause instanceof ClassNotFoundException) {
+      return "not in this build";
+    }
+    String message = String.valueOf(cause.getMessage());
     return message.lines().findFirst().orElse(cause.getClass().getSimpleName());
-  }
-
-  private static final class Loaded {
-    static final Result RESULT = loadAndSetUp();
-
-    static void check() {
-      if (RESULT.failure() != null) {
-        throw new OpenCvMissingException(RESULT.failure());
-      }
-    }
-
-    private static Result loadAndSetUp() {
-      try {
-        Result result = firstThatLoads(sources());
-        if (result.failure() == null) {
-          // The work is spread over images; one thread each keeps results and memory the same.
-          Core.setNumThreads(1);
-        }
-        return result;
-      } catch (NoClassDefFoundError e) {
-        return new Result(null, "its classes are not on the class path");
-      }
-    }
   }
 }

@@ -29,6 +29,13 @@ final class Advice {
           + " exponent 2 for what never varies, as with one object or one lens; regressions know"
           + " nothing about it.";
 
+  static final String TIMES =
+      "geometric and camsim-standard are what CamSim has: certain in view, and its standard"
+          + " confidence. Times are nanoseconds per evaluation of the shipped lab models of the"
+          + " same kind, by JMH on one busy machine, about 10 ns of each the benchmark's own; yours"
+          + " were not timed. Detections are tabulated before a run, so that a slow model costs"
+          + " start-up and not steps.";
+
   private Advice() {}
 
   /** The one sentence that says which model to take. */

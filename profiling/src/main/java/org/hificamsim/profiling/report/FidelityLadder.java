@@ -1,26 +1,21 @@
 package org.hificamsim.profiling.report;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
-import java.util.Map;
-import java.util.stream.Stream;
 import org.hificamsim.hifi.detector.DetectorLine;
-import org.hificamsim.profiling.fit.CamSimConfidence;
+import org.hificamsim.profiling.fit.DetectorFit;
 import org.hificamsim.profiling.fit.DetectorShape;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
-import org.hificamsim.profiling.fit.FitScores;
 import org.hificamsim.profiling.fit.ShapeFit;
 
 /**
  * The fidelity ladder: from "certain in view" to support vectors, how well each model predicts the
  * confidence of objects that it has not seen and how long one evaluation takes.
  */
-public final class FidelityLadder {
-  /** What CamSim has. */
-  private static final List<String> SIMPLEST = List.of("geometric", FitResult.CAMSIM);
-
+final class FidelityLadder {
   /** The mean of the confidences, whatever the PIP. */
   private static final DetectorShape MEAN =
       new DetectorShape(
@@ -31,45 +26,45 @@ public final class FidelityLadder {
   /**
    * One step.
    *
-   * @param unseen how well it predicts the confidence of what it has not seen; {@code geometric}'s
-   *     value never varies, so that it predicts the mean of what it has
-   * @param accuracy how often it puts that on the right side of the threshold (balanced)
+   * @param fit its g; {@code geometric}'s value never varies, so that it predicts the mean of what
+   *     it has seen
+   * @param accuracy how often it puts what it has not seen on the right side of the threshold
+   *     (balanced)
    * @param nanoseconds per evaluation of the shipped model of this kind; NaN where nobody measured
    */
-  public record Step(String model, FitScores unseen, double accuracy, double nanoseconds) {}
+  record Step(
+      String detector,
+      String model,
+      ShapeFit fit,
+      boolean refused,
+      double accuracy,
+      double nanoseconds) {}
 
   /** The ladder of one detector: the plainest model first, then every f. */
-  public static List<Step> of(FitResult result, String detector, Map<String, Double> nanoseconds) {
-    return models(result).stream()
-        .map(model -> step(result, detector, model, nanoseconds))
-        .toList();
-  }
-
-  /** The models, the plainest first. */
-  static List<String> models(FitResult result) {
-    return Stream.concat(SIMPLEST.stream(), result.features().stream().map(FeatureResult::name))
-        .toList();
+  static List<Step> of(FitResult result, String detector) {
+    ShapeFit mean = onValues(result, detector, MEAN, result.measuredPip());
+    ShapeFit camSim =
+        onValues(result, detector, DetectorShape.of("line"), result.predictor(FitResult.CAMSIM));
+    List<Step> steps = new ArrayList<>();
+    steps.add(step(result, detector, "geometric", mean, false));
+    steps.add(step(result, detector, FitResult.CAMSIM, camSim, false));
+    for (FeatureResult f : result.features()) {
+      DetectorFit g = result.model(detector, f.name());
+      steps.add(step(result, detector, f.name(), g.chosen(), g.refused()));
+    }
+    return steps;
   }
 
   private static Step step(
-      FitResult result, String detector, String model, Map<String, Double> nanoseconds) {
-    ShapeFit fit =
-        switch (model) {
-          case "geometric" -> onValues(result, detector, MEAN, result.measuredPip());
-          case FitResult.CAMSIM ->
-              onValues(
-                  result,
-                  detector,
-                  DetectorShape.of("line"),
-                  CamSimConfidence.of(result.measurements()));
-          default -> result.model(detector, model).chosen();
-        };
+      FitResult result, String detector, String model, ShapeFit fit, boolean refused) {
     return new Step(
+        detector,
         model,
-        fit.unseen(),
+        fit,
+        refused,
         DetectionAccuracy.of(result, detector)
             .accuracy(result.confidences(detector), fit.predicted()),
-        nanoseconds.getOrDefault(model, Double.NaN));
+        PublishedTables.nanoseconds().getOrDefault(model, Double.NaN));
   }
 
   private static ShapeFit onValues(

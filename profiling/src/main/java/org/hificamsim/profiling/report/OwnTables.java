@@ -5,10 +5,8 @@ import static org.hificamsim.profiling.report.CellText.significant;
 import static org.hificamsim.profiling.report.CellText.span;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.CrossValidation;
@@ -107,18 +105,18 @@ final class OwnTables {
     return fixed(validation.map(CrossValidation::r2).orElse(Double.NaN), 3);
   }
 
-  /** Every model g(f). */
-  void models(HtmlPage page) {
+  /** Every model g(f), and before them what CamSim has. */
+  static void models(HtmlPage page, List<FidelityLadder.Step> steps) {
     page.table(
-        new TableLayout<FittedModel>()
-            .with("model", FittedModel::name)
-            .with("g", model -> model.chosen().shape())
-            .with("R2", model -> fixed(model.chosen().scores().r2(), 3))
-            .with("R2, unseen", model -> fixed(model.chosen().unseen().r2(), 3))
-            .with("line's R2, unseen", model -> fixed(model.fit().shape("line").unseen().r2(), 3))
-            .with("detect or not, unseen", model -> fixed(accuracy(model), 3))
-            .with("", model -> model.fit().refused() ? "refused" : ""),
-        FittedModel.all(result).stream().filter(model -> !model.onMeasuredPip()).toList());
+        new TableLayout<FidelityLadder.Step>()
+            .with("model", step -> step.detector() + "-" + step.model())
+            .with("g", step -> step.fit().shape())
+            .with("R2", step -> fixed(step.fit().scores().r2(), 3))
+            .with("R2, unseen", step -> fixed(step.fit().unseen().r2(), 3))
+            .with("detect or not, unseen", step -> fixed(step.accuracy(), 3))
+            .with("ns", step -> significant(step.nanoseconds()))
+            .with("", step -> step.refused() ? "refused" : ""),
+        steps);
   }
 
   private double accuracy(FittedModel model) {
@@ -145,19 +143,5 @@ final class OwnTables {
         .mapToDouble(photo -> photo.confidence(detector) - g.g().confidence(photo.pip()))
         .average()
         .orElseThrow();
-  }
-
-  /** The ladder, with every detector. */
-  static void ladder(HtmlPage page, Map<String, List<FidelityLadder.Step>> ladders) {
-    List<FidelityLadder.Step> any = ladders.values().iterator().next();
-    TableLayout<Integer> layout = new TableLayout<Integer>().with("model", i -> any.get(i).model());
-    ladders.forEach(
-        (detector, steps) ->
-            layout
-                .with(detector + " R2, unseen", i -> fixed(steps.get(i).unseen().r2(), 3))
-                .with(detector + " detect or not", i -> fixed(steps.get(i).accuracy(), 3)));
-    page.table(
-        layout.with("ns, shipped model", i -> significant(any.get(i).nanoseconds())),
-        IntStream.range(0, any.size()).boxed().toList());
   }
 }

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
-import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.profiling.fit.Coefficient;
@@ -54,7 +53,7 @@ final class ReportFigures {
 
   /** With Gaussian kernels and Scott's bandwidth; of a copy, since Smile sorts what it is given. */
   private static XYChart density(String title, double[] values) {
-    double sd = new StandardDeviation().evaluate(values);
+    double sd = Variable.sd(values);
     double width = Math.max(sd * StrictMath.pow(values.length, -0.2), 1e-9);
     double from = StatUtils.min(values) - 3 * width;
     double step = (StatUtils.max(values) + 3 * width - from) / (DENSITY_POINTS - 1);
@@ -173,7 +172,7 @@ final class ReportFigures {
     double least = 0;
     for (int i = 0; i < steps.size(); i++) {
       FidelityLadder.Step step = steps.get(i);
-      double r2 = step.unseen().r2();
+      double r2 = step.fit().unseen().r2();
       if (r2 >= LEAST_R2 && Double.isFinite(step.nanoseconds())) {
         least = Math.min(least, r2);
         Charts.points(

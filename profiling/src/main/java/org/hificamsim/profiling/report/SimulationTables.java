@@ -7,10 +7,10 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import org.hificamsim.profiling.dataset.TableLayout;
-import org.hificamsim.profiling.trial.Covered;
 import org.hificamsim.profiling.trial.Trial;
 import org.hificamsim.profiling.trial.TrialRun;
 import org.hificamsim.profiling.trial.Trials;
+import org.hificamsim.profiling.trial.Trials.Covered;
 
 /** What the simulator detects with the recommended models, compared with what was measured. */
 final class SimulationTables {

@@ -7,16 +7,15 @@ import static org.hificamsim.profiling.report.CellText.significant;
 import static org.hificamsim.profiling.report.CellText.span;
 import static org.hificamsim.profiling.report.CellText.withPublished;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
+import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.Coefficient;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.LineFit;
-import org.hificamsim.profiling.measure.PipReading;
 
 /** The thesis's tables: yours, and in brackets what is published. */
 final class ThesisTables {
@@ -26,27 +25,21 @@ final class ThesisTables {
     this.result = result;
   }
 
-  /** A variable, what was measured of it and what is published. */
-  private record VariableRow(String name, Moments moments, Map<String, String> published) {}
-
   /** Table 4.1. */
   void variables(HtmlPage page) {
     page.table(
-        new TableLayout<VariableRow>()
-            .with("variable", VariableRow::name)
-            .with("mean", row -> withPublished(row.moments.mean(), 3, row.published, "mean"))
-            .with("SD", row -> withPublished(row.moments.sd(), 3, row.published, "sd"))
-            .with("min", row -> withPublished(row.moments.min(), 5, row.published, "min"))
-            .with("max", row -> withPublished(row.moments.max(), 3, row.published, "max"))
-            .with(
-                "skewness",
-                row -> withPublished(row.moments.skewness(), 2, row.published, "skewness")),
-        Variable.of(result).stream()
-            .map(
-                one ->
-                    new VariableRow(
-                        one.name(), Moments.of(one.values()), PublishedTables.variable(one.id())))
-            .toList());
+        new TableLayout<Variable>()
+            .with("variable", Variable::name)
+            .with("mean", one -> beside(one, StatUtils.mean(one.values()), 3, "mean"))
+            .with("SD", one -> beside(one, Variable.sd(one.values()), 3, "sd"))
+            .with("min", one -> beside(one, StatUtils.min(one.values()), 5, "min"))
+            .with("max", one -> beside(one, StatUtils.max(one.values()), 3, "max"))
+            .with("skewness", one -> beside(one, Variable.skewness(one.values()), 2, "skewness")),
+        Variable.of(result));
+  }
+
+  private static String beside(Variable one, double value, int digits, String column) {
+    return withPublished(value, digits, PublishedTables.variable(one.id()), column);
   }
 
   /** Table 4.2, with every f. */
@@ -150,32 +143,6 @@ final class ThesisTables {
             .with("intercept [95%]", row -> interval(row.fit.intercept()))
             .with("published", row -> published(row.published, "intercept")),
         rows.toList());
-  }
-
-  /** What is said of the ball: the cells of its photos, as an f predicts them or as measured. */
-  private record BallRow(String f, String rmse, String bias, List<Double> pips) {}
-
-  /** Figure 3.7's photos and what every f says of them. */
-  void ball(HtmlPage page, HeldOut heldOut) {
-    TableLayout<BallRow> layout =
-        new TableLayout<BallRow>()
-            .with("f", BallRow::f)
-            .with("RMSE", BallRow::rmse)
-            .with("bias", BallRow::bias);
-    List<BallRow> rows = new ArrayList<>();
-    String shape = heldOut.reading() == PipReading.RECTANGLE ? "rectangle" : "disc";
-    rows.add(new BallRow("measured PIP, the ball's " + shape, "", "", heldOut.pips()));
-    for (int i = 0; i < heldOut.photos().size(); i++) {
-      int photo = i;
-      layout.with(
-          Math.round(heldOut.photos().get(i).focalLength() * 1000) + " mm",
-          row -> fixed(row.pips.get(photo), 4));
-    }
-    for (HeldOut.Check check : heldOut.checks(result)) {
-      rows.add(
-          new BallRow(check.f(), fixed(check.rmse(), 3), fixed(check.bias(), 3), check.pips()));
-    }
-    page.table(layout, rows);
   }
 
   /** What chapters 4 to 6 say, judged. */

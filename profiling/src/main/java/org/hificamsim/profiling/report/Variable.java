@@ -2,6 +2,8 @@ package org.hificamsim.profiling.report;
 
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import org.apache.commons.math3.stat.StatUtils;
+import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.measure.Measurement;
 
@@ -23,5 +25,24 @@ record Variable(String id, String name, String unit, double[] values) {
       ToDoubleFunction<Measurement> variable) {
     return new Variable(
         id, name, unit, result.measurements().stream().mapToDouble(variable).toArray());
+  }
+
+  /** The standard deviation. */
+  static double sd(double[] values) {
+    return new StandardDeviation().evaluate(values);
+  }
+
+  /**
+   * By thesis 4.2's formula, {@code sum (x - mean)^3 / ((n - 1) v^(3/2))}; its exponent is printed
+   * as 2/3.
+   */
+  static double skewness(double[] values) {
+    double mean = StatUtils.mean(values);
+    double sd = sd(values);
+    double cubes = 0;
+    for (double value : values) {
+      cubes += StrictMath.pow(value - mean, 3);
+    }
+    return sd > 0 ? cubes / ((values.length - 1) * sd * sd * sd) : 0;
   }
 }

@@ -3,12 +3,21 @@ package org.hificamsim.profiling.trial;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.metrics.StepCoverage;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.ZoomPolicy;
+import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.OpticsSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.world.Movement;
+import org.hificamsim.core.world.World;
+import org.hificamsim.core.world.movement.Movements;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.measure.Measurement;
 
@@ -21,6 +30,8 @@ import org.hificamsim.profiling.measure.Measurement;
  */
 record Scene(List<Measurement> photos, List<Double> bearings) {
   private static final double ROOM = 1.1;
+  private static final Registry<Movement> MOVEMENTS =
+      Movements.register(new Registry<>("movement"));
 
   /** One photo. */
   static Scene of(Measurement photo) {
@@ -69,5 +80,24 @@ record Scene(List<Measurement> photos, List<Double> bearings) {
         .with(CameraSpec.HEADING, bearing + 180)
         .with(CameraSpec.VIEWING_ANGLE, angle)
         .with(CameraSpec.OPTICS, lens);
+  }
+
+  /** How a scene's target is covered after one step of the simulation itself. */
+  static StepCoverage coverage(Scenario scene, Detection detection) {
+    World world = new World(scene, MOVEMENTS, 0);
+    Simulation simulation = new Simulation(world, detection, new Still(), 0, List.of());
+    simulation.run(1);
+    return simulation.coverage();
+  }
+
+  /** Cameras stay as they are. */
+  private static final class Still implements ZoomPolicy {
+    @Override
+    public String name() {
+      return "still";
+    }
+
+    @Override
+    public void decide(NetworkView network, int[] views) {}
   }
 }

@@ -19,6 +19,7 @@ import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Groups;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.measure.Measurement;
+import org.hificamsim.profiling.trial.Trials.Covered;
 
 /**
  * Sets photos up again in the simulator, and asks it what it detects: each photo alone, and targets
@@ -29,7 +30,7 @@ public final class TrialRun {
   /** How many cameras look at each target. */
   public static final int CAMERAS = 3;
 
-  private static final int SCENES = 1000;
+  static final int SCENES = 1000;
 
   private final FittedModel model;
   private final FitResult result;
@@ -77,13 +78,8 @@ public final class TrialRun {
         model,
         threshold,
         result.measurements().stream().map(this::trial).toList(),
-        SCENES,
         mean(scenes, scene -> Covered.by(scene.measured)),
         mean(scenes, scene -> Covered.by(scene.simulated)),
-        scenes.stream()
-            .mapToDouble(scene -> Math.abs(scene.measured - scene.simulated))
-            .average()
-            .orElseThrow(),
         mean(scenes, scene -> Covered.by(scene.measuredByChance)),
         model.detection("trial").scatter().map(any -> mean(scenes, SceneResult::expected)));
   }
@@ -129,13 +125,13 @@ public final class TrialRun {
     UnseenModel unseen = models.get(groups.get(scene.photos().get(0)));
     unseen.begin();
     Scenario scenario = scene.scenario(result.camera(), farthest);
-    long simulated = Simulator.coverage(scenario, unseen.certain).detections();
+    long simulated = Scene.coverage(scenario, unseen.certain).detections();
     long measured = reaching(scene, threshold);
     if (unseen.chance.isEmpty()) {
       return new SceneResult(
           measured, simulated, 0, new Covered(Double.NaN, Double.NaN, Double.NaN));
     }
-    StepCoverage coverage = Simulator.coverage(scenario, unseen.chance.get());
+    StepCoverage coverage = Scene.coverage(scenario, unseen.chance.get());
     Covered expected =
         new Covered(
             coverage.expected().chanceOfOne(0),

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.Counted;
@@ -16,11 +17,9 @@ import org.hificamsim.profiling.fit.FittedModel;
  *
  * @param threshold of the model, from which a confidence counts as detected
  * @param photos each photo alone
- * @param scenes targets before {@link TrialRun#CAMERAS} cameras each, fewer where an object has
- *     fewer photos
- * @param measured how the photos cover them
+ * @param measured how the photos cover {@link TrialRun#SCENES} targets before {@link
+ *     TrialRun#CAMERAS} cameras each, fewer where an object has fewer photos
  * @param simulated how the simulator does
- * @param error the mean difference in the number of cameras that cover a target, without its sign
  * @param measuredByChance how the photos cover them by the threshold of {@code --detect chance}
  * @param byChance what the simulator expects by that rule; empty where the model has no scatter
  */
@@ -28,14 +27,36 @@ public record Trials(
     FittedModel model,
     double threshold,
     List<Trial> photos,
-    int scenes,
     Covered measured,
     Covered simulated,
-    double error,
     Covered measuredByChance,
     Optional<Covered> byChance) {
   /** The name of the table of all photos. */
   public static final String FILE = "simulation.csv";
+
+  /**
+   * By how many cameras targets are covered, in the mean over many of them.
+   *
+   * @param once the share that one camera or more covers
+   * @param more the share that two cameras or more cover
+   * @param meanK the number of cameras that cover a target
+   */
+  public record Covered(double once, double more, double meanK) {
+    /** One target. */
+    static Covered by(long cameras) {
+      return new Covered(cameras >= 1 ? 1 : 0, cameras >= 2 ? 1 : 0, cameras);
+    }
+
+    /** The mean over many. */
+    static Covered mean(List<Covered> all) {
+      return new Covered(
+          mean(all, Covered::once), mean(all, Covered::more), mean(all, Covered::meanK));
+    }
+
+    private static double mean(List<Covered> all, ToDoubleFunction<Covered> part) {
+      return all.stream().mapToDouble(part).average().orElseThrow();
+    }
+  }
 
   /** The share of the photos of which something holds. */
   public double share(Predicate<Trial> what) {
@@ -78,7 +99,7 @@ public record Trials(
         100 * share(Trial::missed),
         100 * share(Trial::invented),
         100 * simulated.once(),
-        Counted.of(scenes, "target"),
+        Counted.of(TrialRun.SCENES, "target"),
         TrialRun.CAMERAS,
         100 * measured.once(),
         byChance

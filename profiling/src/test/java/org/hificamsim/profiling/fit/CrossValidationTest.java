@@ -48,7 +48,7 @@ class CrossValidationTest {
 
   @Test
   void theSeedDealsTheFolds() {
-    FeatureRegression line = FeatureRegressions.linear();
+    FeatureRegression line = FeatureRegression.linear();
     double[] first = folds(line, data, 1).predicted();
     assertArrayEquals(first, folds(line, data, 1).predicted());
     assertFalse(java.util.Arrays.equals(first, folds(line, data, 2).predicted()));
@@ -56,7 +56,7 @@ class CrossValidationTest {
 
   @Test
   void foldsTellHowMuchALineCaptures() {
-    CrossValidation validation = folds(FeatureRegressions.linear(), data, 0);
+    CrossValidation validation = folds(FeatureRegression.linear(), data, 0);
     // Var(0.2 d) is 0.33, the noise's 0.09.
     assertEquals(0.33 / 0.42, validation.mean(), 0.05);
     assertTrue(validation.deviation() < 0.1);

@@ -21,7 +21,7 @@ class LeastSquaresRegressionsTest {
     for (int seed = 0; seed < 50; seed++) {
       List<Measurement> data =
           Synthetic.of((q, d, z) -> -18.82 * z - 2 * q + 0.2 * d + 5, NOISE, seed);
-      FittedFeature fit = FeatureRegressions.linear().fit(data);
+      FittedFeature fit = FeatureRegression.linear().fit(data);
       LinearAbstraction f = (LinearAbstraction) fit.f();
       assertEquals(-18.82, f.z(), 1.5);
       assertEquals(-2, f.q(), 0.25);
@@ -38,7 +38,7 @@ class LeastSquaresRegressionsTest {
   @Test
   void standardErrorIsTheNoiseOverTheSpread() {
     List<Measurement> data = Synthetic.of((q, d, z) -> 0.2 * d + 5, NOISE, 1);
-    Coefficient d = FeatureRegressions.linear().fit(data).coefficients().get(2);
+    Coefficient d = FeatureRegression.linear().fit(data).coefficients().get(2);
     // 480 distances 1 to 10: the sum of squares about their mean is 48 * 82.5.
     assertEquals(NOISE / Math.sqrt(48 * 82.5), d.error(), 0.0004);
   }
@@ -51,7 +51,7 @@ class LeastSquaresRegressionsTest {
                 -(Math.log10(80) + 1.8 * Math.log10(z) + 1.9 * Math.log10(q)) + 2.1 * Math.log10(d),
             0.1,
             3);
-    PowerLawAbstraction f = (PowerLawAbstraction) FeatureRegressions.power().fit(data).f();
+    PowerLawAbstraction f = (PowerLawAbstraction) FeatureRegression.power().fit(data).f();
     assertEquals(1.8, f.a(), 0.05);
     assertEquals(1.9, f.b(), 0.05);
     assertEquals(2.1, f.e(), 0.05);
@@ -65,12 +65,12 @@ class LeastSquaresRegressionsTest {
             -(Math.log10(3000) + 2 * Math.log10(z) + 2 * Math.log10(q)) + 1.9 * Math.log10(d);
     List<Measurement> all = Synthetic.of(law, 0.05, 3);
     List<Measurement> object = all.stream().filter(o -> o.size() == 0.3).toList();
-    PowerLawAbstraction one = (PowerLawAbstraction) FeatureRegressions.power().fit(object).f();
+    PowerLawAbstraction one = (PowerLawAbstraction) FeatureRegression.power().fit(object).f();
     assertEquals(2, one.b());
     assertEquals(2, one.a(), 0.1);
     assertEquals(1.9, one.e(), 0.1);
     List<Measurement> lens = all.stream().filter(o -> o.focalLength() == 0.05).toList();
-    PowerLawAbstraction fixed = (PowerLawAbstraction) FeatureRegressions.power().fit(lens).f();
+    PowerLawAbstraction fixed = (PowerLawAbstraction) FeatureRegression.power().fit(lens).f();
     assertEquals(2, fixed.a());
     assertEquals(2, fixed.b(), 0.1);
     // At another size and another focal length both are right, which nobody measured.
@@ -88,7 +88,7 @@ class LeastSquaresRegressionsTest {
             all.stream().filter(o -> o.focalLength() == 0.05).toList())) {
       for (FeatureRegression regression :
           List.of(
-              FeatureRegressions.linear(),
+              FeatureRegression.linear(),
               SupportVectors.linear(SupportVectorSettings.THESIS),
               SupportVectors.rbf(SupportVectorSettings.THESIS))) {
         FittedFeature fit = regression.fit(rows);
@@ -128,8 +128,8 @@ class LeastSquaresRegressionsTest {
     List<Measurement> same = java.util.Collections.nCopies(20, Synthetic.photo(0.3, 5, 0.05, 0.01));
     for (FeatureRegression regression :
         List.of(
-            FeatureRegressions.linear(),
-            FeatureRegressions.power(),
+            FeatureRegression.linear(),
+            FeatureRegression.power(),
             SupportVectors.rbf(SupportVectorSettings.THESIS))) {
       InputException refused =
           assertThrows(InputException.class, () -> regression.fit(same), regression.name());

@@ -85,7 +85,7 @@ class SupportVectorsTest {
   void rbfMachineFollowsABendThatALineCannot() {
     List<Measurement> data =
         Synthetic.of((q, d, z) -> 3 - 2 * Math.log10(z * q / d / 0.02), 0.05, 6);
-    double line = r2(FeatureRegressions.linear(), data);
+    double line = r2(FeatureRegression.linear(), data);
     double rbf = r2(SupportVectors.rbf(SupportVectorSettings.THESIS), data);
     assertTrue(rbf > 0.97, "rbf " + rbf);
     assertTrue(rbf > line + 0.03, "rbf " + rbf + ", line " + line);

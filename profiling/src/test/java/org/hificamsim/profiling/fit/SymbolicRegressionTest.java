@@ -88,7 +88,7 @@ class SymbolicRegressionTest {
     double[] row = {0.3, 4, 0.05};
     for (Formula formula : List.of(minus, quotient, negative, tiny)) {
       assertEquals(
-          formula.values(new double[][] {row})[0],
+          formula.at(row),
           Expression.parse(formula.text()).at(row[0], row[1], row[2]),
           1e-12,
           formula.text());
