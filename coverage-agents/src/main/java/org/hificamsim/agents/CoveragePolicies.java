@@ -34,57 +34,53 @@ public final class CoveragePolicies {
             "zoom-in",
             "every camera ahead at its narrowest zoom level",
             () -> new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST))
+        .register("fixed", "given views, one for all or one each", FixedZoomPolicy::new)
+        .register("random", "a uniformly drawn view each step", RandomZoomPolicy::new)
+        .register("patrol", "sweeps over the pan angles, to and fro", PatrolZoomPolicy::new)
         .register(
-            FixedZoomPolicy.NAME, "given views, one for all or one each", FixedZoomPolicy::new)
-        .register(RandomZoomPolicy.NAME, "a uniformly drawn view each step", RandomZoomPolicy::new)
-        .register(
-            PatrolZoomPolicy.NAME, "sweeps over the pan angles, to and fro", PatrolZoomPolicy::new)
-        .register(
-            TrackerZoomPolicy.NAME,
+            "tracker",
             "keeps the nearest target that it sees in the middle of its picture",
             TrackerZoomPolicy::new)
         .register(
-            GreedyZoomPolicy.NAME,
+            "greedy",
             "each camera's view with most targets now, with global knowledge",
             GreedyZoomPolicy::new)
         .register(
-            OptimalZoomPolicy.NAME,
+            "optimal",
             "the best score of each step (k_min by default), exactly, with global knowledge",
             OptimalZoomPolicy::from)
         .register(
-            OptimalExpectedZoomPolicy.NAME,
+            "optimal-expected",
             "the exactly best least expected coverage of each step, before luck is drawn",
             OptimalExpectedZoomPolicy::new)
         .register(
-            OneHopZoomPolicy.NAME,
+            "one-hop",
             "the best score that cameras reach within the step, exactly, with global knowledge",
             OneHopZoomPolicy::new)
         .register(
-            BestFixedZoomPolicy.NAME,
+            "best-fixed",
             "the best constant configuration of the very run, in hindsight",
             BestFixedZoomPolicy::new)
         .register(
-            EpsilonGreedyZoomPolicy.NAME,
+            "epsilon-greedy",
             "bandit: the view with the best average count, sometimes another",
             EpsilonGreedyZoomPolicy::new)
         .register(
-            Ucb1ZoomPolicy.NAME,
-            "bandit: the view with the best upper confidence bound",
-            Ucb1ZoomPolicy::new)
+            "ucb1", "bandit: the view with the best upper confidence bound", Ucb1ZoomPolicy::new)
         .register(
-            SoftmaxZoomPolicy.NAME,
+            "softmax",
             "bandit: views drawn the more often, the better their average count",
             SoftmaxZoomPolicy::new)
         .register(
-            SarsaZoomPolicy.NAME,
+            "sarsa",
             "on-policy temporal-difference learning of each camera on its own",
             SarsaZoomPolicy::new)
         .register(
-            QLearningZoomPolicy.NAME,
+            "q-learning",
             "off-policy temporal-difference learning of each camera on its own",
             QLearningZoomPolicy::new)
         .register(
-            QbSarsaZoomPolicy.NAME,
+            "qb-sarsa",
             "SARSA that follows the majority vote of the nearest cameras",
             QbSarsaZoomPolicy::new);
   }

@@ -123,12 +123,7 @@ public final class RunCoverage implements StepListener {
     return zoomChanges;
   }
 
-  /** Whether detections were by chance; what is expected is NaN otherwise. */
-  public boolean byChance() {
-    return byChance;
-  }
-
-  /** The performance that was to be expected before luck was drawn. */
+  /** The performance that was to be expected before luck was drawn; NaN by a threshold. */
   public double expectedPerformance() {
     return byChance ? expectedPerformance : Double.NaN;
   }

@@ -112,11 +112,6 @@ public final class StepCoverage {
     return score;
   }
 
-  /** What the step is scored by. */
-  public Objective objective() {
-    return objective;
-  }
-
   /** The number of targets that no camera covers. */
   public int covered0() {
     return uncovered;

@@ -232,7 +232,6 @@ class SightByChanceTest {
             3,
             List.of(coverage));
     simulation.run(20_000);
-    assertTrue(coverage.byChance());
     assertEquals(coverage.expectedPerformance() / 20_000, coverage.meanKMin(), 0.02);
     assertEquals(coverage.expectedProportion0(), coverage.proportion0(), 0.01);
     assertEquals(coverage.expectedProportion1(), coverage.proportion1(), 0.01);

@@ -16,8 +16,6 @@ import org.hificamsim.core.registry.Options;
  * ({@code epsilon-decay}, {@code epsilon-min}).
  */
 public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
-  public static final String NAME = "epsilon-greedy";
-
   private final EpsilonGreedyChoice choice;
   private final Ties ties;
   private TieBreak breaking;
@@ -31,7 +29,7 @@ public final class EpsilonGreedyZoomPolicy extends AbstractBanditZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "epsilon-greedy";
   }
 
   @Override

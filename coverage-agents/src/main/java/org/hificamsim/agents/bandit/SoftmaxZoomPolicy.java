@@ -9,8 +9,6 @@ import org.hificamsim.core.registry.Options;
  * exp(average / temperature)}, the average being of numbers of detected targets.
  */
 public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
-  public static final String NAME = "softmax";
-
   private final double temperature;
   private double[][] weights;
   private SplittableRandom[] randoms;
@@ -23,7 +21,7 @@ public final class SoftmaxZoomPolicy extends AbstractBanditZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "softmax";
   }
 
   @Override

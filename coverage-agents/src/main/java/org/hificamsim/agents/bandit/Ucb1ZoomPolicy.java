@@ -15,8 +15,6 @@ import org.hificamsim.core.registry.Options;
  * [0, 1] as the bound assumes.
  */
 public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
-  public static final String NAME = "ucb1";
-
   private final double exploration;
   private final Ties ties;
   private TieBreak breaking;
@@ -33,7 +31,7 @@ public final class Ucb1ZoomPolicy extends AbstractBanditZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "ucb1";
   }
 
   @Override

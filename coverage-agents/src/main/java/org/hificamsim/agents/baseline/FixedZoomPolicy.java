@@ -14,8 +14,6 @@ import org.hificamsim.core.registry.Options;
  * included. Cameras that turn look ahead, or where {@code fixed:0,1,2,pans=3,0,4} says.
  */
 public final class FixedZoomPolicy implements ZoomPolicy {
-  public static final String NAME = "fixed";
-
   private static final int MAX_NUMBER = 1_000_000;
 
   private final List<Integer> levels;
@@ -42,7 +40,7 @@ public final class FixedZoomPolicy implements ZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "fixed";
   }
 
   /**

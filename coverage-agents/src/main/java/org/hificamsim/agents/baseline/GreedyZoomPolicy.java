@@ -16,8 +16,6 @@ import org.hificamsim.core.registry.Options;
  * good views it takes the one it is in, then the widest, then the one that it turns least for.
  */
 public final class GreedyZoomPolicy implements ZoomPolicy {
-  public static final String NAME = "greedy";
-
   /** Which views a camera chooses among. */
   private enum Among {
     REACHED,
@@ -39,7 +37,7 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "greedy";
   }
 
   @Override

@@ -8,8 +8,6 @@ import org.hificamsim.core.registry.Options;
 
 /** Each camera patrols over its pan angles back and forth, at one zoom level, whatever it sees. */
 public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
-  public static final String NAME = "patrol";
-
   static final int MAX_DWELL = 1_000_000;
 
   /** Which of its zoom levels a camera patrols with. */
@@ -78,7 +76,7 @@ public final class PatrolZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "patrol";
   }
 
   @Override

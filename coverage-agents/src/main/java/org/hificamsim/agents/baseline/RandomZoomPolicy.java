@@ -9,13 +9,11 @@ import org.hificamsim.core.policy.NetworkView;
  * each camera that has arrived.
  */
 public final class RandomZoomPolicy extends AbstractDistributedZoomPolicy {
-  public static final String NAME = "random";
-
   private SplittableRandom[] randoms = {};
 
   @Override
   public String name() {
-    return NAME;
+    return "random";
   }
 
   @Override

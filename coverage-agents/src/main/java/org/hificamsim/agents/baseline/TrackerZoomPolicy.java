@@ -19,8 +19,6 @@ import org.hificamsim.core.registry.Options;
  * sees, and how far its views reach, and nothing else.
  */
 public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
-  public static final String NAME = "tracker";
-
   private static final double MAX_MARGIN = 0.9;
   private static final int NONE = -1;
 
@@ -52,7 +50,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "tracker";
   }
 
   @Override

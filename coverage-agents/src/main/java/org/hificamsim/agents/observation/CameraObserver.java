@@ -17,7 +17,7 @@ public final class CameraObserver {
 
   private final ObservationLayout layout;
   private final int size;
-  private final Standpoints standpoints;
+  private final ViewFeatures.Standpoints standpoints;
   private final NearestCameras nearest;
   private final float[] ofCameras; // the share of all that a number is
   private final float[] ofTargets;
@@ -37,7 +37,7 @@ public final class CameraObserver {
     this.ofCameras = ofCameras;
     this.ofTargets = ofTargets;
     size = layout.size();
-    standpoints = new Standpoints(network);
+    standpoints = new ViewFeatures.Standpoints(network);
     nearest = new NearestCameras(network, layout.neighbours());
     ways = new int[network.cameras()];
     note(network);

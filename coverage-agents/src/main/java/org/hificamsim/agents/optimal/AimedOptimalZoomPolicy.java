@@ -28,7 +28,7 @@ final class AimedOptimalZoomPolicy extends AbstractExactZoomPolicy implements Ai
 
   @Override
   public String name() {
-    return OptimalZoomPolicy.NAME;
+    return "optimal";
   }
 
   @Override

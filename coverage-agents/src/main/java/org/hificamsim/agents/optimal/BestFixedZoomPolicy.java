@@ -17,8 +17,6 @@ import org.hificamsim.core.registry.Options;
  * nodes}; otherwise the best configuration found until then.
  */
 public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
-  public static final String NAME = "best-fixed";
-
   private static final int NODES = 10_000;
 
   private final int nodes;
@@ -39,7 +37,7 @@ public final class BestFixedZoomPolicy implements HindsightZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "best-fixed";
   }
 
   /** A bound on what is possible: its cameras need no time for a move. */

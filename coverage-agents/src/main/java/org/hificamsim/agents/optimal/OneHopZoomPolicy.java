@@ -15,8 +15,6 @@ import org.hificamsim.core.registry.Options;
  * the widest by default.
  */
 public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
-  public static final String NAME = "one-hop";
-
   /** What decides between configurations with the same score, camera by camera. */
   enum Preference {
     MOST_TARGETS_THEN_NARROWEST,
@@ -50,7 +48,7 @@ public final class OneHopZoomPolicy extends AbstractExactZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "one-hop";
   }
 
   @Override

@@ -12,8 +12,6 @@ import org.hificamsim.core.registry.Options;
  * {@link OptimalZoomPolicy} does, but without reporting what it could not prove.
  */
 public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
-  public static final String NAME = "optimal-expected";
-
   private static final int EXPECTED_NODES = 100_000;
 
   private final int nodes;
@@ -25,7 +23,7 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "optimal-expected";
   }
 
   /** A bound on what is possible: its cameras need no time for a move. */
@@ -45,9 +43,8 @@ public final class OptimalExpectedZoomPolicy extends AbstractExactZoomPolicy {
       throw new InputException(
           "objective is "
               + network.objective().text()
-              + ", expected kmin with policy "
-              + NAME
-              + ", which looks for the best least expected coverage. Maybe use optimal");
+              + ", expected kmin with policy optimal-expected, which looks for the best least"
+              + " expected coverage. Maybe use optimal");
     }
     ChanceRows rows = new ChanceRows(network);
     search(network, rows, new ExpectedSolver(rows, nodes));

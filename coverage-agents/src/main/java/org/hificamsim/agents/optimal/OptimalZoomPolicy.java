@@ -18,8 +18,6 @@ import org.hificamsim.core.registry.Options;
  * camera 1, and so on.
  */
 public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
-  public static final String NAME = "optimal";
-
   /** The pan angles that cameras may turn to. */
   private enum Pan {
     LISTED,
@@ -50,7 +48,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "optimal";
   }
 
   /** A bound on what is possible: its cameras need no time for a move. */

@@ -4,15 +4,13 @@ import org.hificamsim.core.registry.Options;
 
 /** Q-learning, the off-policy variant that thesis 7.4.4 sets SARSA against. */
 public final class QLearningZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
-  public static final String NAME = "q-learning";
-
   public QLearningZoomPolicy(Options options) {
     super(options);
   }
 
   @Override
   public String name() {
-    return NAME;
+    return "q-learning";
   }
 
   /** max Q(s', a): the value of the best action there, whichever is chosen. */

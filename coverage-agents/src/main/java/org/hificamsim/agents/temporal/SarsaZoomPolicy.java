@@ -4,15 +4,13 @@ import org.hificamsim.core.registry.Options;
 
 /** SARSA, the on-policy variant (thesis 7.4.4, Eq 7.6). */
 public class SarsaZoomPolicy extends AbstractTemporalDifferenceZoomPolicy {
-  public static final String NAME = "sarsa";
-
   public SarsaZoomPolicy(Options options) {
     super(options);
   }
 
   @Override
   public String name() {
-    return NAME;
+    return "sarsa";
   }
 
   /** Q(s', a'): the value of the action chosen there. */

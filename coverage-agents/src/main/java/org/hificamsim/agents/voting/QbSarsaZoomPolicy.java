@@ -22,8 +22,6 @@ import org.hificamsim.core.registry.Options;
  * camera that is on its way to a view asks nobody.
  */
 public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
-  public static final String NAME = "qb-sarsa";
-
   private static final int MAX_NEIGHBOURS = 10_000;
 
   /** Whether a camera votes on its own next view; thesis 7.4.5 says that it does. */
@@ -61,7 +59,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
 
   @Override
   public String name() {
-    return NAME;
+    return "qb-sarsa";
   }
 
   /** The number of messages sent so far: a query and an answer for each neighbour asked. */

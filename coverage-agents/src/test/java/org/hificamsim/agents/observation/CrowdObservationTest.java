@@ -184,7 +184,7 @@ class CrowdObservationTest {
 
   private static ViewFeatures features(NetworkView network, ObservationLayout layout) {
     NearestCameras nearest = new NearestCameras(network, layout.neighbours());
-    return new ViewFeatures(network, layout, new Standpoints(network), nearest);
+    return new ViewFeatures(network, layout, new ViewFeatures.Standpoints(network), nearest);
   }
 
   private static NetworkView network(double xOfTheLast) {
