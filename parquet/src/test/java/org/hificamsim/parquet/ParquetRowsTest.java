@@ -40,13 +40,13 @@ class ParquetRowsTest {
 
   @Test
   void keepsOneGroupOfRowsInMemoryAtMost() throws IOException {
-    int rows = 2 * RowGroups.MAX_ROWS + 1;
+    int rows = 2 * ParquetRows.MAX_ROWS + 1;
     try (StoredFile file = new StoredFile(written(rows))) {
       assertTrue(file.groups().size() >= 3);
       assertEquals(rows, file.groups().stream().mapToLong(BlockMetaData::getRowCount).sum());
       for (BlockMetaData group : file.groups()) {
-        assertTrue(group.getRowCount() <= RowGroups.MAX_ROWS + ParquetRows.BATCH);
-        assertTrue(group.getTotalByteSize() < 1.5 * RowGroups.MAX_BYTES, group::toString);
+        assertTrue(group.getRowCount() <= ParquetRows.MAX_ROWS + ParquetRows.BATCH);
+        assertTrue(group.getTotalByteSize() < 1.5 * ParquetRows.MAX_BYTES, group::toString);
       }
     }
   }
@@ -61,9 +61,9 @@ class ParquetRowsTest {
               "[target] required binary target (STRING)",
               "[x] optional double x",
               "[y] optional double y"),
-          file.schema().getColumns().stream().map(ColumnDescriptor::toString).toList());
-      assertEquals("m", file.meanings().get("x.unit"));
-      assertEquals("the target's name", file.meanings().get("target.meaning"));
+          file.about().getSchema().getColumns().stream().map(ColumnDescriptor::toString).toList());
+      assertEquals("m", file.about().getKeyValueMetaData().get("x.unit"));
+      assertEquals("the target's name", file.about().getKeyValueMetaData().get("target.meaning"));
     }
   }
 
