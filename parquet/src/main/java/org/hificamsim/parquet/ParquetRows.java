@@ -25,14 +25,14 @@ import org.apache.parquet.hadoop.ParquetFileWriter;
 import org.apache.parquet.io.api.Binary;
 import org.apache.parquet.schema.MessageType;
 import org.apache.parquet.schema.Type;
+import org.hificamsim.core.file.Rows;
 import org.hificamsim.runs.output.Column;
-import org.hificamsim.runs.output.TableRows;
 
 /**
  * A Parquet file under way. One group of rows is in memory at a time, so that memory stays the same
  * however many rows there are.
  */
-final class ParquetRows implements TableRows {
+final class ParquetRows implements Rows {
   /** What readers take at once, or skip. */
   static final int MAX_ROWS = 1 << 20;
 

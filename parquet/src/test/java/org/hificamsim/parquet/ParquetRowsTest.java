@@ -15,8 +15,8 @@ import org.apache.parquet.column.ColumnDescriptor;
 import org.apache.parquet.hadoop.metadata.BlockMetaData;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.file.Rows;
 import org.hificamsim.runs.output.RunTables;
-import org.hificamsim.runs.output.TableRows;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -76,7 +76,7 @@ class ParquetRowsTest {
   @Test
   void withoutACommitNothingIsInThePlaceOfTheFile() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
-      TableRows rows = (TableRows) new ParquetFormat().create(RunTables.TARGETS, output);
+      Rows rows = new ParquetFormat().create(RunTables.TARGETS, output);
       rows.add(1);
       rows.close();
       rows.close();
@@ -88,7 +88,7 @@ class ParquetRowsTest {
   @Test
   void aCellOfAnotherKindIsRefused() throws IOException {
     try (OutputFolder output = new OutputFolder(folder);
-        TableRows rows = (TableRows) new ParquetFormat().create(RunTables.TARGETS, output)) {
+        Rows rows = new ParquetFormat().create(RunTables.TARGETS, output)) {
       assertThrows(IllegalStateException.class, () -> rows.add(0.5));
     }
   }
@@ -119,7 +119,7 @@ class ParquetRowsTest {
 
   private Path written(int count, double x, double y) throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
-      try (TableRows rows = (TableRows) new ParquetFormat().create(RunTables.TARGETS, output)) {
+      try (Rows rows = new ParquetFormat().create(RunTables.TARGETS, output)) {
         for (int row = 0; row < count; row++) {
           rows.add(0);
           rows.add(row);

@@ -6,7 +6,7 @@ import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.file.NumberRows;
+import org.hificamsim.core.file.CsvTable;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.RecordedRun;
 import org.hificamsim.runs.output.RunTables;
@@ -22,7 +22,7 @@ final class StepsCheck {
   void expect(RecordedRun recording) throws IOException {
     StringWriter text = new StringWriter();
     StepCursor at = new StepCursor();
-    try (NumberRows row = new NumberRows(text, "", ',', "")) {
+    try (CsvTable row = new CsvTable(text, "", ',', "")) {
       for (Frame frame : recording.frames()) {
         at.at(recording.run(), frame.step(), frame.measure());
         RunTables.steps(frame.measure().byChance()).add(at, row);
