@@ -4,75 +4,96 @@ import java.io.ByteArrayInputStream;
 import java.io.Closeable;
 import java.io.EOFException;
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
-import java.nio.channels.FileChannel;
+import java.io.RandomAccessFile;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
+import org.apache.parquet.column.ColumnDescriptor;
+import org.apache.parquet.column.page.PageReadStore;
+import org.apache.parquet.column.page.PageReader;
 import org.apache.parquet.format.converter.ParquetMetadataConverter;
 import org.apache.parquet.hadoop.metadata.BlockMetaData;
+import org.apache.parquet.hadoop.metadata.ColumnChunkMetaData;
+import org.apache.parquet.hadoop.metadata.ColumnPath;
+import org.apache.parquet.hadoop.metadata.FileMetaData;
 import org.apache.parquet.hadoop.metadata.ParquetMetadata;
-import org.apache.parquet.schema.MessageType;
 
-/** A Parquet file and its footer. Parquet's own class for that does not load without Hadoop. */
+/** A Parquet file and its footer. Parquet's own class for that does not run without Hadoop. */
 final class StoredFile implements Closeable {
   private static final int END = 8; // the footer's length, and four letters
 
-  private final FileChannel channel;
+  private final RandomAccessFile in;
   private final ParquetMetadata footer;
 
   StoredFile(Path path) throws IOException {
-    channel = FileChannel.open(path);
+    in = new RandomAccessFile(path.toFile(), "r");
     try {
-      footer = footer();
+      footer = footer(in.length() - END);
     } catch (IOException | RuntimeException e) {
-      channel.close();
+      in.close();
       throw e;
     }
   }
 
-  private ParquetMetadata footer() throws IOException {
-    long end = channel.size() - END;
-    int length = ByteBuffer.wrap(bytes(end, END)).order(ByteOrder.LITTLE_ENDIAN).getInt();
+  private ParquetMetadata footer(long end) throws IOException {
+    in.seek(end);
+    int length = Integer.reverseBytes(in.readInt());
     return new ParquetMetadataConverter()
         .readParquetMetadata(
             new ByteArrayInputStream(bytes(end - length, length)),
             ParquetMetadataConverter.NO_FILTER);
   }
 
-  MessageType schema() {
-    return footer.getFileMetaData().getSchema();
+  private byte[] bytes(long from, long length) throws IOException {
+    in.seek(from);
+    if (length > in.length() - from) {
+      throw new EOFException();
+    }
+    byte[] bytes = new byte[Math.toIntExact(length)];
+    in.readFully(bytes);
+    return bytes;
   }
 
-  /** What wrote it. */
-  String writer() {
-    return footer.getFileMetaData().getCreatedBy();
-  }
-
-  /** What is said of it beside its columns. */
-  Map<String, String> meanings() {
-    return footer.getFileMetaData().getKeyValueMetaData();
+  /** The columns, and what is said of them. */
+  FileMetaData about() {
+    return footer.getFileMetaData();
   }
 
   List<BlockMetaData> groups() {
     return footer.getBlocks();
   }
 
-  /** A part of the file. */
-  byte[] bytes(long from, long length) throws IOException {
-    if (from < 0 || length < 0 || length > channel.size() - from) {
-      throw new EOFException();
-    }
-    ByteBuffer bytes = ByteBuffer.allocate(Math.toIntExact(length));
-    while (bytes.hasRemaining() && channel.read(bytes, from + bytes.position()) >= 0) {
-      // it may give less than was asked for
-    }
-    return bytes.array();
+  /** The pages of a group of rows, which are read column by column. */
+  PageReadStore pages(BlockMetaData group) {
+    return new PageReadStore() {
+      @Override
+      public PageReader getPageReader(ColumnDescriptor column) {
+        try {
+          return columnPages(group, ColumnPath.get(column.getPath()));
+        } catch (IOException e) {
+          throw new UncheckedIOException(e);
+        }
+      }
+
+      @Override
+      public long getRowCount() {
+        return group.getRowCount();
+      }
+    };
+  }
+
+  private ColumnPages columnPages(BlockMetaData group, ColumnPath path) throws IOException {
+    ColumnChunkMetaData chunk =
+        group.getColumns().stream()
+            .filter(one -> one.getPath().equals(path))
+            .findFirst()
+            .orElseThrow();
+    byte[] bytes = bytes(chunk.getStartingPos(), chunk.getTotalSize());
+    return new ColumnPages(bytes, chunk.getValueCount());
   }
 
   @Override
   public void close() throws IOException {
-    channel.close();
+    in.close();
   }
 }

@@ -2,6 +2,7 @@ package org.hificamsim.parquet;
 
 import java.io.IOException;
 import java.io.OutputStream;
+import org.apache.parquet.io.DelegatingPositionOutputStream;
 import org.apache.parquet.io.OutputFile;
 import org.apache.parquet.io.PositionOutputStream;
 
@@ -34,12 +35,11 @@ final class StreamFile implements OutputFile {
   }
 
   /** Knows how much was written. */
-  private static final class Counting extends PositionOutputStream {
-    private final OutputStream out;
+  private static final class Counting extends DelegatingPositionOutputStream {
     private long position;
 
     Counting(OutputStream out) {
-      this.out = out;
+      super(out);
     }
 
     @Override
@@ -49,24 +49,19 @@ final class StreamFile implements OutputFile {
 
     @Override
     public void write(int one) throws IOException {
-      out.write(one);
+      super.write(one);
       position++;
     }
 
     @Override
+    public void write(byte[] bytes) throws IOException {
+      write(bytes, 0, bytes.length);
+    }
+
+    @Override
     public void write(byte[] bytes, int from, int length) throws IOException {
-      out.write(bytes, from, length);
+      super.write(bytes, from, length);
       position += length;
-    }
-
-    @Override
-    public void flush() throws IOException {
-      out.flush();
-    }
-
-    @Override
-    public void close() throws IOException {
-      out.close();
     }
   }
 }

@@ -15,8 +15,8 @@ import org.apache.parquet.column.ColumnDescriptor;
 import org.apache.parquet.hadoop.metadata.BlockMetaData;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.file.Rows;
 import org.hificamsim.runs.output.RunTables;
-import org.hificamsim.runs.output.TableRows;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -40,13 +40,13 @@ class ParquetRowsTest {
 
   @Test
   void keepsOneGroupOfRowsInMemoryAtMost() throws IOException {
-    int rows = 2 * RowGroups.MAX_ROWS + 1;
+    int rows = 2 * ParquetRows.MAX_ROWS + 1;
     try (StoredFile file = new StoredFile(written(rows))) {
       assertTrue(file.groups().size() >= 3);
       assertEquals(rows, file.groups().stream().mapToLong(BlockMetaData::getRowCount).sum());
       for (BlockMetaData group : file.groups()) {
-        assertTrue(group.getRowCount() <= RowGroups.MAX_ROWS + ParquetRows.BATCH);
-        assertTrue(group.getTotalByteSize() < 1.5 * RowGroups.MAX_BYTES, group::toString);
+        assertTrue(group.getRowCount() <= ParquetRows.MAX_ROWS + ParquetRows.BATCH);
+        assertTrue(group.getTotalByteSize() < 1.5 * ParquetRows.MAX_BYTES, group::toString);
       }
     }
   }
@@ -61,9 +61,9 @@ class ParquetRowsTest {
               "[target] required binary target (STRING)",
               "[x] optional double x",
               "[y] optional double y"),
-          file.schema().getColumns().stream().map(ColumnDescriptor::toString).toList());
-      assertEquals("m", file.meanings().get("x.unit"));
-      assertEquals("the target's name", file.meanings().get("target.meaning"));
+          file.about().getSchema().getColumns().stream().map(ColumnDescriptor::toString).toList());
+      assertEquals("m", file.about().getKeyValueMetaData().get("x.unit"));
+      assertEquals("the target's name", file.about().getKeyValueMetaData().get("target.meaning"));
     }
   }
 
@@ -76,7 +76,7 @@ class ParquetRowsTest {
   @Test
   void withoutACommitNothingIsInThePlaceOfTheFile() throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
-      TableRows rows = (TableRows) new ParquetFormat().create(RunTables.TARGETS, output);
+      Rows rows = new ParquetFormat().create(RunTables.TARGETS, output);
       rows.add(1);
       rows.close();
       rows.close();
@@ -88,7 +88,7 @@ class ParquetRowsTest {
   @Test
   void aCellOfAnotherKindIsRefused() throws IOException {
     try (OutputFolder output = new OutputFolder(folder);
-        TableRows rows = (TableRows) new ParquetFormat().create(RunTables.TARGETS, output)) {
+        Rows rows = new ParquetFormat().create(RunTables.TARGETS, output)) {
       assertThrows(IllegalStateException.class, () -> rows.add(0.5));
     }
   }
@@ -119,7 +119,7 @@ class ParquetRowsTest {
 
   private Path written(int count, double x, double y) throws IOException {
     try (OutputFolder output = new OutputFolder(folder)) {
-      try (TableRows rows = (TableRows) new ParquetFormat().create(RunTables.TARGETS, output)) {
+      try (Rows rows = new ParquetFormat().create(RunTables.TARGETS, output)) {
         for (int row = 0; row < count; row++) {
           rows.add(0);
           rows.add(row);

@@ -12,9 +12,9 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
-import org.hificamsim.runs.output.CsvTableFormat;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.RunFolder;
+import org.hificamsim.runs.output.TableFormats;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -46,7 +46,8 @@ class PlainRunTest {
         ScenarioReader.read(FILE, catalogue.movements().names()::contains, warning -> {});
     Detection detection = new Detection(catalogue.detection("camsim-range"), 0.3);
     RunPlan plan = new RunPlan(scenario, detection, policy, STEPS, 0, 1);
-    try (RunFolder output = new RunFolder(folder, detection, Detail.STEPS, new CsvTableFormat())) {
+    try (RunFolder output =
+        new RunFolder(folder, detection, Detail.STEPS, TableFormats.named(TableFormats.CSV))) {
       var results = new RunExecutor(catalogue).execute(plan, run -> List.of(output.listener(run)));
       output.commit(plan, results);
     }

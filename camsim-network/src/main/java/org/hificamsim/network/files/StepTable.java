@@ -3,7 +3,7 @@ package org.hificamsim.network.files;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.Writer;
-import org.hificamsim.core.file.NumberRows;
+import org.hificamsim.core.file.CsvTable;
 import org.hificamsim.core.file.Rows;
 import org.hificamsim.network.statistics.StepFigures;
 
@@ -12,7 +12,7 @@ final class StepTable implements Closeable {
   private final Rows rows;
 
   private StepTable(Writer out, String header) throws IOException {
-    rows = new NumberRows(out, header, ';', System.lineSeparator());
+    rows = new CsvTable(out, header, ';', System.lineSeparator());
   }
 
   /** CamSim's own table of steps (behaviour 10.1). */

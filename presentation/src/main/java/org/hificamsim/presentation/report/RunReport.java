@@ -11,7 +11,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.file.NumberRows;
+import org.hificamsim.core.file.CsvTable;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.RecordedRun;
@@ -122,7 +122,7 @@ final class RunReport {
   private static void addRows(Map<String, String> rows, RecordedRun recording) throws IOException {
     StringWriter text = new StringWriter();
     StepCursor at = new StepCursor();
-    try (NumberRows row = new NumberRows(text, "", ',', "")) {
+    try (CsvTable row = new CsvTable(text, "", ',', "")) {
       for (Frame frame : recording.frames()) {
         at.at(recording.run(), frame.step(), frame.measure());
         RunTables.steps(frame.measure().byChance()).add(at, row);

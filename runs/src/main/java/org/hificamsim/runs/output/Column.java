@@ -9,12 +9,18 @@ import org.hificamsim.core.file.Rows;
 import org.hificamsim.runs.Estimate;
 
 /**
- * A column of a table, declared once: its name, what its cells are, their unit and meaning, and how
- * the cell of a row is found. Files, their reading and {@code docs/data.md} follow.
+ * A column of a table, declared once; files, their reading and {@code docs/data.md} follow.
  *
  * @param <R> what a row is about
+ * @param name in the table
+ * @param kind what the cells are
+ * @param unit what numbers count or are measured in; empty where there is none
+ * @param meaning what it says
+ * @param isLater whether files of earlier versions lack it
+ * @param cell writes the cell of a row
  */
-public final class Column<R> {
+public record Column<R>(
+    String name, Kind kind, String unit, String meaning, boolean isLater, Cell<R> cell) {
   /** What the cells are. */
   public enum Kind {
     /** Whole numbers of 32 bits. */
@@ -29,24 +35,9 @@ public final class Column<R> {
 
   /** Writes the cell of a row; no object is made for a number. */
   @FunctionalInterface
-  private interface Cell<R> {
+  public interface Cell<R> {
+    /** Writes it. */
     void add(R row, Rows to);
-  }
-
-  private final String name;
-  private final Kind kind;
-  private final String unit;
-  private final String meaning;
-  private final boolean later;
-  private final Cell<R> cell;
-
-  private Column(String name, Kind kind, String unit, String meaning, boolean later, Cell<R> cell) {
-    this.name = name;
-    this.kind = kind;
-    this.unit = unit;
-    this.meaning = meaning;
-    this.later = later;
-    this.cell = cell;
   }
 
   /** Whole numbers of 32 bits. */
@@ -87,8 +78,7 @@ public final class Column<R> {
 
   /** Texts. */
   public static <R> Column<R> ofText(String name, String meaning, Function<R, String> value) {
-    return new Column<>(
-        name, Kind.TEXT, "", meaning, false, (row, to) -> ((TableRows) to).add(value.apply(row)));
+    return new Column<>(name, Kind.TEXT, "", meaning, false, (row, to) -> to.add(value.apply(row)));
   }
 
   /** An estimate with the ends of its 95% interval: three columns. */
@@ -113,35 +103,6 @@ public final class Column<R> {
   /** The same column of a table whose rows have a part that this one is about. */
   <S> Column<S> of(Function<S, R> part) {
     return new Column<>(
-        name, kind, unit, meaning, later, (row, to) -> cell.add(part.apply(row), to));
-  }
-
-  void add(R row, Rows to) {
-    cell.add(row, to);
-  }
-
-  /** Its name in the table. */
-  public String name() {
-    return name;
-  }
-
-  /** What the cells are. */
-  public Kind kind() {
-    return kind;
-  }
-
-  /** What numbers count or are measured in; empty where there is none. */
-  public String unit() {
-    return unit;
-  }
-
-  /** What it says. */
-  public String meaning() {
-    return meaning;
-  }
-
-  /** Whether files of earlier versions lack it. */
-  public boolean isLater() {
-    return later;
+        name, kind, unit, meaning, isLater, (row, to) -> cell.add(part.apply(row), to));
   }
 }

@@ -31,7 +31,7 @@ public final class SingleRun implements StepListener, Closeable {
    */
   public SingleRun(Path path, int run, Detection detection, Detail detail) throws IOException {
     this.run = run;
-    folder = new RunFolder(path, detection, detail, new CsvTableFormat());
+    folder = new RunFolder(path, detection, detail, TableFormats.named(TableFormats.CSV));
     rows = folder.listener(run);
   }
 

@@ -6,8 +6,9 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.hificamsim.core.file.NumberRows;
+import org.hificamsim.core.file.CsvTable;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Rows;
 import org.hificamsim.data.CsvReader;
@@ -15,19 +16,13 @@ import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 
 /**
- * A table of results: its file, and its columns.
+ * A table of results.
  *
  * @param <R> what a row is about
+ * @param file its name
+ * @param columns in order
  */
-public final class Table<R> {
-  private final String file;
-  private final List<Column<R>> columns;
-
-  private Table(String file, List<Column<R>> columns) {
-    this.file = file;
-    this.columns = columns;
-  }
-
+public record Table<R>(String file, List<Column<R>> columns) {
   /** A table without columns. */
   public static <R> Table<R> of(String file) {
     return new Table<>(file, List.of());
@@ -50,25 +45,15 @@ public final class Table<R> {
     return with(further.stream().map(column -> column.of(part)).toList());
   }
 
-  /** The file's name. */
-  public String file() {
-    return file;
-  }
-
   /** The file's name in a format that its tables end in. */
   public String file(String format) {
     return file.replace(".csv", "." + format);
   }
 
-  /** The columns, in order. */
-  public List<Column<R>> columns() {
-    return columns;
-  }
-
   /** Adds a row. */
   public void add(R row, Rows to) {
     for (int i = 0; i < columns.size(); i++) { // without an iterator for each row
-      columns.get(i).add(row, to);
+      columns.get(i).cell().add(row, to);
     }
     to.end();
   }
@@ -82,9 +67,8 @@ public final class Table<R> {
 
   /** Starts the table in a folder, as CSV. */
   Rows create(OutputFolder folder) throws IOException {
-    return columns.stream().anyMatch(column -> column.kind() == Column.Kind.TEXT)
-        ? new CsvTable(folder.open(file), names())
-        : new NumberRows(folder.open(file), String.join(",", names()), ',', "\n");
+    String names = columns.stream().map(Column::name).collect(Collectors.joining(","));
+    return new CsvTable(folder.open(file), names, ',', "\n");
   }
 
   /** Whether a folder has it. */
@@ -117,10 +101,6 @@ public final class Table<R> {
   private CsvReader reader(Path folder) {
     return CsvReader.betweenCommas(
         new ResultFolder(folder).file(file), "a table that 'hificamsim' writes");
-  }
-
-  private List<String> names() {
-    return columns.stream().map(Column::name).toList();
   }
 
   private List<String> required() {

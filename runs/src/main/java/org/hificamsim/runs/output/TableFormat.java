@@ -11,7 +11,7 @@ public interface TableFormat {
   /** Its name, which files end in. */
   String name();
 
-  /** Starts a table in a folder: {@link TableRows} if it has columns of texts. */
+  /** Starts a table in a folder. */
   Rows create(Table<?> table, OutputFolder folder) throws IOException;
 
   /**

@@ -1,11 +1,15 @@
 package org.hificamsim.runs.output;
 
+import java.io.BufferedReader;
+import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.ServiceLoader;
+import java.util.function.Consumer;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.file.Rows;
 
 /** The formats: text, and those of modules that are on the class path where one is asked for. */
 public final class TableFormats {
@@ -26,12 +30,7 @@ public final class TableFormats {
       throw new InputException(
           "--format is '%s', expected one of %s".formatted(name, String.join(", ", NAMES)));
     }
-    return found(name)
-        .orElseThrow(
-            () ->
-                new InputException(
-                    "format '%s' is not on the class path, expected its jars in CLASSPATH, or %s"
-                        .formatted(name, CSV)));
+    return found(name, "", "");
   }
 
   /** What wrote a table of a folder; CSV where there is none. */
@@ -39,17 +38,13 @@ public final class TableFormats {
     return NAMES.stream()
         .filter(name -> Files.isRegularFile(folder.resolve(table.file(name))))
         .findFirst()
-        .map(name -> reader(name, folder.resolve(table.file(name))))
-        .orElseGet(CsvTableFormat::new);
-  }
-
-  private static TableFormat reader(String name, Path file) {
-    return found(name)
-        .orElseThrow(
-            () ->
-                new InputException(
-                    "%s: format '%s' is not on the class path, expected its jars in CLASSPATH, or the files of a run with --format %s"
-                        .formatted(file, name, CSV)));
+        .map(
+            name ->
+                found(
+                    name,
+                    folder.resolve(table.file(name)) + ": ",
+                    "the files of a run with --format "))
+        .orElseGet(Csv::new);
   }
 
   /** The files that a table may be in. */
@@ -57,12 +52,40 @@ public final class TableFormats {
     return NAMES.stream().map(table::file).toList();
   }
 
-  private static Optional<TableFormat> found(String name) {
+  private static TableFormat found(String name, String file, String instead) {
     return name.equals(CSV)
-        ? Optional.of(new CsvTableFormat())
+        ? new Csv()
         : ServiceLoader.load(TableFormat.class).stream()
             .map(ServiceLoader.Provider::get)
             .filter(format -> format.name().equals(name))
-            .findFirst();
+            .findFirst()
+            .orElseThrow(
+                () ->
+                    new InputException(
+                        "%sformat '%s' is not on the class path, expected its jars in CLASSPATH, or %s%s"
+                            .formatted(file, name, instead, CSV)));
+  }
+
+  /** Tables as text, which everything reads. */
+  private static final class Csv implements TableFormat {
+    @Override
+    public String name() {
+      return CSV;
+    }
+
+    @Override
+    public Rows create(Table<?> table, OutputFolder folder) throws IOException {
+      return table.create(folder);
+    }
+
+    @Override
+    public void each(Path file, Consumer<String> row) throws IOException {
+      try (BufferedReader reader = Files.newBufferedReader(file)) {
+        reader.readLine();
+        for (String line; (line = reader.readLine()) != null; ) {
+          row.accept(line);
+        }
+      }
+    }
   }
 }

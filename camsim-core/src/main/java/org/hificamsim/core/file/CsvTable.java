@@ -5,12 +5,12 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 
 /**
- * A table of numbers as text, for tables with a row for each step: no object is made for a cell.
+ * A table as text, row by row; no object is made for a number.
  *
  * <p>Numbers are written as {@link Long#toString} and {@link Double#toString} write them; NaN is an
- * empty cell, which pandas and R read as missing.
+ * empty cell, which pandas and R read as missing. Texts are quoted where they have to be.
  */
-public final class NumberRows implements Rows {
+public final class CsvTable implements Rows {
   private final Writer out;
   private final char separator;
   private final String lineEnd;
@@ -21,7 +21,7 @@ public final class NumberRows implements Rows {
    *
    * @param columns their names, separated as the cells will be
    */
-  public NumberRows(Writer out, String columns, char separator, String lineEnd) throws IOException {
+  public CsvTable(Writer out, String columns, char separator, String lineEnd) throws IOException {
     this.out = out;
     this.separator = separator;
     this.lineEnd = lineEnd;
@@ -39,6 +39,12 @@ public final class NumberRows implements Rows {
       row.append(number);
     }
     row.append(separator);
+  }
+
+  @Override
+  public void add(String text) {
+    boolean plain = text.indexOf(separator) < 0 && text.indexOf('"') < 0 && text.indexOf('\n') < 0;
+    row.append(plain ? text : '"' + text.replace("\"", "\"\"") + '"').append(separator);
   }
 
   @Override

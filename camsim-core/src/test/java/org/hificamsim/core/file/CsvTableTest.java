@@ -7,7 +7,7 @@ import java.io.StringWriter;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-class NumberRowsTest {
+class CsvTableTest {
   @Test
   void writesNumbersAsJavaDoesAndNaNAsAnEmptyCell() throws IOException {
     assertEquals(
@@ -61,13 +61,27 @@ class NumberRowsTest {
     assertEquals(expected.toString(), text);
   }
 
+  @Test
+  void quotesWhatWouldEndACellOrARow() throws IOException {
+    assertEquals(
+        "a;b;c;d\r\n\"1;2\";\"a \"\"b\"\"\";\"c\nd\";e,f\r\n",
+        written(
+            rows -> {
+              rows.add("1;2");
+              rows.add("a \"b\"");
+              rows.add("c\nd");
+              rows.add("e,f");
+              rows.end();
+            }));
+  }
+
   private interface Filling {
-    void fill(NumberRows rows) throws IOException;
+    void fill(CsvTable rows) throws IOException;
   }
 
   private static String written(Filling filling) throws IOException {
     StringWriter text = new StringWriter();
-    try (NumberRows rows = new NumberRows(text, "a;b;c;d", ';', "\r\n")) {
+    try (CsvTable rows = new CsvTable(text, "a;b;c;d", ';', "\r\n")) {
       filling.fill(rows);
     }
     return text.toString();
