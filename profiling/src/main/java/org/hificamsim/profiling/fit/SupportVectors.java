@@ -9,6 +9,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction.Range;
+import org.hificamsim.profiling.fit.FitSettings.SupportVectorSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import smile.base.svm.SVR;
 import smile.math.kernel.GaussianKernel;

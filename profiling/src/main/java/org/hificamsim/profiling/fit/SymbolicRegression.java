@@ -23,6 +23,7 @@ import java.util.Random;
 import java.util.stream.LongStream;
 import org.hificamsim.hifi.feature.Expression;
 import org.hificamsim.hifi.feature.SymbolicAbstraction;
+import org.hificamsim.profiling.fit.FitSettings.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 
 /**

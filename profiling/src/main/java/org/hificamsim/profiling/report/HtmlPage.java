@@ -25,26 +25,23 @@ img { max-width: 100%; border: 1px solid #eee }
     body.append("<h1>").append(escaped(title)).append("</h1>\n");
   }
 
-  HtmlPage heading(String text) {
+  void heading(String text) {
     body.append("<h2>").append(escaped(text)).append("</h2>\n");
-    return this;
   }
 
-  HtmlPage paragraph(String text) {
+  void paragraph(String text) {
     body.append("<p>").append(escaped(text)).append("</p>\n");
-    return this;
   }
 
-  <R> HtmlPage table(TableLayout<R> layout, List<R> rows) {
+  <R> void table(TableLayout<R> layout, List<R> rows) {
     body.append("<table>\n");
     row("th", layout.names());
     rows.forEach(row -> row("td", layout.cells(row)));
     body.append("</table>\n");
-    return this;
   }
 
   /** A picture that is a part of the page, so that the page is one file. */
-  HtmlPage figure(byte[] png, String caption) {
+  void figure(byte[] png, String caption) {
     body.append("<figure><img src=\"data:image/png;base64,")
         .append(Base64.getEncoder().encodeToString(png))
         .append("\" alt=\"")
@@ -52,7 +49,6 @@ img { max-width: 100%; border: 1px solid #eee }
         .append("\"><figcaption>")
         .append(escaped(caption))
         .append("</figcaption></figure>\n");
-    return this;
   }
 
   String text() {

@@ -14,6 +14,8 @@ import java.util.Optional;
 import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.feature.LinearAbstraction;
+import org.hificamsim.profiling.fit.FitSettings.SupportVectorSettings;
+import org.hificamsim.profiling.fit.FitSettings.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 

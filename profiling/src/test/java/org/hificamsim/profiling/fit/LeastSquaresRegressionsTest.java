@@ -8,6 +8,7 @@ import java.util.List;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.PowerLawAbstraction;
+import org.hificamsim.profiling.fit.FitSettings.SupportVectorSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 

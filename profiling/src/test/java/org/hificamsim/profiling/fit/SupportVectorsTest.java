@@ -18,6 +18,7 @@ import org.hificamsim.hifi.feature.LinearAbstraction;
 import org.hificamsim.hifi.feature.SvrRbfAbstraction;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.hifi.optics.Optics;
+import org.hificamsim.profiling.fit.FitSettings.SupportVectorSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;

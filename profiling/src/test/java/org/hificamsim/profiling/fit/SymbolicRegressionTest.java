@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.hifi.feature.Expression;
+import org.hificamsim.profiling.fit.FitSettings.SymbolicSettings;
 import org.hificamsim.profiling.measure.Measurement;
 import org.junit.jupiter.api.Test;
 
