@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.data.CsvReader;
@@ -22,6 +23,9 @@ public final class DatasetReader {
               LabelledPhotoReader.PATCH.stream())
           .toList();
   private static final List<String> ENDINGS = List.of(".png", ".jpg", ".jpeg");
+
+  private static final Pattern PICTURE =
+      Pattern.compile("[^.].*\\.(png|jpg|jpeg)", Pattern.CASE_INSENSITIVE);
 
   private final Path folder;
   private final List<String> problems = new ArrayList<>();
@@ -68,7 +72,7 @@ public final class DatasetReader {
       new LabelledPhotoReader(folder, camera, coco, row, problems).read().ifPresent(samples::add);
       addTemplate(row, templates);
     }
-    List<Path> negatives = new Negatives(folder.resolve(Dataset.NEGATIVES), camera).read(problems);
+    List<Path> negatives = negatives(camera);
     return Optional.of(new Dataset(folder, camera, samples, templates, negatives));
   }
 
@@ -106,6 +110,39 @@ public final class DatasetReader {
       problems.add(
           row.invalid("object", file + " to be a whole PNG or JPEG (" + e.getMessage() + ")")
               .getMessage());
+    }
+  }
+
+  /** The pictures that the camera took where there was none of the objects, by name. */
+  private List<Path> negatives(PhotoCamera camera) {
+    Path pictures = folder.resolve(Dataset.NEGATIVES);
+    if (!Files.isDirectory(pictures)) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.list(pictures)) {
+      return files
+          .filter(file -> PICTURE.matcher(file.getFileName().toString()).matches())
+          .sorted()
+          .filter(file -> isOf(camera, file))
+          .toList();
+    } catch (IOException e) {
+      problems.add(pictures + ": cannot be read, expected a folder of photos: " + e.getMessage());
+      return List.of();
+    }
+  }
+
+  private boolean isOf(PhotoCamera camera, Path file) {
+    try {
+      ImageHeader header = ImageHeader.read(file);
+      if (!camera.takes(header.width(), header.height())) {
+        throw new IOException(
+            "is %s x %s pixels, expected %s x %s as camera.json says, or upright"
+                .formatted(header.width(), header.height(), camera.width(), camera.height()));
+      }
+      return true;
+    } catch (IOException | RuntimeException e) {
+      problems.add(file + ": " + e.getMessage());
+      return false;
     }
   }
 }

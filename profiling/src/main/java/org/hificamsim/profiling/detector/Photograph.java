@@ -4,12 +4,18 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.function.Supplier;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReadParam;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.profiling.dataset.WholePicture;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.core.CvException;
 import org.opencv.core.Mat;
@@ -18,6 +24,8 @@ import org.opencv.imgcodecs.Imgcodecs;
 
 /** A picture file, decoded when it is asked for, and released with this. */
 public final class Photograph implements AutoCloseable {
+  private static final int SPARSE = 32;
+
   private final Path file;
   private final Mats mats = new Mats();
   private final Map<Integer, Mat> decoded = new LinkedHashMap<>();
@@ -45,12 +53,44 @@ public final class Photograph implements AutoCloseable {
   }
 
   private Mat decode(int mode) {
-    WholePicture.check(file);
+    checkWhole();
     Mat picture = mats.own(Imgcodecs.imread(file.toString(), mode));
     if (picture.empty()) {
       throw new InputException(file + ": cannot be decoded, expected a PNG or JPEG");
     }
     return picture;
+  }
+
+  /**
+   * Refuses a JPEG whose data break off. OpenCV fills what is missing with grey and says nothing,
+   * so Java's decoder is asked: it reads everything and keeps one pixel of many.
+   */
+  private void checkWhole() {
+    List<String> warnings = new ArrayList<>();
+    try (ImageInputStream in = ImageIO.createImageInputStream(file.toFile())) {
+      ImageReader reader = ImageIO.getImageReaders(in).next();
+      try {
+        reader.setInput(in, true, true);
+        reader.addIIOReadWarningListener((source, warning) -> warnings.add(warning));
+        if (reader.canReadRaster()) { // other formats fail by themselves
+          ImageReadParam sparse = reader.getDefaultReadParam();
+          sparse.setSourceSubsampling(SPARSE, SPARSE, 0, 0);
+          reader.readRaster(0, sparse);
+        }
+      } finally {
+        reader.dispose();
+      }
+    } catch (IOException | RuntimeException e) {
+      throw new InputException(
+          file + ": cannot be decoded, expected a PNG or JPEG: " + e.getMessage(), e);
+    }
+    for (String warning : warnings) {
+      String words = warning.toLowerCase(Locale.ROOT);
+      if (words.contains("premature end") || words.contains("missing eoi")) {
+        throw new InputException(
+            file + ": the picture is cut short, expected a whole one (" + warning + ")");
+      }
+    }
   }
 
   /**
