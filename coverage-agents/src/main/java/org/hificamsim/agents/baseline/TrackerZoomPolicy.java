@@ -27,6 +27,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   private final PatrolZoomPolicy.Zoom search;
   private final SeenPairs pairs = new SeenPairs();
   private int[] nearest = {}; // target that each camera sees, or NONE
+  private double[] distances = {}; // to it, metres
   private PatrolZoomPolicy.Round[] rounds = {};
 
   /** Reads the options {@code margin}, {@code dwell} and {@code search}. */
@@ -56,6 +57,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
     nearest = new int[network.cameras()];
+    distances = new double[network.cameras()];
     rounds = new PatrolZoomPolicy.Round[network.cameras()];
     Arrays.setAll(rounds, camera -> new PatrolZoomPolicy.Round(dwell));
   }
@@ -65,22 +67,19 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
     Arrays.fill(nearest, NONE);
     network.findSeen(pairs);
     for (int i = 0; i < pairs.count(); i++) {
-      int camera = pairs.camera(i);
-      if (isNearer(network, camera, pairs.target(i))) {
-        nearest[camera] = pairs.target(i);
-      }
+      consider(pairs.camera(i), pairs.target(i), network);
     }
     super.decide(network, views);
   }
 
   /** Of equally near targets the first one counts. */
-  private boolean isNearer(NetworkView network, int camera, int target) {
-    if (nearest[camera] == NONE) {
-      return true;
-    }
+  private void consider(int camera, int target, NetworkView network) {
     double distance = network.distance(camera, target);
-    double least = network.distance(camera, nearest[camera]);
-    return distance < least || (distance == least && target < nearest[camera]);
+    boolean tie = distance == distances[camera] && target < nearest[camera];
+    if (nearest[camera] == NONE || distance < distances[camera] || tie) {
+      nearest[camera] = target;
+      distances[camera] = distance;
+    }
   }
 
   @Override
@@ -113,7 +112,7 @@ public final class TrackerZoomPolicy extends AbstractDistributedZoomPolicy {
   private boolean fits(NetworkView network, int camera, int view, double off) {
     ZoomLevel zoom = network.zoom(camera, view);
     double kept = 1 - margin;
-    return network.distance(camera, nearest[camera]) <= kept * network.reach(camera, view)
+    return distances[camera] <= kept * network.reach(camera, view)
         && (zoom.allRound() || off <= kept * zoom.viewingAngle() / 2);
   }
 }
