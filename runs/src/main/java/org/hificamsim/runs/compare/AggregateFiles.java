@@ -2,6 +2,7 @@ package org.hificamsim.runs.compare;
 
 import java.io.IOException;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
@@ -138,8 +139,9 @@ public final class AggregateFiles {
   }
 
   private static List<Statistic> statistics(PolicyScores one) {
+    Map<Aggregate, Estimate> estimates = Aggregate.estimates(one.scores());
     return Stream.of(Aggregate.values())
-        .map(aggregate -> new Statistic(one, aggregate, aggregate.estimate(one.scores())))
+        .map(aggregate -> new Statistic(one, aggregate, estimates.get(aggregate)))
         .toList();
   }
 

@@ -38,7 +38,6 @@ public record PolicyScores(List<CaseResult> cases) {
 
   /** The proportions of the optimum, by scenario. */
   public Strata scores() {
-    return new Strata(
-        cases.stream().map(one -> one.figures(Metric.PROPORTION_OF_OPTIMAL)).toList());
+    return Strata.of(cases.stream().map(one -> one.figures(Metric.PROPORTION_OF_OPTIMAL)).toList());
   }
 }

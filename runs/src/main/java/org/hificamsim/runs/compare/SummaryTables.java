@@ -5,6 +5,7 @@ import java.io.Writer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
@@ -51,12 +52,13 @@ public final class SummaryTables {
     TextTable table =
         new TextTable(2, List.of("detection", "policy", "interquartile mean", "optimality gap"));
     for (PolicyScores one : policies) {
+      Map<Aggregate, Estimate> estimates = Aggregate.estimates(one.scores());
       table.row(
           List.of(
               one.detection(),
               one.policy(),
-              Aggregate.IQM.estimate(one.scores()).text("%.3f"),
-              Aggregate.OPTIMALITY_GAP.estimate(one.scores()).text("%.3f")));
+              estimates.get(Aggregate.IQM).text("%.3f"),
+              estimates.get(Aggregate.OPTIMALITY_GAP).text("%.3f")));
     }
     return table;
   }

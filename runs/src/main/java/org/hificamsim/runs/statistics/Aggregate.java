@@ -1,7 +1,10 @@
 package org.hificamsim.runs.statistics;
 
+import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
@@ -38,9 +41,13 @@ public enum Aggregate {
     return number.applyAsDouble(strata);
   }
 
-  /** The number with its interval. */
-  public Estimate estimate(Strata strata) {
-    return StratifiedBootstrap.of(this::of, strata);
+  /** All numbers, each with its interval. */
+  public static Map<Aggregate, Estimate> estimates(Strata strata) {
+    List<Aggregate> all = List.of(values());
+    Estimate[] estimates =
+        StratifiedBootstrap.all(
+            drawn -> all.stream().mapToDouble(one -> one.of(drawn)).toArray(), strata);
+    return all.stream().collect(Collectors.toMap(one -> one, one -> estimates[all.indexOf(one)]));
   }
 
   /** The name in files. */

@@ -1,7 +1,6 @@
 package org.hificamsim.runs.statistics;
 
 import java.util.Arrays;
-import java.util.List;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
@@ -20,10 +19,10 @@ public final class Improvement {
 
   /** The probability alone; both have the same scenarios in the same order. */
   static double probability(Strata policy, Strata over) {
-    List<double[]> scores = policy.sortedByScenario();
-    List<double[]> others = over.sortedByScenario();
-    double[] shares = new double[scores.size()];
-    Arrays.setAll(shares, i -> share(scores.get(i), others.get(i)));
+    double[][] scores = policy.sortedByScenario();
+    double[][] others = over.sortedByScenario();
+    double[] shares = new double[scores.length];
+    Arrays.setAll(shares, i -> share(scores[i], others[i]));
     return StatUtils.mean(Arrays.stream(shares).filter(share -> !Double.isNaN(share)).toArray());
   }
 

@@ -4,7 +4,6 @@ import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.Function;
 import java.util.function.ToDoubleBiFunction;
-import java.util.function.ToDoubleFunction;
 import org.hificamsim.runs.Estimate;
 
 /**
@@ -16,11 +15,6 @@ public final class StratifiedBootstrap {
   private static final long SEED = 2021;
 
   private StratifiedBootstrap() {}
-
-  /** A figure of the scores with its interval. */
-  static Estimate of(ToDoubleFunction<Strata> figure, Strata strata) {
-    return all(one -> new double[] {figure.applyAsDouble(one)}, strata)[0];
-  }
 
   /** Several figures of the scores, each with its interval. */
   static Estimate[] all(Function<Strata, double[]> figures, Strata strata) {

@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 
 class AggregateTest {
   private static final Strata TWO =
-      new Strata(List.of(new double[] {0, 0.2, 0.4, 0.6}, new double[] {0.5, 0.7, 0.9, 1.3}));
+      Strata.of(List.of(new double[] {0, 0.2, 0.4, 0.6}, new double[] {0.5, 0.7, 0.9, 1.3}));
 
   @Test
   void theInterquartileMeanLeavesOutAQuarterOfAllRunsAtEitherEnd() {
@@ -23,7 +23,7 @@ class AggregateTest {
 
   @Test
   void meanAndMedianAreOfTheScenariosMeans() {
-    Strata uneven = new Strata(List.of(new double[] {0, 1}, new double[] {1}, new double[] {1}));
+    Strata uneven = Strata.of(List.of(new double[] {0, 1}, new double[] {1}, new double[] {1}));
     assertEquals(2.5 / 3, Aggregate.MEAN.of(uneven), 1e-12);
     assertEquals(1, Aggregate.MEDIAN.of(uneven), 1e-12);
   }
@@ -31,7 +31,7 @@ class AggregateTest {
   @Test
   void runsWithoutAScoreAreLeftOut() {
     Strata gaps =
-        new Strata(List.of(new double[] {Double.NaN, 0.5}, new double[] {Double.NaN, Double.NaN}));
+        Strata.of(List.of(new double[] {Double.NaN, 0.5}, new double[] {Double.NaN, Double.NaN}));
     assertEquals(1, gaps.runs());
     assertEquals(1, gaps.scenarios());
     for (Aggregate aggregate : Aggregate.values()) {
@@ -41,29 +41,30 @@ class AggregateTest {
 
   @Test
   void seedsAreDrawnWithinTheirScenarioAlone() {
-    Strata apart = new Strata(List.of(new double[] {0, 0, 0}, new double[] {1, 1, 1}));
-    Estimate mean = Aggregate.MEAN.estimate(apart);
+    Strata apart = Strata.of(List.of(new double[] {0, 0, 0}, new double[] {1, 1, 1}));
+    Estimate mean = Aggregate.estimates(apart).get(Aggregate.MEAN);
     assertEquals(new Estimate(0.5, 0.5, 0.5), mean);
   }
 
   @Test
   void anIntervalHoldsItsValueAndIsTheSameAgain() {
-    Estimate iqm = Aggregate.IQM.estimate(TWO);
+    Estimate iqm = Aggregate.estimates(TWO).get(Aggregate.IQM);
     assertTrue(iqm.low() < iqm.mean() && iqm.mean() < iqm.high(), iqm.toString());
-    assertEquals(iqm, Aggregate.IQM.estimate(TWO));
+    assertEquals(iqm, Aggregate.estimates(TWO).get(Aggregate.IQM));
   }
 
   @Test
   void oneSeedHasNoInterval() {
-    Strata single = new Strata(List.of(new double[] {0.3}, new double[] {0.7}));
-    assertEquals(new Estimate(0.5, Double.NaN, Double.NaN), Aggregate.MEAN.estimate(single));
+    Strata single = Strata.of(List.of(new double[] {0.3}, new double[] {0.7}));
+    assertEquals(
+        new Estimate(0.5, Double.NaN, Double.NaN), Aggregate.estimates(single).get(Aggregate.MEAN));
   }
 
   @Test
   void withoutARunThereIsNothing() {
-    Strata none = new Strata(List.of(new double[0]));
+    Strata none = Strata.of(List.of(new double[0]));
     for (Aggregate aggregate : Aggregate.values()) {
-      assertTrue(Double.isNaN(aggregate.estimate(none).mean()), aggregate.label());
+      assertTrue(Double.isNaN(Aggregate.estimates(none).get(aggregate).mean()), aggregate.label());
     }
   }
 }

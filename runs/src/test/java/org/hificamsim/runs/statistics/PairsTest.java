@@ -13,8 +13,8 @@ import org.junit.jupiter.api.Test;
 class PairsTest {
   @Test
   void theProbabilityOfImprovementCountsTiesHalfAndScenariosAlike() {
-    Strata one = new Strata(List.of(new double[] {1, 2}, new double[] {5, 5, 5}));
-    Strata other = new Strata(List.of(new double[] {2, 0}, new double[] {1, 1, 1}));
+    Strata one = Strata.of(List.of(new double[] {1, 2}, new double[] {5, 5, 5}));
+    Strata other = Strata.of(List.of(new double[] {2, 0}, new double[] {1, 1, 1}));
     double first = (1 + 1 + 0.5) / 4; // 1 over 0, 2 over 0, 2 beside 2
     assertEquals((first + 1) / 2, Improvement.probability(one, other), 1e-12);
     assertEquals(1 - (first + 1) / 2, Improvement.probability(other, one), 1e-12);
@@ -23,7 +23,7 @@ class PairsTest {
   @Test
   void aProfileFallsFromAllRunsToThoseThatAreOptimal() {
     PerformanceProfile profile =
-        PerformanceProfile.of(new Strata(List.of(new double[] {0, 0.25, 0.5, 1})));
+        PerformanceProfile.of(Strata.of(List.of(new double[] {0, 0.25, 0.5, 1})));
     Estimate[] shares = profile.shares();
     assertEquals(1, shares[0].mean());
     assertEquals(0.75, shares[25].mean());

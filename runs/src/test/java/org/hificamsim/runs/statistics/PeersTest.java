@@ -54,7 +54,7 @@ class PeersTest {
   void aggregatesAreTheSameAndTheirIntervalsAsFarAsChanceAllows() {
     Aggregate[] aggregates = Aggregate.values();
     for (int i = 0; i < aggregates.length; i++) {
-      Estimate ours = aggregates[i].estimate(X);
+      Estimate ours = Aggregate.estimates(X).get(aggregates[i]);
       assertEquals(theirs.at("/aggregates/" + i).asDouble(), ours.mean(), ROUNDING);
       assertClose(theirs.at("/ends/0/" + i), theirs.at("/ends/1/" + i), ours);
     }
@@ -81,7 +81,7 @@ class PeersTest {
   @Test
   void pValuesOfPairedDifferencesAreTheSame() {
     double[] differences = new double[SEEDS];
-    Arrays.setAll(differences, i -> X.scores().get(0)[i] - Y.scores().get(0)[i]);
+    Arrays.setAll(differences, i -> X.scores()[0][i] - Y.scores()[0][i]);
     double[] few = Arrays.copyOf(differences, SignFlips.EXACT - 4);
     assertEquals(theirs.at("/exact").asDouble(), SignFlips.p(few), ROUNDING);
     assertEquals(theirs.at("/drawn").asDouble(), SignFlips.p(differences), 0.005);
@@ -97,7 +97,7 @@ class PeersTest {
 
   private static Strata scores(double level, long seed) {
     SplittableRandom random = new SplittableRandom(seed);
-    return new Strata(
+    return Strata.of(
         IntStream.range(0, 3)
             .mapToObj(
                 scenario ->

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 
 class StrataTest {
   private static final Strata STRATA =
-      new Strata(
+      Strata.of(
           List.of(
               new double[] {0.5, -0.0, 0.0, 0.5, Double.NaN, 0.25},
               new double[0],
@@ -27,12 +27,13 @@ class StrataTest {
   }
 
   private static void assertRising(Strata strata) {
-    double[] all = strata.scores().stream().flatMapToDouble(Arrays::stream).sorted().toArray();
+    double[] all =
+        Arrays.stream(strata.scores()).flatMapToDouble(Arrays::stream).sorted().toArray();
     assertArrayEquals(bits(all), bits(strata.sorted()));
-    for (int scenario = 0; scenario < strata.scores().size(); scenario++) {
-      double[] scores = strata.scores().get(scenario).clone();
+    for (int scenario = 0; scenario < strata.scores().length; scenario++) {
+      double[] scores = strata.scores()[scenario].clone();
       Arrays.sort(scores);
-      assertArrayEquals(bits(scores), bits(strata.sortedByScenario().get(scenario)));
+      assertArrayEquals(bits(scores), bits(strata.sortedByScenario()[scenario]));
     }
   }
 
@@ -43,10 +44,10 @@ class StrataTest {
   @Test
   void scoresAreDrawnFromTheirOwnScenarioInTheOrderOfOneGenerator() {
     SplittableRandom expected = new SplittableRandom(7);
-    List<double[]> drawn = STRATA.drawn(new SplittableRandom(7)).scores();
-    for (int scenario = 0; scenario < drawn.size(); scenario++) {
-      double[] own = STRATA.scores().get(scenario);
-      for (double score : drawn.get(scenario)) {
+    double[][] drawn = STRATA.drawn(new SplittableRandom(7)).scores();
+    for (int scenario = 0; scenario < drawn.length; scenario++) {
+      double[] own = STRATA.scores()[scenario];
+      for (double score : drawn[scenario]) {
         assertEquals(own[expected.nextInt(own.length)], score);
       }
     }
