@@ -18,11 +18,6 @@ public enum Layout {
               Arrays.stream(values()).map(Layout::scripted))
           .toList();
 
-  /** The layout of a name in files. */
-  static Layout named(String label) {
-    return valueOf(label.toUpperCase(Locale.ROOT));
-  }
-
   /** The name in files. */
   public String label() {
     return name().toLowerCase(Locale.ROOT);

@@ -3,16 +3,15 @@ package org.hificamsim.reproduction;
 import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
 import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
 
-import java.io.BufferedReader;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
-import java.io.InputStreamReader;
+import java.io.InputStream;
 import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.util.List;
 
 /**
  * A cell of Table 8.1 ("Improving the Fidelity of Abstract Camera Network Simulations", PhD thesis,
- * Aston University, December 2019), from the resource {@code published.csv}.
+ * Aston University, December 2019), from the resource {@code published.json}.
  *
  * @param hifi whether the detection model is the high-fidelity one, else CamSim's
  * @param proportion of the greedy approach's performance
@@ -34,23 +33,10 @@ public record PublishedCell(Layout layout, String policy, boolean hifi, double p
 
   /** All eighteen cells. */
   public static List<PublishedCell> table() {
-    try (BufferedReader reader =
-        new BufferedReader(
-            new InputStreamReader(
-                PublishedCell.class.getResourceAsStream("published.csv"),
-                StandardCharsets.UTF_8))) {
-      return reader.lines().skip(1).map(PublishedCell::parse).toList();
+    try (InputStream in = PublishedCell.class.getResourceAsStream("published.json")) {
+      return List.of(new ObjectMapper().readValue(in, PublishedCell[].class));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-  }
-
-  private static PublishedCell parse(String line) {
-    String[] fields = line.split(",");
-    return new PublishedCell(
-        Layout.named(fields[0]),
-        fields[1],
-        fields[2].equals("hifi"),
-        Double.parseDouble(fields[3]));
   }
 }

@@ -8,6 +8,7 @@ import java.util.function.BiFunction;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.CaseResult;

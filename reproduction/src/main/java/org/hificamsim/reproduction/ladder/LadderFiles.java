@@ -14,6 +14,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
 import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
+import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.compare.Bootstrap;

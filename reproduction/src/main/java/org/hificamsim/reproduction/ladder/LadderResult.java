@@ -8,6 +8,7 @@ import java.util.Map;
 import java.util.function.ToDoubleBiFunction;
 import org.apache.commons.math3.stat.correlation.KendallsCorrelation;
 import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
+import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;

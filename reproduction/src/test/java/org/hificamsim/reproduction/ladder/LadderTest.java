@@ -15,6 +15,7 @@ import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
+import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;

@@ -20,6 +20,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
