@@ -41,7 +41,7 @@ def test_the_notebook_runs(notebook: Any) -> None:
     if not (EXAMPLES.parents[1] / "onnx/build/install/onnx").exists():
         pytest.skip("no ONNX Runtime: gradle :onnx:libraries")
     training = next(cell for cell in notebook.cells if "UPDATES = 60" in cell.source)
-    training.source = training.source.replace("UPDATES = 60", "UPDATES = 20")  # that is enough to see it learn
+    training.source = training.source.replace("UPDATES = 60", "UPDATES = 12")  # that is enough to see it learn
     notebook.cells.append(nbformat.v4.new_code_cell(CHECKS))
     client = nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(EXAMPLES)}})
     client.execute()

@@ -17,7 +17,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Generated scenarios, and runs of them on several threads. */
 class BigNetworkTest {
-  private static final int STEPS = 60;
+  private static final int STEPS = 20;
   private static final int CAMERAS = 600; // more than the caches are taken to hold
   private static final List<String> FILES =
       List.of("steps.csv", "zooms.csv", "targets.csv", "summary.json");

@@ -160,9 +160,9 @@ class CompareCommandTest {
   void aComparisonKilledAgainAndAgainEndsWithTheSameBytes() throws Exception {
     Path whole = folder.resolve("whole");
     Path killed = folder.resolve("killed");
-    Object[] work = words(whole, 5_000, 12, "--threads", 2);
+    Object[] work = words(whole, 3_000, 8, "--threads", 2);
     assertEquals(0, Cli.run(work).exit());
-    Object[] again = words(killed, 5_000, 12, "--threads", 2, "--resume");
+    Object[] again = words(killed, 3_000, 8, "--threads", 2, "--resume");
     int kills = 0;
     long finished = 0;
     for (int round = 0; round < 4; round++) {

@@ -35,7 +35,7 @@ class SensitivityCommandTest {
 
   /** Sweeps without a word on the screen. */
   static Results swept() {
-    return Results.of("sensitivity", "--steps", 60, "--repeat", 2, "--quiet");
+    return Results.of("sensitivity", "--steps", 30, "--repeat", 2, "--quiet");
   }
 
   @Test

@@ -55,7 +55,7 @@ class SitesTest {
   void runsUnderEveryPolicy(String name, String detection) throws IOException {
     Path out = folder.resolve("out");
     List<String> policies = policiesFor(read(name, new ArrayList<>()));
-    Cli compare = compare(name, detection, String.join(",", policies), 50, 1, out);
+    Cli compare = compare(name, detection, String.join(",", policies), 20, 1, out);
     assertEquals(0, compare.exit(), compare.err());
     assertEquals(policies.size() + 1, Files.readAllLines(out.resolve("results.csv")).size());
   }

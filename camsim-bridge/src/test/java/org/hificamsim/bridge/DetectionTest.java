@@ -37,7 +37,7 @@ class DetectionTest {
 
   @Test
   void withoutAnOptionNothingChanges() {
-    CamSimRun with = run("with", CamSimRun.WITHOUT_OPTIONS);
+    CamSimRun with = alone("with", CamSimRun.WITHOUT_OPTIONS);
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());
     assertEquals(200, with.rows("output.csv").size());
@@ -93,7 +93,7 @@ class DetectionTest {
             "hifi-detection/src/main/resources/org/hificamsim/hifi/model/lab/surf-power.json");
     Files.createDirectories(folder.resolve("with"));
     Files.copy(model, folder.resolve("with/own.json"));
-    CamSimRun with = run("with", "detection=own.json");
+    CamSimRun with = alone("with", "detection=own.json");
     assertEquals(
         run("named", "detection=lab:surf-power").text("looks.csv"), with.text("looks.csv"));
   }
@@ -171,6 +171,10 @@ class DetectionTest {
     ZoomLevel zoom = new ZoomLevel(look.range(), look.range(), look.range(), Double.NaN, angle);
     double value = detection.model().confidence(size, distance, Math.toRadians(offAxis), zoom);
     return value >= detection.threshold() ? DetectionModel.clamp(value) : 0;
+  }
+
+  private CamSimRun alone(String name, String options) {
+    return CamSimRun.alone(folder.resolve(name), options, CamSimRun.CROSSING, 200);
   }
 
   private CamSimRun run(String name, String options) {

@@ -280,7 +280,7 @@ public class Ends {
   }
 
   private CamSimRun run(String name, String options) {
-    return run(name, options, CamSimRun.DOUBLES);
+    return CamSimRun.of(folder.resolve(name), options);
   }
 
   private CamSimRun run(String name, String options, Path classes) {

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,13 +28,13 @@ class RefusalTest {
 
   @BeforeAll
   static void runWithoutAgent() {
-    without = CamSimRun.of(plain, CamSimRun.WITHOUT_AGENT, CamSimRun.CROSSING, 30);
+    without = CamSimRun.alone(plain, CamSimRun.WITHOUT_AGENT, CamSimRun.CROSSING, 30);
   }
 
   @Test
   void aWrongOptionIsOneLineAndCamSimRunsOn() {
     CamSimRun with =
-        CamSimRun.of(folder.resolve("with"), "policy=random,zooms=5;3", CamSimRun.CROSSING, 30);
+        CamSimRun.alone(folder.resolve("with"), "policy=random,zooms=5;3", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
     assertEquals(
         "hificamsim-bridge: zooms has '3' after 5.0, expected rising radii, each once, such as"
@@ -44,7 +45,7 @@ class RefusalTest {
 
   @Test
   void aFolderThatCannotBeMadeIsOneLine() {
-    CamSimRun with = CamSimRun.of(folder.resolve("with"), "out=stdout", CamSimRun.CROSSING, 30);
+    CamSimRun with = CamSimRun.alone(folder.resolve("with"), "out=stdout", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
     assertEquals(
         "hificamsim-bridge: folder 'stdout' is a file, expected a folder" + UNCHANGED, with.err());
@@ -53,7 +54,7 @@ class RefusalTest {
   @Test
   void aFolderInAFileIsOneLineWithTheReason() {
     CamSimRun with =
-        CamSimRun.of(folder.resolve("with"), "out=stdout/results", CamSimRun.CROSSING, 30);
+        CamSimRun.alone(folder.resolve("with"), "out=stdout/results", CamSimRun.CROSSING, 30);
     assertEquals(
         "hificamsim-bridge: folder 'stdout/results' cannot be made: Not a directory" + UNCHANGED,
         with.err());
@@ -61,7 +62,9 @@ class RefusalTest {
 
   @Test
   void strictStopsBeforeCamSimStarts() {
-    CamSimRun with = CamSimRun.of(folder.resolve("with"), "detection=none,strict=true");
+    CamSimRun with =
+        CamSimRun.alone(
+            folder.resolve("with"), "detection=none,strict=true", CamSimRun.CROSSING, 30);
     assertEquals(2, with.exit());
     assertEquals("", with.out());
     assertEquals(1, with.err().lines().count(), with.err());
@@ -70,7 +73,7 @@ class RefusalTest {
 
   @Test
   void strictAloneDoesNothing() {
-    CamSimRun with = CamSimRun.of(folder.resolve("with"), "strict=true", CamSimRun.CROSSING, 30);
+    CamSimRun with = CamSimRun.alone(folder.resolve("with"), "strict=true", CamSimRun.CROSSING, 30);
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());
   }
@@ -111,10 +114,12 @@ class RefusalTest {
         with.err());
   }
 
-  @ParameterizedTest
-  @CsvSource({"change(, alter(", "getFeatures, identity", "close_files, finish"})
-  void whatTheOptionsDoNotNeedMayBeMissing(String text, String replacement) throws IOException {
-    Path classes = Variant.of(folder, text, replacement);
+  @Test
+  void whatTheOptionsDoNotNeedMayBeMissing() throws IOException {
+    Path classes =
+        Variant.of(
+            folder,
+            Map.of("change(", "alter(", "getFeatures", "identity", "close_files", "finish"));
     CamSimRun with = start("detection=camsim-visibility", classes);
     assertEquals(without.all(), with.all());
     assertEquals("", with.err());

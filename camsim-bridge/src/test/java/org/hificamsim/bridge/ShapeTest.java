@@ -1,7 +1,6 @@
 package org.hificamsim.bridge;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.io.IOException;
@@ -10,6 +9,7 @@ import java.net.URLClassLoader;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.hificamsim.bridge.camsim.Requirements;
@@ -25,6 +25,10 @@ class ShapeTest {
   private static final Set<Use> DETECTING = EnumSet.of(Use.READ, Use.DETECT);
   private static final String LOOK =
       "method CameraController.update_visiblity(TraceableObject) returning double";
+  private static final String ADD =
+      "method CameraController.addVisibleObject(TraceableObject, double)";
+  private static final String REMOVE =
+      "method CameraController.removeVisibleObject(TraceableObject)";
   private static final String CHANGE =
       "method CameraController.change(double, double, double, double, double)";
 
@@ -37,32 +41,46 @@ class ShapeTest {
 
   @ParameterizedTest
   @MethodSource
-  void whatIsMissingOrOtherwiseIsNamed(String text, String replacement, String missing)
+  void whatIsMissingOrOtherwiseIsNamed(Map<String, String> replacements, Set<String> missing)
       throws IOException {
-    List<String> found = missing(ALL, Variant.of(folder, text, replacement));
-    assertTrue(found.contains(missing), found.toString());
+    assertEquals(missing, Set.copyOf(missing(ALL, Variant.of(folder, replacements))));
   }
 
   static Stream<Arguments> whatIsMissingOrOtherwiseIsNamed() {
     return Stream.of(
-        arguments("update_visiblity", "update_visibility", LOOK),
-        arguments("double update_visiblity", "Double update_visiblity", LOOK),
+        arguments(Map.of("double update_visiblity", "Double update_visiblity"), Set.of(LOOK)),
+        arguments(Map.of("SimCore", "OtherCore"), Set.of("class SimCore")),
         arguments(
-            "addVisibleObject",
-            "show",
-            "method CameraController.addVisibleObject(TraceableObject, double)"),
+            Map.of("update_visiblity", "update_visibility", "TraceableObject", "Thing"),
+            Set.of("class TraceableObject", LOOK, ADD, REMOVE)),
         arguments(
-            "removeVisibleObject",
-            "hide",
-            "method CameraController.removeVisibleObject(TraceableObject)"),
-        arguments("change(", "alter(", CHANGE),
-        arguments("getHeading", "heading", "method CameraController.getHeading() returning double"),
-        arguments("getY", "ordinate", "method TraceableObject.getY() returning double"),
-        arguments("getFeatures", "features", "method TraceableObject.getFeatures()"),
-        arguments("SimCore", "OtherCore", "class SimCore"),
-        arguments("TraceableObject", "Thing", "class TraceableObject"),
-        arguments("update()", "advance()", "method SimCore.update()"),
-        arguments("close_files", "finish", "method SimCore.close_files()"));
+            Map.of(
+                "addVisibleObject",
+                "show",
+                "removeVisibleObject",
+                "hide",
+                "change(",
+                "alter(",
+                "getHeading",
+                "heading",
+                "getY",
+                "ordinate",
+                "getFeatures",
+                "features",
+                "update()",
+                "advance()",
+                "close_files",
+                "finish"),
+            Set.of(
+                ADD,
+                REMOVE,
+                CHANGE,
+                "method CameraController.getHeading() returning double",
+                "method CameraController.getY() returning double",
+                "method TraceableObject.getY() returning double",
+                "method TraceableObject.getFeatures()",
+                "method SimCore.update()",
+                "method SimCore.close_files()")));
   }
 
   @Test

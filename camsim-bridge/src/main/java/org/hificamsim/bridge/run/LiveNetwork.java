@@ -78,10 +78,7 @@ final class LiveNetwork implements OracleView {
   /** Forgets what was seen: cameras are about to look. */
   void forget() {
     lastLook = step;
-    for (LiveCamera camera : cameras.all()) {
-      camera.seen().clear();
-    }
-    targets.all().forEach(LiveTarget::uncover);
+    cameras.all().forEach(camera -> camera.seen().clear());
   }
 
   /** Counts so many cameras and targets, of which some are to come. */
@@ -156,9 +153,8 @@ final class LiveNetwork implements OracleView {
   void saw(Object camera, Object object, boolean visible) {
     int eye = cameras.number(camera);
     int target = targets.number(object);
-    if (eye >= 0 && target >= 0 && cameras.get(eye).seen().get(target) != visible) {
+    if (eye >= 0 && target >= 0) {
       cameras.get(eye).seen().set(target, visible);
-      targets.get(target).cover(visible ? 1 : -1);
     }
   }
 
@@ -292,7 +288,7 @@ final class LiveNetwork implements OracleView {
 
   @Override
   public int coverage(int target) {
-    return targets.get(target).coverage();
+    return (int) cameras.all().stream().filter(camera -> camera.seen().get(target)).count();
   }
 
   @Override

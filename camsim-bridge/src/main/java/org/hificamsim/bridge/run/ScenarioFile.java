@@ -35,19 +35,21 @@ record ScenarioFile(String name, List<String> cameras, int allCameras, int allTa
    * @param names of the cameras in the first step; empty for one whose name is not known
    */
   static Optional<ScenarioFile> with(List<String> names) {
-    return Arrays.stream(arguments())
+    return arguments()
         .filter(argument -> argument.toLowerCase(Locale.ROOT).endsWith(ENDING))
         .flatMap(argument -> read(Path.of(argument)))
         .filter(file -> file.starts(names))
         .findFirst();
   }
 
-  /** What follows {@code java}; not every system gives it, and none gives one that is long. */
-  private static String[] arguments() {
-    return ProcessHandle.current()
-        .info()
-        .arguments()
-        .orElseGet(() -> System.getProperty("sun.java.command", "").split(" "));
+  /**
+   * What follows {@code java}, which not every system gives, and none where it is long; and what
+   * HotSpot knows of it.
+   */
+  private static Stream<String> arguments() {
+    return Stream.concat(
+        ProcessHandle.current().info().arguments().stream().flatMap(Arrays::stream),
+        Arrays.stream(System.getProperty("sun.java.command", "").split(" ")));
   }
 
   /** The file; nothing where it cannot be read, which is CamSim's matter. */

@@ -39,7 +39,7 @@ public final class Agent {
   private final Searches searches;
   private final OwnedTargets owned;
   private final Bids bids;
-  private final ViewTally tally = new ViewTally();
+  private final Mean sharedViews = new Mean();
   private CommunicationPolicy policy;
   private double received;
   private double paid;
@@ -132,9 +132,9 @@ public final class Agent {
     return shared.sightings().sees(camera, target);
   }
 
-  /** Which of its targets others see too. */
-  public ViewTally tally() {
-    return tally;
+  /** The share of the targets seen by this camera or another that both see, since it was taken. */
+  public Mean sharedViews() {
+    return sharedViews;
   }
 
   /** The prices received at the last settlement. */
@@ -167,7 +167,7 @@ public final class Agent {
       case STOP_SEARCH -> {
         searches.end(camera, target);
         if (sees(target) && !owned.contains(target)) {
-          tally.count(true);
+          sharedViews.add(true);
         }
       }
       case FOUND -> {
@@ -252,7 +252,7 @@ public final class Agent {
     Bids.OfTarget offers = bids.of(target);
     if (offers == null) {
       if (sees(target)) {
-        tally.count(false);
+        sharedViews.add(false);
       }
       return;
     }
@@ -283,14 +283,14 @@ public final class Agent {
     if (winner == camera) {
       pay(price);
       if (sees(target) && count > 1) {
-        tally.count(true);
+        sharedViews.add(true);
       }
     } else {
       contacts.send(MessageKind.START_TRACKING, winner, target, price);
       contacts.links.strengthen(winner, target);
       contacts.advertised.remove(target, winner);
       owned.remove(target);
-      tally.count(sees(target));
+      sharedViews.add(sees(target));
     }
     policy.stopSearch(contacts, target);
     searches.end(camera, target);

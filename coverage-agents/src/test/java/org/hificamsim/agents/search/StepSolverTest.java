@@ -17,16 +17,16 @@ import org.junit.jupiter.params.provider.ValueSource;
 class StepSolverTest {
   @ParameterizedTest
   @CsvSource({
-    "kmin, 20000",
-    "covered:k=1, 4000",
-    "covered:k=2, 4000",
-    "covered:k=3, 4000",
-    "covered:k=99, 4000",
-    "sum:cap=1, 4000",
-    "sum:cap=2, 4000",
-    "sum:cap=3, 4000",
-    "sum:cap=99, 4000",
-    "lexicographic, 4000"
+    "kmin, 4000",
+    "covered:k=1, 2000",
+    "covered:k=2, 2000",
+    "covered:k=3, 2000",
+    "covered:k=99, 2000",
+    "sum:cap=1, 2000",
+    "sum:cap=2, 2000",
+    "sum:cap=3, 2000",
+    "sum:cap=99, 2000",
+    "lexicographic, 2000"
   })
   void findsTheScoreAndThePreferredConfigurationOfThousandsOfRandomProblems(
       String text, int trials) {
@@ -58,7 +58,7 @@ class StepSolverTest {
     SplittableRandom random = new SplittableRandom(2);
     CoverageProblem problem = new CoverageProblem(9, 40, 150);
     StepSolver solver = new StepSolver(objective, problem, Solver.UNLIMITED);
-    for (int trial = 0; trial < 60; trial++) {
+    for (int trial = 0; trial < 30; trial++) {
       int targets = 65 + random.nextInt(80);
       boolean[][][] sets = Problems.random(random, 9, 2, targets, random.nextDouble());
       assertIsBest(objective, targets, sets, problem, solver);
@@ -72,7 +72,7 @@ class StepSolverTest {
     SplittableRandom random = new SplittableRandom(3);
     CoverageProblem problem = new CoverageProblem(9, 27, 12);
     StepSolver solver = new StepSolver(objective, problem, Solver.UNLIMITED);
-    for (int trial = 0; trial < 150; trial++) {
+    for (int trial = 0; trial < 60; trial++) {
       boolean[][][] sets = Problems.random(random, 9, 3, 12, 0.4);
       assertIsBest(objective, 12, sets, problem, solver);
     }
@@ -85,7 +85,7 @@ class StepSolverTest {
     SplittableRandom random = new SplittableRandom(8);
     CoverageProblem problem = new CoverageProblem(6, 24, 10);
     StepSolver solver = new StepSolver(objective, problem, Solver.UNLIMITED);
-    for (int trial = 0; trial < 2_000; trial++) {
+    for (int trial = 0; trial < 800; trial++) {
       int targets = 1 + random.nextInt(10);
       boolean[][][] sets = Problems.random(random, 1 + random.nextInt(6), 4, targets, 0.6);
       for (boolean[][] camera : sets) {
@@ -166,7 +166,7 @@ class StepSolverTest {
   void aLimitedSearchEnclosesTheBestScoreBetweenItsOwnAndItsBound() {
     SplittableRandom random = new SplittableRandom(3);
     int unproven = 0;
-    for (int trial = 0; trial < 4_000; trial++) {
+    for (int trial = 0; trial < 1_500; trial++) {
       String[] texts = {"kmin", "covered:k=1", "covered:k=2", "sum:cap=2", "lexicographic"};
       Objective objective = Objective.parse(texts[trial % 5]);
       boolean[][][] sets = Problems.random(random, 7, 4, 8, 0.4);

@@ -103,14 +103,25 @@ class JournalTest {
   }
 
   @Test
-  void runsBeyondTwoGigabytesAreFound() throws IOException {
+  void runsBeyondTwoGigabytesAreFoundAndAdded() throws IOException {
+    long far = 1L << 31;
     byte[] line = ("\n" + Files.readString(file())).getBytes(StandardCharsets.UTF_8);
+    addTheNext();
+    String both = "\n" + Files.readString(file());
     try (FileChannel channel = FileChannel.open(file(), StandardOpenOption.WRITE)) {
       channel.truncate(0);
-      channel.write(ByteBuffer.wrap(line), 1L << 31); // after a hole, which takes no room
+      channel.write(ByteBuffer.wrap(line), far); // after a hole, which takes no room
     }
-    addTheNext();
-    assertBothAreFound();
+    try (Journal journal = open(true)) {
+      assertTrue(journal.find("case", 7).isPresent());
+      journal.add("next", 1, new FinishedRun(RESULT, new int[] {5}));
+    }
+    ByteBuffer written = ByteBuffer.allocate(both.length());
+    try (FileChannel channel = FileChannel.open(file())) {
+      channel.read(written, far);
+      assertEquals(far + both.length(), channel.size());
+    }
+    assertEquals(both, new String(written.array(), StandardCharsets.UTF_8));
   }
 
   @Test
