@@ -1,16 +1,13 @@
 package org.hificamsim.bridge;
 
-import static java.util.stream.Collectors.groupingBy;
-import static java.util.stream.Collectors.mapping;
-import static java.util.stream.Collectors.toList;
 import static org.hificamsim.bridge.NumberOption.number;
 import static org.hificamsim.bridge.NumberOption.requireFor;
 
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.bridge.run.BridgeSettings;
+import org.hificamsim.bridge.run.Tracks;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
@@ -19,10 +16,8 @@ import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
-import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.TargetSpec;
-import org.hificamsim.core.scenario.Track;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
@@ -108,13 +103,8 @@ final class BridgeOptions {
     return DetectionSpec.parse(name, catalogue::detection).detection(asked);
   }
 
-  private static Map<String, List<Track>> tracks(String scenario) {
-    Map<String, List<Track>> tracks =
-        ScenarioReader.read(Path.of(scenario), name -> true, warning -> {}).events().stream()
-            .filter(event -> event instanceof ScenarioEvent.AddTarget)
-            .map(event -> ((ScenarioEvent.AddTarget) event).target())
-            .filter(target -> target.track().isPresent())
-            .collect(groupingBy(TargetSpec::name, mapping(one -> one.track().get(), toList())));
+  private static Tracks tracks(String scenario) {
+    Tracks tracks = Tracks.of(ScenarioReader.read(Path.of(scenario), name -> true, warning -> {}));
     if (tracks.isEmpty()) {
       throw new InputException(
           "tracks is '" + scenario + "', which has none, expected a scenario with <tracks>");

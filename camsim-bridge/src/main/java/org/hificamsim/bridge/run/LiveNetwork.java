@@ -78,7 +78,10 @@ final class LiveNetwork implements OracleView {
   /** Forgets what was seen: cameras are about to look. */
   void forget() {
     lastLook = step;
-    cameras.all().forEach(camera -> camera.seen().clear());
+    for (LiveCamera camera : cameras.all()) {
+      camera.seen().clear();
+    }
+    targets.all().forEach(LiveTarget::uncover);
   }
 
   /** Counts so many cameras and targets, of which some are to come. */
@@ -153,8 +156,9 @@ final class LiveNetwork implements OracleView {
   void saw(Object camera, Object object, boolean visible) {
     int eye = cameras.number(camera);
     int target = targets.number(object);
-    if (eye >= 0 && target >= 0) {
+    if (eye >= 0 && target >= 0 && cameras.get(eye).seen().get(target) != visible) {
       cameras.get(eye).seen().set(target, visible);
+      targets.get(target).cover(visible ? 1 : -1);
     }
   }
 
@@ -288,7 +292,7 @@ final class LiveNetwork implements OracleView {
 
   @Override
   public int coverage(int target) {
-    return (int) cameras.all().stream().filter(camera -> camera.seen().get(target)).count();
+    return targets.get(target).coverage();
   }
 
   @Override

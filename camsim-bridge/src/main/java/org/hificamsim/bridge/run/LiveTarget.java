@@ -12,6 +12,7 @@ final class LiveTarget {
   private boolean present;
   private double x;
   private double y;
+  private int coverage;
 
   LiveTarget(Object handle, String name) {
     this.handle = handle;
@@ -25,6 +26,16 @@ final class LiveTarget {
       x = camsim.objectX(handle);
       y = camsim.objectY(handle);
     }
+  }
+
+  /** No camera sees it. */
+  void uncover() {
+    coverage = 0;
+  }
+
+  /** One more camera sees it, or, by -1, one less. */
+  void cover(int cameras) {
+    coverage += cameras;
   }
 
   String name() {
@@ -41,5 +52,9 @@ final class LiveTarget {
 
   double y() {
     return y;
+  }
+
+  int coverage() {
+    return coverage;
   }
 }

@@ -1,8 +1,6 @@
 package org.hificamsim.bridge.run;
 
 import java.util.IdentityHashMap;
-import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.scenario.Track;
@@ -12,15 +10,12 @@ import org.hificamsim.core.scenario.TrackWalk;
 final class TrackedObjects {
   private static final double NEAR = 1e-6; // m
 
-  private final Map<String, List<Track>> tracks;
+  private final Tracks tracks;
   private final CamSim camsim;
   private final IdentityHashMap<Object, Optional<Walker>> walkers = new IdentityHashMap<>();
   private long step;
 
-  /**
-   * @param tracks by the features of those who follow them
-   */
-  TrackedObjects(Map<String, List<Track>> tracks, CamSim camsim) {
+  TrackedObjects(Tracks tracks, CamSim camsim) {
     this.tracks = tracks;
     this.camsim = camsim;
   }
@@ -59,17 +54,10 @@ final class TrackedObjects {
   double place(Object object, boolean upwards, double own) {
     Optional<Walker> known = walkers.get(object);
     if (known == null) {
-      known = track(camsim.features(object)).map(track -> new Walker(track, step));
+      known = tracks.at(camsim.features(object), step).map(track -> new Walker(track, step));
       walkers.put(object, known);
     }
     return known.isEmpty() ? own : place(known.get(), upwards, own);
-  }
-
-  /** The one that is under way now. */
-  private Optional<Track> track(String features) {
-    return tracks.getOrDefault(features, List.of()).stream()
-        .filter(track -> track.firstStep() <= step && step <= track.lastStep())
-        .findFirst();
   }
 
   private double place(Walker walker, boolean upwards, double own) {

@@ -39,7 +39,7 @@ public final class Agent {
   private final Searches searches;
   private final OwnedTargets owned;
   private final Bids bids;
-  private final Mean sharedViews = new Mean();
+  private final ViewTally tally = new ViewTally();
   private CommunicationPolicy policy;
   private double received;
   private double paid;
@@ -132,9 +132,9 @@ public final class Agent {
     return shared.sightings().sees(camera, target);
   }
 
-  /** The share of the targets seen by this camera or another that both see, since it was taken. */
-  public Mean sharedViews() {
-    return sharedViews;
+  /** Which of its targets others see too. */
+  public ViewTally tally() {
+    return tally;
   }
 
   /** The prices received at the last settlement. */
@@ -167,7 +167,7 @@ public final class Agent {
       case STOP_SEARCH -> {
         searches.end(camera, target);
         if (sees(target) && !owned.contains(target)) {
-          sharedViews.add(true);
+          tally.count(true);
         }
       }
       case FOUND -> {
@@ -252,7 +252,7 @@ public final class Agent {
     Bids.OfTarget offers = bids.of(target);
     if (offers == null) {
       if (sees(target)) {
-        sharedViews.add(false);
+        tally.count(false);
       }
       return;
     }
@@ -283,14 +283,14 @@ public final class Agent {
     if (winner == camera) {
       pay(price);
       if (sees(target) && count > 1) {
-        sharedViews.add(true);
+        tally.count(true);
       }
     } else {
       contacts.send(MessageKind.START_TRACKING, winner, target, price);
       contacts.links.strengthen(winner, target);
       contacts.advertised.remove(target, winner);
       owned.remove(target);
-      sharedViews.add(sees(target));
+      tally.count(sees(target));
     }
     policy.stopSearch(contacts, target);
     searches.end(camera, target);

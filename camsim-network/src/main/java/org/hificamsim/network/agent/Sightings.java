@@ -2,7 +2,6 @@ package org.hificamsim.network.agent;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
-import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Pose;
@@ -17,14 +16,11 @@ import org.hificamsim.core.world.World;
  * targets that a camera sees are kept in the order in which they became visible to it.
  */
 public final class Sightings {
-  /** Fewer pairs of cameras and targets are looked at one by one sooner. */
-  private static final long MIN_PAIRS = 4_000;
-
   private final Cameras cameras;
   private final Targets targets;
   private final SightLines lines;
   private final Visibility visibility;
-  private final PointGrid places; // of targets, which spares looking at most of them
+  private final PointGrid places;
   private final double[][] confidence; // by camera and target
   private final int[][] visible; // by camera, in order
   private final int[] visibleCount;
@@ -37,7 +33,7 @@ public final class Sightings {
     cameras = world.cameras();
     targets = world.targets();
     lines = world.sightLines();
-    places = places(world);
+    places = TargetPlaces.of(world);
     this.visibility = visibility;
     confidence = new double[cameras.count()][targets.count()];
     visible = new int[cameras.count()][targets.count()];
@@ -45,25 +41,6 @@ public final class Sightings {
     kept = new boolean[targets.count()];
     sights = new LevelSight[cameras.count()];
     seen = new int[targets.count()];
-  }
-
-  /** Room for every target there will ever be, in cells as wide as cameras reach. */
-  private static PointGrid places(World world) {
-    int all = world.targets().count();
-    if ((long) world.cameras().count() * all < MIN_PAIRS) {
-      return PointGrid.single(all);
-    }
-    Field field = world.scenario().field();
-    double side = meanReach(world.cameras());
-    return PointGrid.over(field.minX(), field.minY(), field.width(), field.height(), side, all);
-  }
-
-  private static double meanReach(Cameras cameras) {
-    double sum = 0;
-    for (int camera = 0; camera < cameras.count(); camera++) {
-      sum += cameras.zoom(camera, cameras.view(camera)).radius();
-    }
-    return sum / cameras.count();
   }
 
   /**
@@ -74,7 +51,7 @@ public final class Sightings {
    * @param coverage one entry per target, receives how many cameras see it
    */
   public void look(long step, int[] detected, int[] coverage) {
-    sortPlaces();
+    TargetPlaces.sort(places, targets);
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < detected.length; camera++) {
       detected[camera] = cameras.online(camera) ? look(step, camera) : 0;
@@ -82,19 +59,6 @@ public final class Sightings {
         coverage[seen[i]]++;
       }
     }
-  }
-
-  /** Sorts the targets present into cells; one whose place is no number is nowhere. */
-  private void sortPlaces() {
-    places.clear();
-    for (int target = 0; target < targets.count(); target++) {
-      double x = targets.x(target);
-      double y = targets.y(target);
-      if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
-        places.add(target, x, y);
-      }
-    }
-    places.sort();
   }
 
   private int look(long step, int camera) {
