@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.network.RoleReader.CameraRole;
 import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;
