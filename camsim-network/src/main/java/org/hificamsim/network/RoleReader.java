@@ -27,10 +27,6 @@ final class RoleReader {
   private final boolean zooming;
   private ScheduleKind schedule = ScheduleKind.ACTIVE;
 
-  RoleReader(NetworkSettings settings) {
-    this(settings, false);
-  }
-
   /**
    * @param zooming whether cameras choose from a zoom list, and no bandit could set their ranges
    */
