@@ -1,37 +1,57 @@
 package org.hificamsim.bridge;
 
-import static org.hificamsim.bridge.NumberOption.number;
-import static org.hificamsim.bridge.NumberOption.requireFor;
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.mapping;
+import static java.util.stream.Collectors.toList;
 
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 import org.hificamsim.bridge.run.BridgeSettings;
-import org.hificamsim.bridge.run.Tracks;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.policy.HindsightZoomPolicy;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
+import org.hificamsim.core.scenario.OpticsLaw;
+import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.Track;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 
 /** Reads the text after {@code -javaagent:hificamsim-bridge.jar=}. */
 final class BridgeOptions {
+  private static final String OWNER = "options";
   private static final double MAX_METRES = 1e6;
+  private static final double FULL_TURN = 360;
+  private static final int MAX_PIXELS = 100_000;
+  private static final int MAX_NUMBERS = 1000;
+  private static final int MAX_VIEWS = 10_000;
 
   private final Catalogue catalogue;
   private final Options given;
 
   private BridgeOptions(String text, Catalogue catalogue) {
     this.catalogue = catalogue;
-    this.given = Options.parse("options", text);
+    this.given = Options.parse(OWNER, text);
+  }
+
+  /** The words of {@code strict}. */
+  private enum Strict {
+    FALSE,
+    TRUE
   }
 
   /**
@@ -44,18 +64,21 @@ final class BridgeOptions {
   }
 
   private BridgeSettings settings() {
-    Optional<String> model = text("detection", "name or file of the detection model");
-    Optional<String> threshold = text("threshold", "what counts as detected, 0 to 1");
-    Optional<String> detect = text("detect", "how a confidence becomes a detection");
-    Optional<String> size = text("size", "target size, m");
-    Optional<String> policy = text("policy", "name and options of the zoom policy");
-    Optional<String> zooms = text("zooms", "radii, m");
-    OpticsOptions optics = new OpticsOptions(given);
-    Optional<String> objective = text("objective", "what a step is scored by");
-    Optional<String> seed = text("seed", "seed of the policy, and of luck");
-    Optional<String> tracks = text("tracks", "scenario whose tracks objects follow");
-    Optional<String> out = text("out", "folder for result files");
-    given.choice("strict", Strict.FALSE, "whether to stop when something is wrong");
+    Optional<String> model = text("detection");
+    Optional<String> threshold = text("threshold");
+    Optional<String> detect = text("detect");
+    Optional<String> size = text("size");
+    Optional<String> policy = text("policy");
+    Optional<String> zooms = text("zooms");
+    Optional<String> hfov = text("hfov");
+    Optional<String> law = text("law");
+    Optional<String> pan = text("pan");
+    Optional<String> pixels = text("pixels");
+    Optional<String> objective = text("objective");
+    Optional<String> seed = text("seed");
+    Optional<String> tracks = text("tracks");
+    Optional<String> out = text("out");
+    given.choice("strict", Strict.FALSE, "");
     rejectUnknown();
     requireFor("threshold", threshold, model.isPresent(), "detection");
     requireFor("detect", detect, model.isPresent(), "detection");
@@ -65,21 +88,32 @@ final class BridgeOptions {
     requireFor("seed", seed, draws, "policy or detect");
     requireFor("objective", objective, policy.isPresent() || out.isPresent(), "policy or out");
     requireFor("zooms", zooms, model.isPresent() || policy.isPresent(), "policy or detection");
+    requireFor("hfov", hfov, policy.isPresent(), "policy");
+    requireFor("law", law, hfov.isPresent(), "hfov");
+    requireFor("pan", pan, hfov.isPresent(), "hfov");
+    requireFor("pixels", pixels, hfov.isPresent(), "hfov");
+    if (hfov.isPresent() && zooms.isPresent()) {
+      throw new InputException(
+          "hfov is '%s' beside zooms '%s', expected one of them"
+              .formatted(hfov.get(), zooms.get()));
+    }
     return new BridgeSettings(
         used,
         size.map(value -> number("size", value, Double.MIN_VALUE, MAX_METRES))
             .orElse(TargetSpec.DEFAULT_SIZE),
         policy.map(this::policy),
-        zooms.map(BridgeOptions::radii).orElse(List.of()),
-        optics.optics(policy.isPresent(), zooms),
+        zooms
+            .map(text -> rising("zooms", text, Double.MIN_VALUE, MAX_METRES, "radii", "2.5;5;7.5"))
+            .orElse(List.of()),
+        hfov.map(angles -> optics(angles, law, pan, pixels)),
         objective.map(Objective::parse).orElseGet(Objective::kMin),
-        seed.map(BridgeOptions::seed).orElse(0),
+        seed.map(text -> integer("seed", text, Integer.MIN_VALUE, Integer.MAX_VALUE)).orElse(0),
         tracks.map(BridgeOptions::tracks),
         out.map(Path::of));
   }
 
-  private Optional<String> text(String key, String meaning) {
-    return Optional.ofNullable(given.text(key, null, meaning));
+  private Optional<String> text(String key) {
+    return Optional.ofNullable(given.text(key, null, ""));
   }
 
   /** After a comma, what was meant for a policy is an unknown option here. */
@@ -88,6 +122,15 @@ final class BridgeOptions {
       given.rejectUnknown();
     } catch (InputException e) {
       throw new InputException(e.getMessage() + ", with ';' between a policy's own", e);
+    }
+  }
+
+  /** Refuses an option that has no effect without another. */
+  private static void requireFor(
+      String key, Optional<String> value, boolean present, String needed) {
+    if (value.isPresent() && !present) {
+      throw new InputException(
+          key + " is '" + value.get() + "' without " + needed + ", expected both");
     }
   }
 
@@ -103,11 +146,18 @@ final class BridgeOptions {
     return DetectionSpec.parse(name, catalogue::detection).detection(asked);
   }
 
-  private static Tracks tracks(String scenario) {
-    Tracks tracks = Tracks.of(ScenarioReader.read(Path.of(scenario), name -> true, warning -> {}));
+  private static Map<String, List<Track>> tracks(String file) {
+    Map<String, List<Track>> tracks =
+        ScenarioReader.read(Path.of(file), name -> true, warning -> {})
+            .events(ScenarioEvent.AddTarget.class)
+            .map(ScenarioEvent.AddTarget::target)
+            .filter(target -> target.track().isPresent())
+            .collect(
+                groupingBy(
+                    TargetSpec::name, mapping(target -> target.track().orElseThrow(), toList())));
     if (tracks.isEmpty()) {
       throw new InputException(
-          "tracks is '" + scenario + "', which has none, expected a scenario with <tracks>");
+          "tracks is '" + file + "', which has none, expected a scenario with <tracks>");
     }
     return tracks;
   }
@@ -132,17 +182,79 @@ final class BridgeOptions {
     return new BridgeSettings.Policy(spec, () -> catalogue.policies().create(spec));
   }
 
-  private static List<Double> radii(String text) {
-    return NumberOption.rising("zooms", text, Double.MIN_VALUE, MAX_METRES, "radii", "2.5;5;7.5");
+  /** A lens for every camera, each camera's own range being its reach. */
+  private static OpticsSpec optics(
+      String angles, Optional<String> law, Optional<String> pan, Optional<String> pixels) {
+    OpticsLaw used = law.map(BridgeOptions::lens).orElse(OpticsLaw.PINHOLE);
+    OpticsSpec optics =
+        new OpticsSpec("bridge")
+            .with(OpticsSpec.LAW, used)
+            .with(OpticsSpec.PIXELS, pixels.map(text -> integer("pixels", text, 1, MAX_PIXELS)))
+            .with(
+                OpticsSpec.ANGLES_OF_VIEW,
+                rising(
+                    "hfov",
+                    angles,
+                    Double.MIN_VALUE,
+                    Math.floor(used.widest()),
+                    "angles",
+                    "8;15;25;40;58"))
+            .with(
+                OpticsSpec.PANS,
+                pan.map(text -> rising("pan", text, -FULL_TURN, FULL_TURN, "angles", "-60;0;60"))
+                    .orElse(List.of(0.0)));
+    int views = optics.pans().size() * optics.anglesOfView().size();
+    if (views > MAX_VIEWS) {
+      throw new InputException(
+          "pan and hfov make %s views, expected at most %s".formatted(views, MAX_VIEWS));
+    }
+    return optics;
   }
 
-  private static int seed(String text) {
-    return NumberOption.integer("seed", text, Integer.MIN_VALUE, Integer.MAX_VALUE);
+  private static OpticsLaw lens(String law) {
+    List<OpticsLaw> lenses =
+        Arrays.stream(OpticsLaw.values()).filter(OpticsLaw::hasAngles).toList();
+    return Spelling.find(OpticsLaw.class, law)
+        .filter(lenses::contains)
+        .orElseThrow(
+            () ->
+                new InputException(
+                    "options: law is '%s', expected one of %s"
+                        .formatted(
+                            law,
+                            lenses.stream().map(Spelling::of).collect(Collectors.joining(", ")))));
   }
 
-  /** The words of {@code strict}. */
-  private enum Strict {
-    FALSE,
-    TRUE
+  private static double number(String key, String text, double least, double most) {
+    return Options.parse(OWNER, key + "=" + text).number(key, least, least, most, "");
+  }
+
+  private static int integer(String key, String text, int least, int most) {
+    return Options.parse(OWNER, key + "=" + text).integer(key, least, least, most, "");
+  }
+
+  /**
+   * Rising numbers between semicolons, commas or blanks, at least one.
+   *
+   * @param what they are, as in "radii"
+   * @param example of such a list
+   */
+  private static List<Double> rising(
+      String key, String text, double least, double most, String what, String example) {
+    List<Double> numbers = new ArrayList<>();
+    for (String item : text.strip().split("[;,\\s]+")) {
+      double number = number(key, item, least, most);
+      if (!numbers.isEmpty() && number <= numbers.get(numbers.size() - 1)) {
+        throw new InputException(
+            "%s has '%s' after %s, expected rising %s, each once, such as %s"
+                .formatted(key, item, numbers.get(numbers.size() - 1), what, example));
+      }
+      numbers.add(number);
+    }
+    if (numbers.size() > MAX_NUMBERS) {
+      throw new InputException(
+          "%s has %s %s, expected at most %s".formatted(key, numbers.size(), what, MAX_NUMBERS));
+    }
+    return numbers;
   }
 }

@@ -10,6 +10,8 @@ import org.hificamsim.core.scenario.AgentCheck.Fault;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.VisionGraph;
 import org.hificamsim.core.world.World;
+import org.hificamsim.network.NetworkSettings.GraphUse;
+import org.hificamsim.network.RoleReader.CameraRole;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.AuctionSchedule;
 import org.hificamsim.network.agent.CommunicationPolicy;

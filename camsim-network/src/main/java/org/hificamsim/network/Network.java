@@ -37,11 +37,6 @@ public final class Network implements Cooperation, WorldObserver {
   private final Searches searches;
   private final MessageQueue queue = new MessageQueue();
   private final MessageQueue.Receiver receiver = this::receive;
-  private final IntConsumer choosing = this::choose;
-  private final IntConsumer advertising = this::advertise;
-  private final IntConsumer bidding = this::bid;
-  private final IntConsumer settling = this::settle;
-  private final IntConsumer counting = this::count;
   private final boolean camerasComeBack;
   private final CameraErrors errors;
   private final CameraFigures figures;
@@ -50,8 +45,8 @@ public final class Network implements Cooperation, WorldObserver {
   private final Agent.Shared shared;
   private final Agent[] agents;
   private final CameraBandit[] bandits;
+  private final IntConsumer[] turns; // of each camera in a step
   private boolean alike = true; // whether all receive all that one sends, and count none of it
-  private boolean learning; // whether any camera has a bandit
   private int added;
   private int appeared;
   private long step;
@@ -75,6 +70,14 @@ public final class Network implements Cooperation, WorldObserver {
     factory = new AgentFactory(world, settings, new Random(seed));
     agents = new Agent[cameras.count()];
     bandits = new CameraBandit[cameras.count()];
+    turns =
+        new IntConsumer[] {
+          this::choose,
+          camera -> agents[camera].advertise(),
+          camera -> agents[camera].bid(),
+          this::settle,
+          camera -> tally.count(agents[camera])
+        };
     searches = new Searches(cameras, world.targets().count());
     BidderHashes hashes = new BidderHashes(cameras, sightings, agents);
     double[] features = new double[world.targets().count()];
@@ -115,23 +118,15 @@ public final class Network implements Cooperation, WorldObserver {
   @Override
   public void cooperate() {
     tally.begin();
-    if (learning) {
-      inTurn(choosing);
-    }
-    inTurn(advertising);
-    inTurn(bidding);
-    inTurn(settling);
-    inTurn(counting);
-    last = tally.end(step++);
-  }
-
-  private void inTurn(IntConsumer turn) {
-    for (int camera = 0; camera < added; camera++) {
-      if (cameras.online(camera)) {
-        turn.accept(camera);
-        queue.deliver(receiver);
+    for (IntConsumer turn : turns) {
+      for (int camera = 0; camera < added; camera++) {
+        if (cameras.online(camera)) {
+          turn.accept(camera);
+          queue.deliver(receiver);
+        }
       }
     }
+    last = tally.end(step++);
   }
 
   private int receive(MessageKind kind, int from, int to, int target, double value) {
@@ -157,14 +152,6 @@ public final class Network implements Cooperation, WorldObserver {
     }
   }
 
-  private void advertise(int camera) {
-    agents[camera].advertise();
-  }
-
-  private void bid(int camera) {
-    agents[camera].bid();
-  }
-
   /** Settles, then learns and counts (behaviour 7, step 8). */
   private void settle(int camera) {
     Agent agent = agents[camera];
@@ -174,10 +161,6 @@ public final class Network implements Cooperation, WorldObserver {
     figures.measure(agent);
     bandits[camera].learn(earned, sent, figures);
     tally.settled(agent, earned, sent);
-  }
-
-  private void count(int camera) {
-    tally.count(agents[camera]);
   }
 
   /** The figures of the last step. */
@@ -204,7 +187,6 @@ public final class Network implements Cooperation, WorldObserver {
   public void cameraAdded(int camera) {
     agents[camera] = factory.agent(camera, shared);
     bandits[camera] = factory.bandit(agents[camera]);
-    learning |= bandits[camera] != CameraBandit.NONE;
     alike &= agents[camera].schedule() != ScheduleKind.BANDIT_ZOOM;
     for (int other = 0; other < camera; other++) {
       alike &= cameras.online(other);

@@ -12,7 +12,7 @@ import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.World;
-import org.hificamsim.network.statistics.RunSums;
+import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.runs.RunPlan;
 
 /**
@@ -26,7 +26,7 @@ public final class NetworkRun {
   private final ZoomPolicy policy;
   private final long seed;
   private final List<StepListener> listeners = new ArrayList<>();
-  private final RunSums sums = new RunSums();
+  private StepFigures sums = StepFigures.NONE;
   private Simulation simulation;
 
   /**
@@ -48,7 +48,7 @@ public final class NetworkRun {
     this.seed = seed;
     world = new World(scenario, movements, seed);
     network = new Network(world, detection, settings, seed);
-    listen((view, coverage) -> sums.add(network.figures()));
+    listen((view, coverage) -> sums = sums.plus(network.figures()));
   }
 
   /** The first run of a plan. */
@@ -75,7 +75,7 @@ public final class NetworkRun {
   }
 
   /** What the steps so far add up to. */
-  public RunSums sums() {
+  public StepFigures sums() {
     return sums;
   }
 
@@ -89,7 +89,7 @@ public final class NetworkRun {
   }
 
   /** Runs this many steps; returns what they add up to. */
-  public RunSums run(long steps) {
+  public StepFigures run(long steps) {
     simulation().run(steps);
     return sums;
   }

@@ -1,5 +1,6 @@
 package org.hificamsim.network;
 
+import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.Optional;
 import java.util.Set;
@@ -29,6 +30,30 @@ public record NetworkSettings(
     BanditParameters banditParameters,
     HistoricalParameters historicalParameters,
     Set<Quirk> quirks) {
+  /** What becomes of a scenario's vision graph: CamSim's option {@code -v} (behaviour 3.6). */
+  public enum GraphUse {
+    AS_IN_FILE(-1),
+    STATIC(0),
+    IGNORED(1),
+    CHANGING(2);
+
+    private final int number;
+
+    GraphUse(int number) {
+      this.number = number;
+    }
+
+    /** The use of this number. */
+    public static Optional<GraphUse> find(int number) {
+      return Arrays.stream(values()).filter(use -> use.number == number).findFirst();
+    }
+
+    /** Whether the graph counts as static. */
+    boolean isStatic(boolean inFile) {
+      return this == STATIC || (this == AS_IN_FILE && inFile);
+    }
+  }
+
   /** CamSim's own defaults, and all its quirks. */
   public static final NetworkSettings CAMSIM =
       new NetworkSettings(
@@ -57,7 +82,7 @@ public record NetworkSettings(
 
   /** Checks what the cameras of one scenario ask for under these settings. */
   public AgentCheck check() {
-    return new RoleReader(this)::read;
+    return new RoleReader(this, false)::read;
   }
 
   /** The same settings with these quirks, and no others. */

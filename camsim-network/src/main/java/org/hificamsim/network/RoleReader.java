@@ -15,13 +15,17 @@ import org.hificamsim.network.bandit.BanditAlgorithm;
  * policy broadcasts; CamSim refuses both.
  */
 final class RoleReader {
+  /**
+   * What one camera is in the network.
+   *
+   * @param limit number of targets owned from which on it claims no other; 0 for no limit
+   */
+  record CameraRole(
+      ScheduleKind schedule, Comm comm, int limit, Optional<BanditAlgorithm> bandit) {}
+
   private final NetworkSettings settings;
   private final boolean zooming;
   private ScheduleKind schedule = ScheduleKind.ACTIVE;
-
-  RoleReader(NetworkSettings settings) {
-    this(settings, false);
-  }
 
   /**
    * @param zooming whether cameras choose from a zoom list, and no bandit could set their ranges

@@ -13,6 +13,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.World;
+import org.hificamsim.network.NetworkSettings.GraphUse;
 import org.hificamsim.network.agent.Agent;
 import org.hificamsim.network.agent.HistoricalParameters;
 import org.hificamsim.network.agent.MessageKind;

@@ -8,6 +8,7 @@ import org.hificamsim.core.engine.WidestPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
+import org.hificamsim.network.NetworkSettings.GraphUse;
 import org.hificamsim.network.agent.Named;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;

@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.network.RoleReader.CameraRole;
 import org.hificamsim.network.agent.CommunicationPolicy;
 import org.hificamsim.network.agent.ScheduleKind;
 import org.hificamsim.network.bandit.BanditAlgorithm;
@@ -34,13 +35,13 @@ class RoleReaderTest {
   }
 
   private static String fault(CameraSpec camera) {
-    RoleReader reader = new RoleReader(NetworkSettings.CAMSIM);
+    RoleReader reader = new RoleReader(NetworkSettings.CAMSIM, false);
     return assertThrows(InputException.class, () -> read(reader, camera, false)).getMessage();
   }
 
   @Test
   void aCameraOfTheFileGetsWhatItAsksFor() {
-    CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM), SMOOTH, false);
+    CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM, false), SMOOTH, false);
     assertEquals(ScheduleKind.PASSIVE, role.schedule());
     assertEquals(CommunicationPolicy.SMOOTH, role.comm().policy());
     assertEquals(7, role.limit());
@@ -50,7 +51,7 @@ class RoleReaderTest {
   @Test
   void theSettingsCountForAllCamerasOfTheFile() {
     NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_ACTIVE, 3);
-    CameraRole role = read(new RoleReader(all), SMOOTH, false);
+    CameraRole role = read(new RoleReader(all, false), SMOOTH, false);
     assertEquals(ScheduleKind.HISTORICAL_ACTIVE, role.schedule());
     assertTrue(role.comm().isFix());
   }
@@ -58,7 +59,7 @@ class RoleReaderTest {
   @Test
   void anAddedCameraHasTheScheduleOfTheLastOneInTheFileAndItsOwnPolicy() {
     NetworkSettings all = NetworkSettings.CAMSIM.withAll(ScheduleKind.HISTORICAL_PASSIVE, 3);
-    RoleReader reader = new RoleReader(all);
+    RoleReader reader = new RoleReader(all, false);
     read(reader, NOTHING, false);
     CameraRole role = read(reader, spec("Nobody", 2, null, null), true);
     assertEquals(ScheduleKind.HISTORICAL_PASSIVE, role.schedule());
@@ -91,7 +92,7 @@ class RoleReaderTest {
   @Test
   void aBanditThatSetsRangesRefusesAZoomList() {
     CameraSpec zooming = spec("BanditZoom", 0, null, "UCB1");
-    CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM), zooming, false);
+    CameraRole role = read(new RoleReader(NetworkSettings.CAMSIM, false), zooming, false);
     assertEquals(ScheduleKind.BANDIT_ZOOM, role.schedule());
     RoleReader reader = new RoleReader(NetworkSettings.CAMSIM, true);
     InputException error = assertThrows(InputException.class, () -> read(reader, zooming, false));

@@ -17,6 +17,7 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.world.World;
 import org.hificamsim.core.world.movement.Movements;
+import org.hificamsim.network.NetworkSettings.GraphUse;
 import org.hificamsim.network.agent.HistoricalParameters;
 import org.hificamsim.network.bandit.BanditAlgorithm;
 import org.hificamsim.network.bandit.BanditParameters;

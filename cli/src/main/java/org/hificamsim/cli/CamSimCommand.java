@@ -16,7 +16,7 @@ import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.StandingObjects;
 import org.hificamsim.network.files.CamSimFiles;
 import org.hificamsim.network.files.SeparateFiles;
-import org.hificamsim.network.statistics.RunSums;
+import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
@@ -155,7 +155,7 @@ final class CamSimCommand implements Callable<Integer> {
         1);
   }
 
-  private void print(Scenario scenario, RunSums sums) {
+  private void print(Scenario scenario, StepFigures sums) {
     screen
         .out()
         .printf(

@@ -3,6 +3,7 @@ package org.hificamsim.bridge.run;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
@@ -12,6 +13,7 @@ import org.hificamsim.core.detection.camsim.CamSimVisibilityDetection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.OpticsSpec;
+import org.hificamsim.core.scenario.Track;
 import org.hificamsim.runs.output.Detail;
 
 /**
@@ -25,7 +27,7 @@ import org.hificamsim.runs.output.Detail;
  * @param optics of all cameras that the policy steers, each with its own range for a reach
  * @param objective what a step is scored by
  * @param seed of the first run's policy; run i uses seed + i
- * @param tracks that objects follow
+ * @param tracks that objects follow, by their features, in the order of time
  * @param out folder of the result files
  */
 public record BridgeSettings(
@@ -36,7 +38,7 @@ public record BridgeSettings(
     Optional<OpticsSpec> optics,
     Objective objective,
     int seed,
-    Optional<Tracks> tracks,
+    Optional<Map<String, List<Track>>> tracks,
     Optional<Path> out) {
   /**
    * A policy by its name and options, made for each run.

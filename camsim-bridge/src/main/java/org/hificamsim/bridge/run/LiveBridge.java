@@ -6,6 +6,7 @@ import java.lang.ref.WeakReference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import org.hificamsim.bridge.agent.Bridge;
 import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.core.InputException;
@@ -52,16 +53,7 @@ public final class LiveBridge implements Bridge {
 
   @Override
   public double look(Object camera, Object object) {
-    Run run = current.get();
-    if (off || run == null) {
-      return Double.NaN;
-    }
-    try {
-      return run.look(camera, object);
-    } catch (Throwable e) {
-      fail(e);
-      return Double.NaN;
-    }
+    return guarded(Double.NaN, run -> run.look(camera, object));
   }
 
   @Override
@@ -74,16 +66,7 @@ public final class LiveBridge implements Bridge {
 
   @Override
   public double place(Object object, boolean upwards, double own) {
-    Run run = current.get();
-    if (off || run == null) {
-      return own;
-    }
-    try {
-      return run.place(object, upwards, own);
-    } catch (Throwable e) {
-      fail(e);
-      return own;
-    }
+    return guarded(own, run -> run.place(object, upwards, own));
   }
 
   @Override
@@ -147,6 +130,20 @@ public final class LiveBridge implements Bridge {
       action.run();
     } catch (Throwable e) {
       fail(e);
+    }
+  }
+
+  /** What the run that is under way says; {@code otherwise} where there is none, or it fails. */
+  private double guarded(double otherwise, ToDoubleFunction<Run> question) {
+    Run run = current.get();
+    if (off || run == null) {
+      return otherwise;
+    }
+    try {
+      return question.applyAsDouble(run);
+    } catch (Throwable e) {
+      fail(e);
+      return otherwise;
     }
   }
 

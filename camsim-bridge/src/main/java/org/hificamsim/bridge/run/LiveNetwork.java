@@ -81,7 +81,7 @@ final class LiveNetwork implements OracleView {
     for (LiveCamera camera : cameras.all()) {
       camera.seen().clear();
     }
-    targets.all().forEach(LiveTarget::uncover);
+    targets.all().forEach(target -> target.coverage = 0);
   }
 
   /** Counts so many cameras and targets, of which some are to come. */
@@ -158,7 +158,7 @@ final class LiveNetwork implements OracleView {
     int target = targets.number(object);
     if (eye >= 0 && target >= 0 && cameras.get(eye).seen().get(target) != visible) {
       cameras.get(eye).seen().set(target, visible);
-      targets.get(target).cover(visible ? 1 : -1);
+      targets.get(target).coverage += visible ? 1 : -1;
     }
   }
 
@@ -272,27 +272,27 @@ final class LiveNetwork implements OracleView {
 
   @Override
   public String targetName(int target) {
-    return targets.get(target).name();
+    return targets.get(target).name;
   }
 
   @Override
   public boolean present(int target) {
-    return targets.get(target).present();
+    return targets.get(target).present;
   }
 
   @Override
   public double targetX(int target) {
-    return targets.get(target).x();
+    return targets.get(target).x;
   }
 
   @Override
   public double targetY(int target) {
-    return targets.get(target).y();
+    return targets.get(target).y;
   }
 
   @Override
   public int coverage(int target) {
-    return targets.get(target).coverage();
+    return targets.get(target).coverage;
   }
 
   @Override

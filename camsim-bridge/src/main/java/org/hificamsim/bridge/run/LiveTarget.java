@@ -8,11 +8,11 @@ final class LiveTarget {
   static final LiveTarget TO_COME = new LiveTarget(null, "");
 
   private final Object handle;
-  private final String name;
-  private boolean present;
-  private double x;
-  private double y;
-  private int coverage;
+  final String name;
+  boolean present;
+  double x;
+  double y;
+  int coverage; // how many cameras see it
 
   LiveTarget(Object handle, String name) {
     this.handle = handle;
@@ -26,35 +26,5 @@ final class LiveTarget {
       x = camsim.objectX(handle);
       y = camsim.objectY(handle);
     }
-  }
-
-  /** No camera sees it. */
-  void uncover() {
-    coverage = 0;
-  }
-
-  /** One more camera sees it, or, by -1, one less. */
-  void cover(int cameras) {
-    coverage += cameras;
-  }
-
-  String name() {
-    return name;
-  }
-
-  boolean present() {
-    return present;
-  }
-
-  double x() {
-    return x;
-  }
-
-  double y() {
-    return y;
-  }
-
-  int coverage() {
-    return coverage;
   }
 }

@@ -1,6 +1,8 @@
 package org.hificamsim.bridge.run;
 
 import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.hificamsim.bridge.camsim.CamSim;
 import org.hificamsim.core.scenario.Track;
@@ -10,12 +12,12 @@ import org.hificamsim.core.scenario.TrackWalk;
 final class TrackedObjects {
   private static final double NEAR = 1e-6; // m
 
-  private final Tracks tracks;
+  private final Map<String, List<Track>> tracks; // by features
   private final CamSim camsim;
   private final IdentityHashMap<Object, Optional<Walker>> walkers = new IdentityHashMap<>();
   private long step;
 
-  TrackedObjects(Tracks tracks, CamSim camsim) {
+  TrackedObjects(Map<String, List<Track>> tracks, CamSim camsim) {
     this.tracks = tracks;
     this.camsim = camsim;
   }
@@ -54,7 +56,11 @@ final class TrackedObjects {
   double place(Object object, boolean upwards, double own) {
     Optional<Walker> known = walkers.get(object);
     if (known == null) {
-      known = tracks.at(camsim.features(object), step).map(track -> new Walker(track, step));
+      known =
+          tracks.getOrDefault(camsim.features(object), List.of()).stream()
+              .filter(track -> track.firstStep() <= step && step <= track.lastStep())
+              .findFirst()
+              .map(track -> new Walker(track, step));
       walkers.put(object, known);
     }
     return known.isEmpty() ? own : place(known.get(), upwards, own);

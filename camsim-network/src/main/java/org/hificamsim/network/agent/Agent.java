@@ -39,7 +39,7 @@ public final class Agent {
   private final Searches searches;
   private final OwnedTargets owned;
   private final Bids bids;
-  private final ViewTally tally = new ViewTally();
+  private final Mean sharedViews = new Mean();
   private CommunicationPolicy policy;
   private double received;
   private double paid;
@@ -132,9 +132,9 @@ public final class Agent {
     return shared.sightings().sees(camera, target);
   }
 
-  /** Which of its targets others see too. */
-  public ViewTally tally() {
-    return tally;
+  /** The share of the targets seen that others see too (behaviour 9.6). */
+  public Mean sharedViews() {
+    return sharedViews;
   }
 
   /** The prices received at the last settlement. */
@@ -167,7 +167,7 @@ public final class Agent {
       case STOP_SEARCH -> {
         searches.end(camera, target);
         if (sees(target) && !owned.contains(target)) {
-          tally.count(true);
+          countView(true);
         }
       }
       case FOUND -> {
@@ -180,6 +180,11 @@ public final class Agent {
         own(target);
       }
     }
+  }
+
+  /** Counts a target that this camera and another see, or one of them alone. */
+  private void countView(boolean both) {
+    sharedViews.add(both ? 1 : 0, 1);
   }
 
   private void own(int target) {
@@ -252,7 +257,7 @@ public final class Agent {
     Bids.OfTarget offers = bids.of(target);
     if (offers == null) {
       if (sees(target)) {
-        tally.count(false);
+        countView(false);
       }
       return;
     }
@@ -283,14 +288,14 @@ public final class Agent {
     if (winner == camera) {
       pay(price);
       if (sees(target) && count > 1) {
-        tally.count(true);
+        countView(true);
       }
     } else {
       contacts.send(MessageKind.START_TRACKING, winner, target, price);
       contacts.links.strengthen(winner, target);
       contacts.advertised.remove(target, winner);
       owned.remove(target);
-      tally.count(sees(target));
+      countView(sees(target));
     }
     policy.stopSearch(contacts, target);
     searches.end(camera, target);

@@ -55,32 +55,16 @@ public final class Searches {
    * @return how many these are
    */
   public int receiveAll(MessageKind kind, int from, int target) {
-    return kind == MessageKind.START_SEARCH ? beginAll(target, from) : endAll(target, from);
-  }
-
-  private int beginAll(int target, int forCamera) {
     int[] searchers = searcher[target];
-    long[] first = since[target];
+    int forCamera = kind == MessageKind.START_SEARCH ? from : NONE;
     searches++;
     int count = 0;
     for (int camera = 0; camera < searchers.length; camera++) {
-      if (camera != forCamera && cameras.online(camera)) {
+      if (camera != from && cameras.online(camera)) {
         if (searchers[camera] == NONE) {
-          first[camera] = searches;
+          since[target][camera] = searches;
         }
         searchers[camera] = forCamera;
-        count++;
-      }
-    }
-    return count;
-  }
-
-  private int endAll(int target, int from) {
-    int[] searchers = searcher[target];
-    int count = 0;
-    for (int camera = 0; camera < searchers.length; camera++) {
-      if (camera != from && cameras.online(camera)) {
-        searchers[camera] = NONE;
         count++;
       }
     }

@@ -2,6 +2,7 @@ package org.hificamsim.network.agent;
 
 import java.util.Arrays;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.space.PointGrid;
 import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Pose;
@@ -16,6 +17,9 @@ import org.hificamsim.core.world.World;
  * targets that a camera sees are kept in the order in which they became visible to it.
  */
 public final class Sightings {
+  /** Fewer pairs of cameras and targets are looked at one by one sooner. */
+  private static final long MIN_PAIRS = 4_000;
+
   private final Cameras cameras;
   private final Targets targets;
   private final SightLines lines;
@@ -33,7 +37,7 @@ public final class Sightings {
     cameras = world.cameras();
     targets = world.targets();
     lines = world.sightLines();
-    places = TargetPlaces.of(world);
+    places = places(world);
     this.visibility = visibility;
     confidence = new double[cameras.count()][targets.count()];
     visible = new int[cameras.count()][targets.count()];
@@ -41,6 +45,34 @@ public final class Sightings {
     kept = new boolean[targets.count()];
     sights = new LevelSight[cameras.count()];
     seen = new int[targets.count()];
+  }
+
+  /** A place for every target there will ever be, in cells about as wide as cameras reach. */
+  private PointGrid places(World world) {
+    int all = targets.count();
+    if ((long) cameras.count() * all < MIN_PAIRS) {
+      return PointGrid.single(all);
+    }
+    double sum = 0;
+    for (int camera = 0; camera < cameras.count(); camera++) {
+      sum += cameras.zoom(camera, cameras.view(camera)).radius();
+    }
+    Field field = world.scenario().field();
+    return PointGrid.over(
+        field.minX(), field.minY(), field.width(), field.height(), sum / cameras.count(), all);
+  }
+
+  /** Sorts the targets present; one whose place is no number is nowhere. */
+  private void locate() {
+    places.clear();
+    for (int target = 0; target < targets.count(); target++) {
+      double x = targets.x(target);
+      double y = targets.y(target);
+      if (targets.present(target) && !Double.isNaN(x) && !Double.isNaN(y)) {
+        places.add(target, x, y);
+      }
+    }
+    places.sort();
   }
 
   /**
@@ -51,7 +83,7 @@ public final class Sightings {
    * @param coverage one entry per target, receives how many cameras see it
    */
   public void look(long step, int[] detected, int[] coverage) {
-    TargetPlaces.sort(places, targets);
+    locate();
     Arrays.fill(coverage, 0);
     for (int camera = 0; camera < detected.length; camera++) {
       detected[camera] = cameras.online(camera) ? look(step, camera) : 0;

@@ -2,6 +2,7 @@ package org.hificamsim.network.bandit;
 
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.agent.Agent;
+import org.hificamsim.network.agent.Mean;
 import org.hificamsim.network.statistics.CameraFigures;
 
 /**
@@ -21,25 +22,6 @@ public final class ZoomBandit implements CameraBandit {
   private final Mean certainty = new Mean();
   private int ticks;
 
-  /** A mean, 0 of nothing. */
-  private static final class Mean {
-    private double sum;
-    private int count;
-
-    void add(double values, int number) {
-      sum += values;
-      count += number;
-    }
-
-    /** The mean of what was added since it was asked for last. */
-    double take() {
-      double mean = count == 0 ? 0 : sum / count;
-      sum = 0;
-      count = 0;
-      return mean;
-    }
-  }
-
   /** The bandit of a camera, which starts with the range that it has. */
   public ZoomBandit(BanditSolver solver, Agent agent, World world) {
     this.solver = solver;
@@ -53,7 +35,6 @@ public final class ZoomBandit implements CameraBandit {
     if (++ticks > PERIOD) {
       zoom();
     }
-    agent.tally().reset();
   }
 
   private void note(CameraFigures figures) {
@@ -61,8 +42,8 @@ public final class ZoomBandit implements CameraBandit {
     if (owned > 0) {
       keptInView.add((double) figures.tracked() / owned, 1);
     }
-    if (agent.tally().counted()) {
-      sharedViews.add(agent.tally().sharedRatio(), 1);
+    if (!agent.sharedViews().isEmpty()) {
+      sharedViews.add(agent.sharedViews().take(), 1);
     }
     certainty.add(figures.sumOfCertainties(), figures.tracked());
   }

@@ -11,7 +11,6 @@ import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.statistics.OverlapTable;
-import org.hificamsim.network.statistics.RunSums;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.ResultFolder;
@@ -44,7 +43,7 @@ public final class CamSimFiles implements Closeable {
   private final List<Closeable> tables = new ArrayList<>();
   private final Optional<SingleRun> coverage;
   private final SummaryRows summary;
-  private final RunSums sums;
+  private final NetworkRun run;
   private final RunPlan plan;
 
   /**
@@ -54,7 +53,7 @@ public final class CamSimFiles implements Closeable {
    */
   public CamSimFiles(Places places, RunPlan plan, NetworkRun run) throws IOException {
     this.plan = plan;
-    this.sums = run.sums();
+    this.run = run;
     Path appended = places.summary().orElse(SummaryRows.beside(places.output()));
     requireSeparate(places, appended);
     summary = new SummaryRows(appended);
@@ -101,12 +100,12 @@ public final class CamSimFiles implements Closeable {
     }
     if (coverage.isPresent()) {
       coverage.get().folder().manifest(command, started, plan.steps());
-      coverage.get().commit(plan, sums.communication(), Optional.empty());
+      coverage.get().commit(plan, run.sums().communication(), Optional.empty());
     }
     for (OutputFile file : files) {
       file.commit();
     }
-    summary.append(plan.seed(), sums);
+    summary.append(plan.seed(), run.sums());
   }
 
   @Override

@@ -8,14 +8,21 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.network.statistics.RunSums;
+import org.hificamsim.network.statistics.StepFigures;
 
 /**
- * CamSim's summary file: one row is appended per run, under a lock and in one write, so that
- * parallel runs may share it.
+ * CamSim's summary file (behaviour 10.5): one row is appended per run, under a lock and in one
+ * write, so that parallel runs may share it.
  */
 final class SummaryRows {
+  /** The columns. Those without CUMULATIVE in front are of a step that never began, hence 0. */
+  private static final String HEADER =
+      "SEED,TIME,GLOBAL_UTILITY,CUMULATIVE_UTILITY,COMMUNICATION,CUMULATIVE_COMM,HANDOVER,"
+          + "CUMULATIVE_HANDOVER,CUMULATIVE_COMM_OH,VISIBLE,OVERLAP,CONFIDENCE,PROPORTION";
+
   private final Path path;
 
   /**
@@ -40,18 +47,37 @@ final class SummaryRows {
   }
 
   /** Appends a run. */
-  void append(long seed, RunSums sums) throws IOException {
+  void append(long seed, StepFigures sums) throws IOException {
     try (FileChannel file =
         FileChannel.open(path, StandardOpenOption.CREATE, StandardOpenOption.WRITE)) {
       FileLock lock = file.lock();
       try {
         String end = System.lineSeparator();
-        String header = file.size() == 0 ? RunSums.HEADER + end : "";
-        byte[] text = (header + sums.row(seed) + end).getBytes(StandardCharsets.UTF_8);
+        String header = file.size() == 0 ? HEADER + end : "";
+        byte[] text = (header + row(seed, sums) + end).getBytes(StandardCharsets.UTF_8);
         file.write(ByteBuffer.wrap(text), file.size());
       } finally {
         lock.release();
       }
     }
+  }
+
+  private static String row(long seed, StepFigures sums) {
+    return Stream.of(
+            seed,
+            sums.step(),
+            0.0,
+            sums.utility(),
+            0.0,
+            (double) sums.communication(),
+            0.0,
+            (double) sums.handovers(),
+            (double) sums.attempts(),
+            0,
+            sums.overlap(),
+            sums.confidence(),
+            sums.proportion())
+        .map(String::valueOf)
+        .collect(Collectors.joining(","));
   }
 }

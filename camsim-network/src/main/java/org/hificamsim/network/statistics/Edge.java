@@ -20,20 +20,8 @@ sealed interface Edge {
   /** Half the integral of x dy - y dx from one parameter to another: its share of an area. */
   double areaBetween(double from, double to);
 
-  /** Passes on the parameters at which the curve that another edge is part of is crossed. */
-  default void cross(Edge other, DoubleConsumer cuts) {
-    if (other instanceof Arc arc) {
-      crossCircle(arc, cuts);
-    } else if (other instanceof Side side) {
-      crossLine(side, cuts);
-    }
-  }
-
-  /** The same of the circle that an arc is part of. */
-  void crossCircle(Arc other, DoubleConsumer cuts);
-
-  /** The same of the line that a side is part of. */
-  void crossLine(Side other, DoubleConsumer cuts);
+  /** Passes on the parameters at which it crosses the circle or line that another is part of. */
+  void cross(Edge other, DoubleConsumer cuts);
 
   /**
    * Part of a circle.
@@ -75,20 +63,19 @@ sealed interface Edge {
     }
 
     @Override
-    public void crossCircle(Arc other, DoubleConsumer cuts) {
-      double distance = Math.hypot(other.cx - cx, other.cy - cy);
-      if (distance > 0) {
-        double cosine =
-            (radius * radius + distance * distance - other.radius * other.radius)
-                / (2 * radius * distance);
-        addAround(Math.atan2(other.cy - cy, other.cx - cx), cosine, cuts);
+    public void cross(Edge other, DoubleConsumer cuts) {
+      if (other instanceof Side side) {
+        double cosine = -side.leftward(cx, cy) / radius;
+        addAround(Math.atan2(side.directionX, -side.directionY), cosine, cuts);
+      } else if (other instanceof Arc arc) {
+        double distance = Math.hypot(arc.cx - cx, arc.cy - cy);
+        if (distance > 0) {
+          double cosine =
+              (radius * radius + distance * distance - arc.radius * arc.radius)
+                  / (2 * radius * distance);
+          addAround(Math.atan2(arc.cy - cy, arc.cx - cx), cosine, cuts);
+        }
       }
-    }
-
-    @Override
-    public void crossLine(Side other, DoubleConsumer cuts) {
-      double away = other.leftward(cx, cy);
-      addAround(Math.atan2(other.directionX, -other.directionY), -away / radius, cuts);
     }
 
     /** The two angles on either side of a direction that have this cosine with it, if any. */
@@ -150,22 +137,21 @@ sealed interface Edge {
     }
 
     @Override
-    public void crossCircle(Arc other, DoubleConsumer cuts) {
-      double along = (other.cx() - fromX) * directionX + (other.cy() - fromY) * directionY;
-      double away = leftward(other.cx(), other.cy());
-      double squared = other.radius() * other.radius() - away * away;
-      if (squared >= 0) {
-        cuts.accept((along - Math.sqrt(squared)) / length);
-        cuts.accept((along + Math.sqrt(squared)) / length);
-      }
-    }
-
-    @Override
-    public void crossLine(Side other, DoubleConsumer cuts) {
-      double across = directionX * other.directionY - directionY * other.directionX;
-      if (across != 0) {
-        double away = (other.fromX - fromX) * other.directionY;
-        cuts.accept((away - (other.fromY - fromY) * other.directionX) / across / length);
+    public void cross(Edge other, DoubleConsumer cuts) {
+      if (other instanceof Side side) {
+        double across = directionX * side.directionY - directionY * side.directionX;
+        if (across != 0) {
+          double away = (side.fromX - fromX) * side.directionY;
+          cuts.accept((away - (side.fromY - fromY) * side.directionX) / across / length);
+        }
+      } else if (other instanceof Arc arc) {
+        double along = (arc.cx() - fromX) * directionX + (arc.cy() - fromY) * directionY;
+        double away = leftward(arc.cx(), arc.cy());
+        double squared = arc.radius() * arc.radius() - away * away;
+        if (squared >= 0) {
+          cuts.accept((along - Math.sqrt(squared)) / length);
+          cuts.accept((along + Math.sqrt(squared)) / length);
+        }
       }
     }
   }

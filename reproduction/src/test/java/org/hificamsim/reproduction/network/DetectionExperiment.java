@@ -20,7 +20,7 @@ import org.hificamsim.network.CamSimScenario;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.agent.ScheduleKind;
-import org.hificamsim.network.statistics.RunSums;
+import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.LegendEntry;
@@ -90,7 +90,7 @@ public final class DetectionExperiment {
   }
 
   private Outcome run(Path file, String detection, Setting setting) {
-    List<RunSums> runs = new ArrayList<>();
+    List<StepFigures> runs = new ArrayList<>();
     for (int seed = 0; seed < SEEDS; seed++) {
       runs.add(run(file, detection, setting, seed));
     }
@@ -98,13 +98,13 @@ public final class DetectionExperiment {
         name(file),
         detection,
         setting.label(),
-        mean(runs, RunSums::communication),
-        mean(runs, RunSums::handovers),
-        mean(runs, RunSums::meanProportion),
-        mean(runs, RunSums::utility));
+        mean(runs, StepFigures::communication),
+        mean(runs, StepFigures::handovers),
+        mean(runs, StepFigures::meanProportion),
+        mean(runs, StepFigures::utility));
   }
 
-  private RunSums run(Path file, String detection, Setting setting, int seed) {
+  private StepFigures run(Path file, String detection, Setting setting, int seed) {
     NetworkSettings settings = NetworkSettings.CAMSIM.withAll(setting.schedule(), setting.comm());
     PrintWriter nowhere =
         new PrintWriter(OutputStream.nullOutputStream(), false, StandardCharsets.UTF_8);
@@ -114,7 +114,7 @@ public final class DetectionExperiment {
     return new NetworkRun(scenario, model, zooms, catalogue.movements(), settings, seed).run(STEPS);
   }
 
-  private static double mean(List<RunSums> runs, ToDoubleFunction<RunSums> figure) {
+  private static double mean(List<StepFigures> runs, ToDoubleFunction<StepFigures> figure) {
     return runs.stream().mapToDouble(figure).average().orElse(0);
   }
 
