@@ -39,8 +39,8 @@ final class MajorityVote {
    * @param own the camera's own action, which also wins where nobody voted
    */
   int winner(int own) {
-    if (count == 0) {
-      return own;
+    if (count == 0 || 2 * votes[own] > count) {
+      return own; // nobody voted, or more than half agree: the usual case, and no draw
     }
     return switch (draw) {
       case OWN -> Ties.WIDEST.best(votes, 0, votes.length, own);
