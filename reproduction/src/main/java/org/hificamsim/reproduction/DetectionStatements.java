@@ -109,7 +109,7 @@ final class DetectionStatements {
     }
     return new Margin(
         where,
-        Ratio.estimate(
+        Bootstrap.of(
             plus.get(0).performance().length,
             seeds -> (sum(plus, seeds) - sum(minus, seeds)) / policies.size()));
   }

@@ -3,13 +3,19 @@ package org.hificamsim.spark;
 import java.io.IOException;
 import java.io.Serializable;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.util.EnumMap;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.hifi.HiFiDetection;
+import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.compare.RunKey;
@@ -29,6 +35,39 @@ record PortablePlan(
     EnumMap<Setting, String> own,
     String key)
     implements Serializable {
+  /**
+   * A detection model and its threshold as text.
+   *
+   * @param name in result files
+   * @param model the content of a model file, or the name in the catalogue of a model that is code
+   * @param isFile which of the two it is
+   * @param rule how a value becomes a detection
+   */
+  record PortableDetection(String name, String model, boolean isFile, double threshold, String rule)
+      implements Serializable {
+    static PortableDetection of(Detection detection) {
+      boolean isFile = detection.model() instanceof HiFiDetection;
+      String model =
+          detection.model() instanceof HiFiDetection fitted
+              ? new String(ModelFiles.bytes(fitted), StandardCharsets.UTF_8)
+              : detection.model().name();
+      return new PortableDetection(
+          detection.name(), model, isFile, detection.threshold(), detection.rule().text());
+    }
+
+    /** The detection with the same values. */
+    Detection detection(Catalogue catalogue) {
+      DetectionModel made =
+          isFile
+              ? ModelFiles.parse(name, model.getBytes(StandardCharsets.UTF_8))
+              : catalogue.detections().create(model);
+      DetectionRule decides = DetectionRule.parse(rule);
+      return decides.certain()
+          ? new Detection(name, made, threshold)
+          : Detection.by(decides, name, made);
+    }
+  }
+
   /**
    * The plan as text.
    *

@@ -67,7 +67,7 @@ class PortablePlanTest {
         new PortablePlan(
             here.scenario(),
             here.xml(),
-            PortableDetection.of(
+            PortablePlan.PortableDetection.of(
                 new Detection("geometric", CATALOGUE.detection("hifi:orb-lin"), 0.5)),
             here.own(),
             here.key());

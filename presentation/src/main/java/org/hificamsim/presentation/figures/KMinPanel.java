@@ -10,7 +10,7 @@ import org.hificamsim.presentation.plot.Lowess;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
-import org.hificamsim.runs.compare.PartMeans;
+import org.hificamsim.runs.compare.FinishedRun;
 
 /**
  * A panel of k_min over time, as chapters 7 and 8 show it: the mean over the runs pale, and LOWESS
@@ -84,7 +84,8 @@ public final class KMinPanel extends XyPanel {
       int at = part;
       double[] levels = Arrays.stream(one.levels()).mapToDouble(run -> run[at]).toArray();
       x[part] =
-          (PartMeans.start(part, parts, steps) + PartMeans.start(part + 1, parts, steps) - 1) / 2.0;
+          (FinishedRun.start(part, parts, steps) + FinishedRun.start(part + 1, parts, steps) - 1)
+              / 2.0;
       y[part] = side.applyAsDouble(Estimate.mean(levels));
     }
     return Lowess.smooth(new Curve(x, y));

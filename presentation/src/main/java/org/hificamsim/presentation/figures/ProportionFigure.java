@@ -11,6 +11,7 @@ import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.knowm.xchart.XYChart;
 
@@ -66,7 +67,7 @@ final class ProportionFigure {
 
   private void dot(XyPanel panel, CaseResult one) {
     int row = policies.indexOf(one.plan().policy());
-    Estimate estimate = one.values(Metric.PROPORTION_OF_OPTIMAL).mean();
+    Estimate estimate = Bootstrap.mean(one.figures(Metric.PROPORTION_OF_OPTIMAL));
     if (row >= 0 && !Double.isNaN(estimate.mean())) {
       int detection = detections.indexOf(one.plan().detection().name());
       double y = row + 1 + APART * ((detections.size() - 1) / 2.0 - detection);

@@ -10,8 +10,8 @@ import org.apache.commons.math3.stat.correlation.KendallsCorrelation;
 import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
 import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.Cases;
-import org.hificamsim.runs.compare.Ratio;
 
 /**
  * Every rung compared with the top one.
@@ -88,7 +88,7 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
      */
     private static Estimate estimate(
         List<RungComparison> comparisons, ToDoubleBiFunction<RungComparison, int[]> figure) {
-      return Ratio.estimate(
+      return Bootstrap.of(
           comparisons.get(0).own().seeds(),
           seeds ->
               comparisons.stream()

@@ -8,6 +8,7 @@ import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
 
@@ -88,9 +89,9 @@ record Gap(
               variant,
               name,
               policy,
-              Ratio.estimate(seeds, drawn -> mean(hifi, drawn)),
-              Ratio.estimate(seeds, drawn -> mean(camsim, drawn)),
-              Ratio.estimate(seeds, drawn -> mean(hifi, drawn) - mean(camsim, drawn))));
+              Bootstrap.of(seeds, drawn -> mean(hifi, drawn)),
+              Bootstrap.of(seeds, drawn -> mean(camsim, drawn)),
+              Bootstrap.of(seeds, drawn -> mean(hifi, drawn) - mean(camsim, drawn))));
     }
     return gaps;
   }

@@ -94,7 +94,7 @@ public final class AggregateFiles {
           .with(
               Column.ofText("other", OTHER, row -> row.pair.other().plan().policy()),
               Column.ofText("metric", "`proportion_of_optimal`", row -> PolicyPair.SCORE.label()),
-              Column.ofInt("runs", "", "seeds with a value", row -> row.pair.differences().size()))
+              Column.ofInt("runs", "", "seeds with a value", row -> row.pair.differences().length))
           .with(
               Column.ofEstimate(
                   "difference",
@@ -161,12 +161,14 @@ public final class AggregateFiles {
     List<PolicyPair.InScenario> all =
         pairs.stream().flatMap(pair -> pair.inScenarios().stream()).toList();
     double[] p =
-        Parallel.map(all, threads, pair -> SignFlips.p(pair.differences().values())).stream()
+        Parallel.map(all, threads, pair -> SignFlips.p(pair.differences())).stream()
             .mapToDouble(Double::doubleValue)
             .toArray();
     double[] corrected = Holm.corrected(p);
     return IntStream.range(0, p.length)
         .mapToObj(
-            i -> new Difference(all.get(i), all.get(i).differences().mean(), p[i], corrected[i]));
+            i ->
+                new Difference(
+                    all.get(i), Bootstrap.mean(all.get(i).differences()), p[i], corrected[i]));
   }
 }

@@ -3,15 +3,17 @@ package org.hificamsim.runs.compare;
 import java.util.Arrays;
 import java.util.SplittableRandom;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.hificamsim.runs.Estimate;
 
 /**
- * The percentile bootstrap of a mean: 95% intervals that ask nothing of the distribution (Efron and
+ * The percentile bootstrap: 95% intervals that ask nothing of the distribution (Efron and
  * Tibshirani, An Introduction to the Bootstrap, 1993, chapter 13). Same values, same interval.
  */
 public final class Bootstrap {
-  private static final int RESAMPLES = 2000;
+  private static final int RESAMPLES_OF_MEAN = 2000;
+  private static final int RESAMPLES_OF_FIGURE = 1000;
   private static final long SEED = 1993;
 
   private Bootstrap() {}
@@ -22,15 +24,9 @@ public final class Bootstrap {
    * @return NaN throughout where no value is left
    */
   public static Estimate mean(double[] values) {
-    double[] known = Arrays.stream(values).filter(value -> !Double.isNaN(value)).toArray();
-    if (known.length == 0) {
-      return Estimate.single(Double.NaN);
-    }
-    double mean = StatUtils.mean(known);
-    if (known.length == 1) {
-      return Estimate.single(mean);
-    }
-    return Estimate.drawn(mean, drawn(known.length, RESAMPLES, seeds -> mean(known, seeds)));
+    double[] known = known(values);
+    return estimate(
+        StatUtils.mean(known), known.length, RESAMPLES_OF_MEAN, seeds -> mean(known, seeds));
   }
 
   private static double mean(double[] values, int[] seeds) {
@@ -41,12 +37,39 @@ public final class Bootstrap {
     return sum / seeds.length;
   }
 
+  /** The mean difference of paired values with its interval. */
+  public static Estimate difference(double[] values, double[] paired) {
+    return mean(differences(values, paired));
+  }
+
+  /** The differences of paired values, where both are known. */
+  static double[] differences(double[] values, double[] paired) {
+    double[] differences = new double[values.length];
+    Arrays.setAll(differences, i -> values[i] - paired[i]);
+    return known(differences);
+  }
+
+  /** The values that are not NaN. */
+  static double[] known(double[] values) {
+    return Arrays.stream(values).filter(value -> !Double.isNaN(value)).toArray();
+  }
+
   /**
-   * A figure of seeds that are drawn with replacement, again and again.
+   * A figure of the seeds with its interval, of which a single seed has none.
    *
-   * @param seeds how many there are, and how many are drawn at a time
+   * @param seeds how many there are
+   * @param figure of some seeds, each given by its number, perhaps repeatedly
    */
-  static double[] drawn(int seeds, int resamples, ToDoubleFunction<int[]> figure) {
+  public static Estimate of(int seeds, ToDoubleFunction<int[]> figure) {
+    double value = figure.applyAsDouble(IntStream.range(0, seeds).toArray());
+    return estimate(value, seeds, RESAMPLES_OF_FIGURE, figure);
+  }
+
+  private static Estimate estimate(
+      double value, int seeds, int resamples, ToDoubleFunction<int[]> figure) {
+    if (seeds <= 1 || Double.isNaN(value)) {
+      return Estimate.single(value);
+    }
     SplittableRandom random = new SplittableRandom(SEED);
     int[] drawn = new int[seeds];
     double[] figures = new double[resamples];
@@ -54,13 +77,7 @@ public final class Bootstrap {
       Arrays.setAll(drawn, draw -> random.nextInt(seeds));
       figures[i] = figure.applyAsDouble(drawn);
     }
-    return figures;
-  }
-
-  /** The mean difference of paired values with its interval. */
-  public static Estimate difference(double[] values, double[] paired) {
-    double[] differences = new double[values.length];
-    Arrays.setAll(differences, i -> values[i] - paired[i]);
-    return mean(differences);
+    double[] known = known(figures);
+    return known.length == 0 ? Estimate.single(Double.NaN) : Estimate.drawn(value, known);
   }
 }

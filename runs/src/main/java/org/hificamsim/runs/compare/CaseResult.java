@@ -13,8 +13,8 @@ import org.hificamsim.runs.ScoredRun;
  *
  * @param runs one per repeat, by rising seed
  * @param meanKMin the mean over the repeats of k_min, by step
- * @param levels each repeat's mean of k_min in {@link PartMeans equal parts} of the run: what
- *     intervals over time are made of
+ * @param levels each repeat's mean of k_min in {@link FinishedRun#levels equal parts} of the run:
+ *     what intervals over time are made of
  */
 public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, double[][] levels) {
   /** The metrics that the case has, in the order of files. */
@@ -33,11 +33,6 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
   /** What is proven of all runs together. */
   public Proof proof() {
     return RunResult.proofOf(runs.stream().map(ScoredRun::result).toList());
-  }
-
-  /** What is known of a metric. */
-  public SeedValues values(Metric metric) {
-    return new SeedValues(figures(metric));
   }
 
   /** A metric's value of every run, NaN where there is none. */

@@ -89,8 +89,8 @@ public final class Comparison {
       for (int step = 0; step < sums.length; step++) {
         sums[step] += run.kMin()[step];
       }
-      settling[repeat] = Settling.of(run.kMin());
-      levels[repeat] = PartMeans.of(run.kMin());
+      settling[repeat] = run.settling();
+      levels[repeat] = run.levels();
       results[repeat] = run.result().asRun(repeat);
     }
 

@@ -43,24 +43,25 @@ public final class ComparisonFiles {
   /**
    * One metric of a case.
    *
+   * @param runs how many have a value
    * @param reference the same under the first detection model; empty for itself
    */
   record CaseMetric(
       CaseResult of,
       Metric metric,
-      SeedValues values,
+      int runs,
       Estimate mean,
       Optional<CaseResult> reference,
       Estimate difference) {
     static CaseMetric of(CaseResult one, Metric metric, List<CaseResult> cases) {
-      SeedValues values = one.values(metric);
+      double[] figures = one.figures(metric);
       Optional<CaseResult> reference = firstDetection(one, cases);
       Estimate difference =
           reference
-              .map(other -> SeedValues.ofDifferences(one.figures(metric), other.figures(metric)))
-              .map(SeedValues::mean)
+              .map(other -> Bootstrap.difference(figures, other.figures(metric)))
               .orElse(Estimate.single(Double.NaN));
-      return new CaseMetric(one, metric, values, values.mean(), reference, difference);
+      int runs = Bootstrap.known(figures).length;
+      return new CaseMetric(one, metric, runs, Bootstrap.mean(figures), reference, difference);
     }
   }
 
@@ -102,7 +103,7 @@ public final class ComparisonFiles {
           .with(CASE, row -> row.of.plan())
           .with(
               Column.ofText("metric", "its name", row -> row.metric.label()),
-              Column.ofInt("runs", "", "how many have a value", row -> row.values.size()))
+              Column.ofInt("runs", "", "how many have a value", row -> row.runs))
           .with(
               Column.ofEstimate(
                   "mean", "low", "high", "", "the mean over the seeds", row -> row.mean))

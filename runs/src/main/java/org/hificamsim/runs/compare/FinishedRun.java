@@ -1,6 +1,7 @@
 package org.hificamsim.runs.compare;
 
 import java.io.Serializable;
+import java.util.Arrays;
 import java.util.List;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
@@ -8,6 +9,9 @@ import org.hificamsim.runs.RunResult;
 
 /** A finished run with its k_min, step by step. */
 public record FinishedRun(RunResult result, int[] kMin) implements Serializable {
+  private static final int MAX_PARTS = 50;
+  private static final double REACHED = 0.9; // of the final level
+
   /** Computes one repeat of a plan. */
   public static FinishedRun of(RunExecutor executor, RunPlan plan, int repeat) {
     int[] kMin = new int[plan.steps()];
@@ -17,5 +21,49 @@ public record FinishedRun(RunResult result, int[] kMin) implements Serializable 
             repeat,
             List.of((network, coverage) -> kMin[(int) network.step()] = coverage.kMin())),
         kMin);
+  }
+
+  /** The mean of k_min in equal parts of the run, fifty where it is long enough. */
+  double[] levels() {
+    int parts = Math.min(MAX_PARTS, kMin.length);
+    double[] levels = new double[parts];
+    for (int part = 0; part < parts; part++) {
+      int from = start(part, parts, kMin.length);
+      int to = start(part + 1, parts, kMin.length);
+      for (int step = from; step < to; step++) {
+        levels[part] += kMin[step] / (double) (to - from);
+      }
+    }
+    return levels;
+  }
+
+  /** The step at which a part begins; for {@code part == parts}, the number of steps. */
+  public static int start(int part, int parts, int steps) {
+    return (int) ((long) part * steps / parts);
+  }
+
+  /**
+   * How soon the run reaches its final level: the first step, from 0, from which the mean k_min of
+   * a window of 5% of the run is at least 90% of the mean over its last tenth; NaN where that is 0.
+   */
+  double settling() {
+    int tail = Math.max(1, kMin.length / 10);
+    int window = Math.max(1, kMin.length / 20);
+    double level = REACHED * sum(kMin.length - tail, kMin.length) / tail * window;
+    if (level == 0) {
+      return Double.NaN;
+    }
+    long inWindow = sum(0, window);
+    for (int start = 0; start + window < kMin.length; start++) {
+      if (inWindow >= level) {
+        return start;
+      }
+      inWindow += kMin[start + window] - kMin[start];
+    }
+    return kMin.length - window;
+  }
+
+  private long sum(int from, int to) {
+    return Arrays.stream(kMin, from, to).asLongStream().sum();
   }
 }

@@ -12,9 +12,9 @@ record PolicyPair(PolicyScores one, PolicyScores other) {
 
   /** The two in one scenario. */
   record InScenario(CaseResult one, CaseResult other) {
-    /** What the first has more than the other, by seed. */
-    SeedValues differences() {
-      return SeedValues.ofDifferences(one.figures(SCORE), other.figures(SCORE));
+    /** What the first has more than the other, by seed, where both have a value. */
+    double[] differences() {
+      return Bootstrap.differences(one.figures(SCORE), other.figures(SCORE));
     }
   }
 

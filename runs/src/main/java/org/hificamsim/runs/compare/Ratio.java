@@ -3,7 +3,6 @@ package org.hificamsim.runs.compare;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
-import java.util.stream.IntStream;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.ScoredRun;
@@ -17,8 +16,6 @@ import org.hificamsim.runs.ScoredRun;
  * @param optimum the same of the reference policies
  */
 public record Ratio(double[] performance, double[] optimum) {
-  private static final int RESAMPLES = 1000;
-
   /** Cases over their own optima. */
   public static Ratio of(List<CaseResult> cases) {
     return over(cases, cases);
@@ -41,12 +38,12 @@ public record Ratio(double[] performance, double[] optimum) {
 
   /** The ratio with its 95% interval; NaN throughout where no optimum is above 0. */
   public Estimate estimate() {
-    return estimate(performance.length, this::at);
+    return Bootstrap.of(performance.length, this::at);
   }
 
   /** What this is more than another, with its 95% interval. */
   public Estimate minus(Ratio other) {
-    return estimate(performance.length, seeds -> at(seeds) - other.at(seeds));
+    return Bootstrap.of(performance.length, seeds -> at(seeds) - other.at(seeds));
   }
 
   /** The ratio of some seeds, each given by its number, perhaps repeatedly. */
@@ -58,23 +55,5 @@ public record Ratio(double[] performance, double[] optimum) {
       under += optimum[seed];
     }
     return under == 0 ? Double.NaN : over / under;
-  }
-
-  /**
-   * A figure of the seeds with its 95% interval, of which a single seed has none.
-   *
-   * @param seeds how many there are
-   */
-  public static Estimate estimate(int seeds, ToDoubleFunction<int[]> figure) {
-    double value = figure.applyAsDouble(IntStream.range(0, seeds).toArray());
-    if (seeds == 1) {
-      return Estimate.single(value);
-    }
-    double[] values = Bootstrap.drawn(seeds, RESAMPLES, figure);
-    double[] known = Arrays.stream(values).filter(one -> !Double.isNaN(one)).toArray();
-    if (Double.isNaN(value) || known.length == 0) {
-      return Estimate.single(Double.NaN);
-    }
-    return Estimate.drawn(value, known);
   }
 }

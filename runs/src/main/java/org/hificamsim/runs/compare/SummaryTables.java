@@ -121,11 +121,11 @@ public final class SummaryTables {
    * @param counted whether the number of runs that have it stands before it, if not all do
    */
   private static String text(CaseResult one, Figure figure, boolean counted) {
-    SeedValues values = one.values(figure.metric);
-    int runs = one.runs().size();
-    boolean some = values.size() > 0 && values.size() < runs;
-    Estimate mean = values.mean();
-    return (counted && some ? values.size() + "/" + runs + ": " : "") + mean.text(figure.format);
+    double[] figures = one.figures(figure.metric);
+    int known = Bootstrap.known(figures).length;
+    boolean some = known > 0 && known < figures.length;
+    String count = counted && some ? known + "/" + figures.length + ": " : "";
+    return count + Bootstrap.mean(figures).text(figure.format);
   }
 
   /** The cases of each scenario together: the optima come last otherwise. */

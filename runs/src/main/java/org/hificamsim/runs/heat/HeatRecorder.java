@@ -23,10 +23,9 @@ public final class HeatRecorder implements StepListener {
   private final FieldCells cells;
   private final Obstacles obstacles;
   private final ViewCells views;
-  private final Covering covering;
-  private final Visits visits;
-  private SeenCells[] seen = {};
-  private SeenCells[] before = {};
+  private final CellSums sums;
+  private ViewCells.Seen[] seen = {};
+  private ViewCells.Seen[] before = {};
   private long alike;
   private int revision;
 
@@ -38,14 +37,13 @@ public final class HeatRecorder implements StepListener {
     this.cells = FieldCells.of(world.scenario().field(), most);
     this.obstacles = new Obstacles(world.scenario().obstacles());
     this.views = new ViewCells(cells, detection, obstacles, Reach.usualTarget(world));
-    this.covering = new Covering(cells.count());
-    this.visits = new Visits(cells);
+    this.sums = new CellSums(cells);
   }
 
   @Override
   public void started(NetworkView network) {
-    seen = new SeenCells[network.cameras()];
-    before = new SeenCells[network.cameras()];
+    seen = new ViewCells.Seen[network.cameras()];
+    before = new ViewCells.Seen[network.cameras()];
     revision = network.revision();
     views.forget(network);
   }
@@ -65,7 +63,7 @@ public final class HeatRecorder implements StepListener {
       System.arraycopy(seen, 0, before, 0, seen.length);
     }
     alike++;
-    visits.add(network);
+    sums.addVisits(network);
   }
 
   @Override
@@ -75,14 +73,14 @@ public final class HeatRecorder implements StepListener {
 
   private void addAlike() {
     if (alike > 0) {
-      covering.add(before, alike);
+      sums.add(before, alike);
       alike = 0;
     }
   }
 
   /** How many steps it has been told of. */
   public long steps() {
-    return covering.steps() + alike;
+    return sums.steps() + alike;
   }
 
   /** The map of the steps so far; one at least. */
@@ -93,16 +91,6 @@ public final class HeatRecorder implements StepListener {
   }
 
   private Place place(int cell) {
-    boolean free = obstacles.containing(cells.x(cell), cells.y(cell)).isEmpty();
-    double none = covering.covered0(cell);
-    double one = covering.covered1(cell);
-    return new Place(
-        free ? covering.meanK(cell) : Double.NaN,
-        free ? none : Double.NaN,
-        free ? one : Double.NaN,
-        free ? Math.max(0, 1 - none - one) : Double.NaN,
-        visits.count(cell),
-        visits.meanK(cell),
-        visits.covered0(cell));
+    return sums.place(cell, obstacles.containing(cells.x(cell), cells.y(cell)).isEmpty());
   }
 }

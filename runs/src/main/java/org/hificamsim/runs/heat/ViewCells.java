@@ -5,6 +5,7 @@ import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.VisibleRegion;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.visibility.LevelSight;
 import org.hificamsim.core.visibility.Pose;
 import org.hificamsim.core.visibility.Visibility;
 
@@ -13,6 +14,17 @@ import org.hificamsim.core.visibility.Visibility;
  * and kept until a camera is moved, or until there is too much of it.
  */
 final class ViewCells {
+  /**
+   * The cells in whose middle a camera would detect a target, in one view, found by the pipeline
+   * that cameras see through.
+   *
+   * @param cells their numbers, rising
+   * @param chances to detect it, above 0, one for each of the cells
+   */
+  record Seen(int[] cells, double[] chances) {
+    private static final Seen NOTHING = new Seen(new int[0], new double[0]);
+  }
+
   /** Cells that are kept of all views together: 50 MB. */
   private static final int MAX_KEPT = 1 << 22;
 
@@ -21,7 +33,7 @@ final class ViewCells {
   private final Obstacles obstacles;
   private final double size;
   private VisibleRegion[] regions = {};
-  private SeenCells[][] seen = {};
+  private Seen[][] seen = {};
   private double[][] pans = {};
   private long kept;
 
@@ -35,7 +47,7 @@ final class ViewCells {
   /** Forgets everything, as cameras are elsewhere now. */
   void forget(NetworkView network) {
     regions = new VisibleRegion[network.cameras()];
-    seen = new SeenCells[network.cameras()][];
+    seen = new Seen[network.cameras()][];
     pans = new double[network.cameras()][];
     kept = 0;
   }
@@ -45,15 +57,15 @@ final class ViewCells {
    *
    * @param view -1 for a camera that sees nothing
    */
-  SeenCells of(NetworkView network, int camera, int view) {
+  Seen of(NetworkView network, int camera, int view) {
     if (view < 0) {
-      return SeenCells.NONE;
+      return Seen.NOTHING;
     }
     if (kept > MAX_KEPT) {
       forget(network);
     }
     if (seen[camera] == null) {
-      seen[camera] = new SeenCells[network.views(camera)];
+      seen[camera] = new Seen[network.views(camera)];
       pans[camera] = new double[network.views(camera)];
       Arrays.fill(pans[camera], Double.NaN);
     }
@@ -66,13 +78,34 @@ final class ViewCells {
     return seen[camera][view];
   }
 
-  private SeenCells find(NetworkView network, int camera, int view, double pan) {
-    double x = network.cameraX(camera);
-    double y = network.cameraY(camera);
-    Pose pose = Pose.of(x, y, network.cameraHeading(camera)).turned(pan);
+  private Seen find(NetworkView network, int camera, int view, double pan) {
+    double cameraX = network.cameraX(camera);
+    double cameraY = network.cameraY(camera);
+    Pose pose = Pose.of(cameraX, cameraY, network.cameraHeading(camera)).turned(pan);
     if (regions[camera] == null && !obstacles.isEmpty()) {
-      regions[camera] = VisibleRegion.of(obstacles, x, y);
+      regions[camera] = VisibleRegion.of(obstacles, cameraX, cameraY);
     }
-    return SeenCells.of(cells, visibility, pose, network.zoom(camera, view), regions[camera], size);
+    VisibleRegion region = regions[camera]; // null where there are no obstacles
+    LevelSight sight = visibility.at(network.zoom(camera, view), size);
+    double reach = sight.reach();
+    int left = cells.column(pose.x() - reach);
+    int right = cells.column(pose.x() + reach);
+    int top = cells.row(pose.y() + reach);
+    int[] numbers = new int[cells.count()];
+    double[] chances = new double[numbers.length];
+    int count = 0;
+    for (int row = cells.row(pose.y() - reach); row <= top; row++) {
+      for (int column = left; column <= right; column++) {
+        int cell = row * cells.columns() + column;
+        double x = cells.x(cell);
+        double y = cells.y(cell);
+        double through = region == null ? 1 : region.transmittance(x, y);
+        double chance = through == 0 ? 0 : sight.chance(pose, x, y, through);
+        numbers[count] = cell;
+        chances[count] = chance;
+        count += chance > 0 ? 1 : 0;
+      }
+    }
+    return new Seen(Arrays.copyOf(numbers, count), Arrays.copyOf(chances, count));
   }
 }

@@ -5,6 +5,9 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.net.URI;
+import java.net.URISyntaxException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
@@ -27,6 +30,18 @@ import org.hificamsim.runs.RunPlan;
  */
 public final class CrateFile {
   private static final String CONTEXT = "https://w3id.org/ro/crate/1.1";
+  private static final Map<String, String> FORMATS =
+      Map.ofEntries(
+          Map.entry("csv", "text/csv"),
+          Map.entry("gz", "application/gzip"),
+          Map.entry("html", "text/html"),
+          Map.entry("json", "application/json"),
+          Map.entry("parquet", "application/vnd.apache.parquet"),
+          Map.entry("pdf", "application/pdf"),
+          Map.entry("png", "image/png"),
+          Map.entry("svg", "image/svg+xml"),
+          Map.entry("tex", "application/x-tex"),
+          Map.entry("xml", "application/xml"));
 
   private final ObjectNode crate = new ObjectMapper().createObjectNode();
   private final ArrayNode graph;
@@ -74,8 +89,18 @@ public final class CrateFile {
     settings(plans);
     thesis();
     for (Map.Entry<String, String> file : hashes.entrySet()) {
-      graph.add(CrateEntry.of(folder.path().resolve(file.getKey()), file.getValue()));
+      file(file.getKey(), file.getValue());
     }
+  }
+
+  /** A file of results with its size and hash. */
+  private void file(String name, String sha256) throws IOException {
+    String ending = name.substring(name.lastIndexOf('.') + 1);
+    entity(id(name), "File")
+        .put("name", name)
+        .put("encodingFormat", FORMATS.getOrDefault(ending, "application/octet-stream"))
+        .put("contentSize", String.valueOf(Files.size(folder.path().resolve(name))))
+        .put("sha256", sha256);
   }
 
   private void root(List<String> files, List<RunPlan> plans) throws IOException {
@@ -183,8 +208,16 @@ public final class CrateFile {
   }
 
   private static void refer(ArrayNode list, List<String> names) {
-    names.forEach(
-        name -> refer(list.addObject(), name.startsWith("#") ? name : CrateEntry.id(name)));
+    names.forEach(name -> refer(list.addObject(), name.startsWith("#") ? name : id(name)));
+  }
+
+  /** The name as a relative URI reference. */
+  private static String id(String name) {
+    try {
+      return new URI(null, null, "/" + name, null).getRawPath().substring(1);
+    } catch (URISyntaxException e) {
+      throw new IllegalArgumentException(e);
+    }
   }
 
   private String word(int i) {
