@@ -44,4 +44,18 @@ public enum Ties {
     int best = best(values, from, views);
     return values[from + preferred] == values[from + best] ? preferred : best;
   }
+
+  /** The view with most votes, if these are more than {@code least}; else {@code otherwise}. */
+  public int mostVotes(int[] votes, int least, int otherwise) {
+    int most = least;
+    int winner = otherwise;
+    for (int i = 0; i < votes.length; i++) {
+      int view = this == NARROWEST ? i : votes.length - 1 - i;
+      if (votes[view] > most) {
+        winner = view;
+        most = votes[view];
+      }
+    }
+    return winner;
+  }
 }

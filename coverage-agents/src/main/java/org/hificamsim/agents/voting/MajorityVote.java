@@ -14,23 +14,20 @@ final class MajorityVote {
   }
 
   private final Draw draw;
-  private final double[] votes; // by view
-  private int count;
+  private final int[] votes; // by view
 
   MajorityVote(Draw draw, int views) {
     this.draw = draw;
-    votes = new double[views];
+    votes = new int[views];
   }
 
   /** Forgets all votes. */
   void open() {
     Arrays.fill(votes, 0);
-    count = 0;
   }
 
   void vote(int view) {
     votes[view]++;
-    count++;
   }
 
   /**
@@ -39,13 +36,10 @@ final class MajorityVote {
    * @param own the camera's own action, which also wins where nobody voted
    */
   int winner(int own) {
-    if (count == 0 || 2 * votes[own] > count) {
-      return own; // nobody voted, or more than half agree: the usual case, and no draw
-    }
     return switch (draw) {
-      case OWN -> Ties.WIDEST.best(votes, 0, votes.length, own);
-      case WIDEST -> Ties.WIDEST.best(votes, 0, votes.length);
-      case NARROWEST -> Ties.NARROWEST.best(votes, 0, votes.length);
+      case OWN -> Ties.WIDEST.mostVotes(votes, votes[own], own);
+      case WIDEST -> Ties.WIDEST.mostVotes(votes, 0, own);
+      case NARROWEST -> Ties.NARROWEST.mostVotes(votes, 0, own);
     };
   }
 }
