@@ -7,9 +7,11 @@ import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.generate.RandomField;
+import org.hificamsim.runs.generate.RandomSite;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -23,6 +25,7 @@ import picocli.CommandLine.Spec;
     description = "Writes a scenario of cameras and targets strewn over a field at random.")
 final class GenerateCommand implements Callable<Integer> {
   private static final int MAX = 200_000;
+  private static final int MAX_WALLS = 10_000;
   private static final double LARGE = 1e9;
 
   @Parameters(paramLabel = "SCENARIO.xml", description = "The file to write.")
@@ -34,37 +37,63 @@ final class GenerateCommand implements Callable<Integer> {
   @Option(
       names = "--targets",
       paramLabel = "N",
-      description = "Targets; default: 0.6 for each camera.")
+      description = "Targets; default: 0.6 for each camera, with --lenses 1.5.")
   private Integer targets;
 
   @Option(
       names = "--area",
       paramLabel = "A",
-      description = "Square metres for each camera; default: 42.9, as in the cluster scenarios.")
+      description =
+          "Square metres for each camera; default: 42.9, as in the cluster scenarios, with --lenses"
+              + " 2400.")
   private Double area;
+
+  @Option(
+      names = "--lenses",
+      description =
+          "Cameras with lenses, which zoom, pan and need time for it; people who walk; and"
+              + " covered:k=1 as the objective.")
+  private boolean lenses;
+
+  @Option(
+      names = "--walls",
+      paramLabel = "N",
+      description = "With --lenses: walls, which leave gaps, so that nobody is enclosed.")
+  private int walls;
 
   @Spec private CommandSpec spec;
 
-  @Mixin private final SettingOptions seed = SettingOptions.of(Setting.SEED);
+  @Mixin private final SettingOptions settings = SettingOptions.of(Setting.SEED, Setting.OBJECTIVE);
 
   @Override
   public Integer call() throws IOException {
     RandomField field = field();
+    Scenario scenario = settings.settings().scenario(scenario(field));
     Path absolute = file.toAbsolutePath();
     if (Files.isDirectory(absolute) || absolute.getFileName() == null) {
       throw new InputException("'" + file + "' is a folder, expected the name of a file");
     }
     OutputFolder.made(absolute.getParent());
-    new OutputFile(absolute).write(ScenarioWriter.write(field.scenario()));
+    new OutputFile(absolute).write(ScenarioWriter.write(scenario));
     spec.commandLine()
         .getOut()
         .printf("%s: %s cameras, %s targets%n", file, field.cameras(), field.targets());
     return 0;
   }
 
+  private Scenario scenario(RandomField field) {
+    if (walls != 0 && !lenses) {
+      throw new InputException("--walls is given without --lenses, expected both");
+    }
+    Numbers.inRange("--walls", walls, 0, MAX_WALLS);
+    return lenses ? new RandomSite(field, walls).scenario() : field.scenario();
+  }
+
   private RandomField field() {
     Numbers.inRange("--cameras", cameras, 1, MAX);
-    RandomField usual = RandomField.ofCameras(cameras, seed.settings().seed());
+    long seed = settings.settings().seed();
+    RandomField usual =
+        lenses ? RandomSite.usual(cameras, seed) : RandomField.ofCameras(cameras, seed);
     if (targets != null) {
       Numbers.inRange("--targets", targets, 1, MAX);
     }
@@ -76,6 +105,6 @@ final class GenerateCommand implements Callable<Integer> {
         cameras,
         targets != null ? targets : usual.targets(),
         area != null ? area : usual.area(),
-        seed.settings().seed());
+        seed);
   }
 }

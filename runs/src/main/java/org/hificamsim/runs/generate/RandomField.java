@@ -34,10 +34,15 @@ public record RandomField(int cameras, int targets, double area, long seed) {
     return new RandomField(cameras, targets, CLUSTER_AREA, seed);
   }
 
+  /** Half as wide again as it is high. */
+  Field field() {
+    double height = Math.sqrt(cameras * area / RATIO);
+    return new Field(0, RATIO * height, 0, height);
+  }
+
   /** The scenario, the same for the same arguments. */
   public Scenario scenario() {
-    double height = Math.sqrt(cameras * area / RATIO);
-    Field field = new Field(0, RATIO * height, 0, height);
+    Field field = field();
     SplittableRandom random = new SplittableRandom(seed);
     return new Scenario("random-" + cameras, field)
         .with(Scenario.ORDER, StepOrder.COVERAGE)

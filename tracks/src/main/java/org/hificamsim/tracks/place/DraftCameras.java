@@ -5,8 +5,8 @@ import java.util.List;
 import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.DraftOptics;
 import org.hificamsim.core.scenario.Field;
-import org.hificamsim.core.scenario.OpticsSpec;
 
 /**
  * Cameras as a first draft: domes evenly along the border of the field, from its lower left corner,
@@ -15,14 +15,6 @@ import org.hificamsim.core.scenario.OpticsSpec;
 public final class DraftCameras {
   private static final double INSET = 0.01; // of the field's shorter side
   private static final int TRIES = 400;
-
-  private static final OpticsSpec DOME =
-      new OpticsSpec("dome")
-          .with(OpticsSpec.PIXELS, 1920)
-          .with(OpticsSpec.ANGLES_OF_VIEW, List.of(6.0, 11.0, 20.0, 35.0, 60.0))
-          .with(OpticsSpec.PANS, List.of(-60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0))
-          .with(OpticsSpec.PAN_SPEED, 100)
-          .with(OpticsSpec.ZOOM_TIME, 3);
 
   private DraftCameras() {}
 
@@ -65,6 +57,6 @@ public final class DraftCameras {
     return new CameraSpec(name, at.x(), at.y(), 0)
         .with(CameraSpec.HEADING, heading)
         .with(CameraSpec.VIEWING_ANGLE, 60)
-        .with(CameraSpec.OPTICS, DOME);
+        .with(CameraSpec.OPTICS, DraftOptics.DOME);
   }
 }

@@ -1,0 +1,24 @@
+package org.hificamsim.core.scenario;
+
+import java.util.List;
+
+/** Usual lenses, for cameras that a program places. */
+public final class DraftOptics {
+  /** A camera that pans, from 60 to 6 degrees. */
+  public static final OpticsSpec DOME =
+      new OpticsSpec("dome")
+          .with(OpticsSpec.PIXELS, 1920)
+          .with(OpticsSpec.ANGLES_OF_VIEW, List.of(6.0, 11.0, 20.0, 35.0, 60.0))
+          .with(OpticsSpec.PANS, List.of(-60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0))
+          .with(OpticsSpec.PAN_SPEED, 100)
+          .with(OpticsSpec.ZOOM_TIME, 3);
+
+  /** A camera that looks one way, from 105 to 33 degrees. */
+  public static final OpticsSpec BULLET =
+      new OpticsSpec("bullet")
+          .with(OpticsSpec.PIXELS, 3840)
+          .with(OpticsSpec.ANGLES_OF_VIEW, List.of(33.0, 50.0, 74.0, 105.0))
+          .with(OpticsSpec.ZOOM_TIME, 3);
+
+  private DraftOptics() {}
+}

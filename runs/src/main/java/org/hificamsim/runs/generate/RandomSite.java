@@ -1,0 +1,101 @@
+package org.hificamsim.runs.generate;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.function.BiFunction;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.scenario.CameraSpec;
+import org.hificamsim.core.scenario.DraftOptics;
+import org.hificamsim.core.scenario.Extent;
+import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.StepOrder;
+import org.hificamsim.core.scenario.TargetSpec;
+
+/**
+ * A site made at random: cameras with lenses, three in four of which pan, people who walk from one
+ * place to another, and walls.
+ *
+ * @param size how many cameras and people, on which area, from which seed
+ * @param walls 0 or more
+ */
+public record RandomSite(RandomField size, int walls) {
+  /** Square metres for each camera, as on a campus. */
+  public static final double AREA = 2_400;
+
+  private static final double PEOPLE_PER_CAMERA = 1.5;
+  private static final Extent PERSON = new Extent(0.5, 1.75);
+  private static final double SLOWEST = 0.8; // m/s
+  private static final double FASTEST = 1.6;
+  private static final double CENTI = 100;
+
+  /** The usual size: one and a half people for each camera. */
+  public static RandomField usual(int cameras, long seed) {
+    int people = (int) Math.max(1, Math.round(PEOPLE_PER_CAMERA * cameras));
+    return new RandomField(cameras, people, AREA, seed);
+  }
+
+  /**
+   * The scenario, the same for the same arguments.
+   *
+   * @throws org.hificamsim.core.InputException when there is no room for the walls
+   */
+  public Scenario scenario() {
+    Field exact = size.field();
+    Field field = new Field(0, Math.ceil(exact.maxX()), 0, Math.ceil(exact.maxY()));
+    SplittableRandom random = new SplittableRandom(size.seed());
+    Obstacles obstacles =
+        new Obstacles(new RandomWalls(field, Math.sqrt(size.area()), random).of(walls));
+    Strewn strewn = new Strewn(field, obstacles, random);
+    return new Scenario("random-" + size.cameras(), field)
+        .with(Scenario.ORDER, StepOrder.COVERAGE)
+        .with(Scenario.OBJECTIVE, Objective.parse("covered:k=1"))
+        .with(Scenario.OBSTACLES, obstacles.all())
+        .with(Scenario.CAMERAS, strewn.all(size.cameras(), strewn::camera))
+        .with(Scenario.TARGETS, strewn.all(size.targets(), strewn::person));
+  }
+
+  /** To the centimetre. */
+  static double metres(double value) {
+    return Math.rint(value * CENTI) / CENTI;
+  }
+
+  /** What stands off all walls. */
+  private record Strewn(Field field, Obstacles obstacles, SplittableRandom random) {
+    <T> List<T> all(int count, BiFunction<Integer, double[], T> one) {
+      List<T> all = new ArrayList<>();
+      while (all.size() < count) {
+        all.add(one.apply(all.size() + 1, free()));
+      }
+      return all;
+    }
+
+    private double[] free() {
+      double[] at = {draw(field.minX(), field.maxX()), draw(field.minY(), field.maxY())};
+      return obstacles.containing(at[0], at[1]).isEmpty() ? at : free();
+    }
+
+    private double draw(double from, double to) {
+      return metres(random.nextDouble(from, to));
+    }
+
+    CameraSpec camera(int number, double[] at) {
+      double dx = draw(field.minX(), field.maxX()) - at[0]; // it looks at any place
+      double dy = draw(field.minY(), field.maxY()) - at[1];
+      return new CameraSpec("C" + number, at[0], at[1], 0)
+          .with(CameraSpec.HEADING, Math.rint(Math.toDegrees(Math.atan2(dx, dy))))
+          .with(CameraSpec.OPTICS, number % 4 == 0 ? DraftOptics.BULLET : DraftOptics.DOME)
+          .without(CameraSpec.VIEWING_ANGLE)
+          .without(CameraSpec.RANGE);
+    }
+
+    TargetSpec person(int number, double[] at) {
+      return new TargetSpec(number, at[0], at[1])
+          .with(TargetSpec.MOVE, "RandomWaypoint")
+          .with(TargetSpec.SPEED, draw(SLOWEST, FASTEST))
+          .withExtent(PERSON);
+    }
+  }
+}
