@@ -62,7 +62,7 @@ class Worlds:
 
     Settings are given by name; the simulator checks them and has their defaults:
 
-    - those of a run: detection, threshold, detect, objective, order, headings, steps (of an episode) and seed (of the
+    - those of a run: detection, threshold, detect, objective, channel, order, headings, steps (of an episode) and seed (of the
       first world), as the options of ``hificamsim run``
     - reward: coverage, kmin, score, difference or thesis
     - actions: view (the number of a view) or steps (pan and zoom, each down, stay or up)

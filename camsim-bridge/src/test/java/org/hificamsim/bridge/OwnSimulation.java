@@ -16,6 +16,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.StepOrder;
 import org.hificamsim.core.world.World;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Traffic;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.SingleRun;
 
@@ -48,7 +49,7 @@ final class OwnSimulation {
     try (SingleRun run = new SingleRun(folder, 0, detection, Detail.full(scenario))) {
       new Simulation(world, detection, policy, 0, List.of(coverage, run)).run(steps);
       RunPlan plan = new RunPlan(world.scenario(), detection, "own", steps, 0, 1);
-      run.commit(plan, 0, Optional.empty());
+      run.commit(plan, Traffic.NONE, Optional.empty());
     }
     return coverage;
   }

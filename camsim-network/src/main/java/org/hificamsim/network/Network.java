@@ -7,6 +7,7 @@ import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.Cooperation;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.World;
@@ -35,7 +36,7 @@ public final class Network implements Cooperation, WorldObserver {
   private final Cameras cameras;
   private final Sightings sightings;
   private final Searches searches;
-  private final MessageQueue queue = new MessageQueue();
+  private final MessageQueue queue;
   private final MessageQueue.Receiver receiver = this::receive;
   private final boolean camerasComeBack;
   private final CameraErrors errors;
@@ -62,6 +63,7 @@ public final class Network implements Cooperation, WorldObserver {
    */
   public Network(World world, Detection detection, NetworkSettings settings, long seed) {
     cameras = world.cameras();
+    queue = new MessageQueue(cameras.count(), world.targets().count());
     sightings = new Sightings(world, visibility(detection, seed));
     camerasComeBack = !settings.has(Quirk.FAILED_CAMERAS_STAY_OFFLINE);
     errors = new CameraErrors(world, settings, new Random(seed));
@@ -97,6 +99,11 @@ public final class Network implements Cooperation, WorldObserver {
     world.observe(this);
   }
 
+  @Override
+  public void begin(NetworkView network) {
+    queue.connect(network, network.channel());
+  }
+
   /** Failures by chance. */
   @Override
   public void prepare() {
@@ -118,6 +125,7 @@ public final class Network implements Cooperation, WorldObserver {
   @Override
   public void cooperate() {
     tally.begin();
+    queue.deliver(receiver);
     for (IntConsumer turn : turns) {
       for (int camera = 0; camera < added; camera++) {
         if (cameras.online(camera)) {
@@ -130,14 +138,12 @@ public final class Network implements Cooperation, WorldObserver {
   }
 
   private int receive(MessageKind kind, int from, int to, int target, double value) {
-    if (to != MessageQueue.NEIGHBOURS) {
-      agents[to].receive(kind, from, target, value);
-      return 1;
-    } else if (alike) {
+    boolean toAll = to == MessageQueue.NEIGHBOURS;
+    if (toAll && alike) {
       return searches.receiveAll(kind, from, target);
     }
     int receivers = 0;
-    for (int camera = 0; camera < added; camera++) {
+    for (int camera = toAll ? 0 : to; camera < (toAll ? added : to + 1); camera++) {
       if (agents[from].reaches(camera)) {
         agents[camera].receive(kind, from, target, value);
         receivers++;
@@ -161,6 +167,11 @@ public final class Network implements Cooperation, WorldObserver {
     figures.measure(agent);
     bandits[camera].learn(earned, sent, figures);
     tally.settled(agent, earned, sent);
+  }
+
+  /** How many bits all messages had that were sent so far. */
+  public long bits() {
+    return queue.bits();
   }
 
   /** The figures of the last step. */

@@ -14,6 +14,7 @@ import org.hificamsim.core.world.Movement;
 import org.hificamsim.core.world.World;
 import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Traffic;
 
 /**
  * A run of CamSim's network, from a plan to what it adds up to; files are written by those who
@@ -77,6 +78,12 @@ public final class NetworkRun {
   /** What the steps so far add up to. */
   public StepFigures sums() {
     return sums;
+  }
+
+  /** What the cameras sent: of messages StartSearch alone, as CamSim counts; the bits of all. */
+  public Traffic traffic() {
+    long bits = network.bits() + policy.bits();
+    return new Traffic(sums.communication(), bits, 0).over(simulation().network().channel());
   }
 
   /** The loop over the steps; who is to watch them has been named before. */

@@ -61,7 +61,7 @@ class BidderHashesTest {
             new double[0],
             sightings,
             new Searches(world.cameras(), world.targets().count()),
-            new MessageQueue(),
+            new MessageQueue(4, 8),
             new Random(0),
             hashes::of,
             false);

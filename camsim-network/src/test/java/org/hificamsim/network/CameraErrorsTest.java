@@ -76,7 +76,7 @@ class CameraErrorsTest {
             new double[] {1},
             sightings,
             new Searches(world.cameras(), world.targets().count()),
-            new MessageQueue(),
+            new MessageQueue(4, 8),
             new Random(0),
             camera -> 0,
             false);

@@ -98,7 +98,8 @@ final class CamSimCommand implements Callable<Integer> {
 
   @Mixin
   private final SettingOptions settings =
-      SettingOptions.of(Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY)
+      SettingOptions.of(
+              Setting.DETECTION, Setting.THRESHOLD, Setting.DETECT, Setting.POLICY, Setting.CHANNEL)
           .open(Setting.POLICY);
 
   @Override

@@ -1,6 +1,7 @@
 package org.hificamsim.runs;
 
 import java.util.Optional;
+import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
@@ -10,7 +11,7 @@ import org.hificamsim.core.policy.ZoomPolicy;
  * A repeat whose steps have been added up, with what its policy says of it: what {@link Metric
  * metrics} are computed from.
  *
- * @param messages sent between cameras
+ * @param traffic what the cameras sent each other
  * @param proof what the policy proved; empty under one that does not claim to be the best
  * @param expectedGap what the least expected coverage might gain, over all steps; NaN where none is
  *     known
@@ -18,21 +19,23 @@ import org.hificamsim.core.policy.ZoomPolicy;
 public record Measured(
     RunCoverage coverage,
     Objective objective,
-    long messages,
+    Traffic traffic,
     Optional<Proof> proof,
     double expectedGap) {
   /** A repeat under a policy. */
-  static Measured of(RunCoverage coverage, Objective objective, ZoomPolicy policy) {
+  static Measured of(
+      RunCoverage coverage, Objective objective, ZoomPolicy policy, Channel channel) {
     double gap =
         policy instanceof ProvingZoomPolicy proving && proving.ofExpectation()
             ? proving.gap()
             : Double.NaN;
-    return new Measured(coverage, objective, policy.messages(), Proof.of(policy), gap);
+    return new Measured(coverage, objective, Traffic.of(policy, channel), Proof.of(policy), gap);
   }
 
   /** A repeat that others ran. */
-  public Measured(RunCoverage coverage, Objective objective, long messages, Optional<Proof> proof) {
-    this(coverage, objective, messages, proof, Double.NaN);
+  public Measured(
+      RunCoverage coverage, Objective objective, Traffic traffic, Optional<Proof> proof) {
+    this(coverage, objective, traffic, proof, Double.NaN);
   }
 
   /** The number of steps that are not proven; NaN without a claim. */

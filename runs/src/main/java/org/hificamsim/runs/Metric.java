@@ -60,7 +60,10 @@ public enum Metric {
       "how often a camera's view (its zoom level or pan angle) differed from that of the step"
           + " before",
       measured(run -> run.coverage().zoomChanges())),
-  MESSAGES("number", "sent between cameras, by policies that vote", measured(Measured::messages)),
+  MESSAGES(
+      "number",
+      "sent between cameras; [what counts](channel.md#messages-and-bits)",
+      measured(run -> run.traffic().messages())),
   SCORE(
       "of `kmin` and `lexicographic`: cameras x steps; of `covered`: shares x steps; of `sum`:"
           + " detections",
@@ -129,7 +132,13 @@ public enum Metric {
       "ratio",
       "of `optimal`: score over that of `best-fixed`, what changing zooms is worth at most; 1 where"
           + " the optimum never needs to change",
-      overBestFixed(true, ScoredRun::overBestFixed));
+      overBestFixed(true, ScoredRun::overBestFixed)),
+  BITS("bits", "of these messages", measured(run -> run.traffic().bits())),
+  MESSAGES_DROPPED(
+      "number",
+      "over a [channel](channel.md) that is not perfect alone: those that found no place in the"
+          + " queue of their sender",
+      measured(run -> run.traffic().dropped()));
 
   /** How a run prints a metric: its title, the format of the number, and a note. */
   private record Line(String title, String format, String note) {}

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.function.IntFunction;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.engine.Cooperation;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.Simulation;
@@ -58,8 +59,11 @@ public final class RunExecutor {
     if (policy instanceof HindsightZoomPolicy hindsight) {
       rehearse(plan, run, hindsight);
     }
-    run(simulation(plan, run, policy, all), plan, run);
-    return RunResult.of(run, plan.seed(run), Measured.of(coverage, plan.objective(), policy));
+    Simulation simulation = simulation(plan, run, policy, all);
+    run(simulation, plan, run);
+    Channel channel = simulation.network().channel();
+    Measured measured = Measured.of(coverage, plan.objective(), policy, channel);
+    return RunResult.of(run, plan.seed(run), measured);
   }
 
   /**

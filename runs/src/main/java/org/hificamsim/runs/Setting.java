@@ -7,6 +7,7 @@ import java.util.function.BiFunction;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Headings;
@@ -73,6 +74,17 @@ public enum Setting {
       own(range(Long.MIN_VALUE, Long.MAX_VALUE)),
       "Seed of all chance; where there are repeats, i uses seed + i."),
   REPEAT(Kind.INT, "N", "1", own(range(1, 1_000_000)), "Repeats, 1 to 1,000,000."),
+  CHANNEL(
+      Kind.TEXT,
+      "key=value,...",
+      null,
+      new Holder(
+          plan -> plan.scenario().channel().isPerfect() ? null : plan.scenario().channel().text(),
+          (name, text) -> ChannelModel.parse(text),
+          (scenario, text) -> scenario.with(Scenario.CHANNEL, ChannelModel.parse(text))),
+      "What becomes of messages between cameras, as "
+          + ChannelModel.EXAMPLE
+          + ", or perfect; before the scenario's own. See docs/channel.md."),
   ORDER(
       Kind.TEXT,
       "coverage|camsim",

@@ -9,6 +9,7 @@ import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.Traffic;
 import org.hificamsim.runs.output.SingleRun;
 
 /**
@@ -141,7 +142,7 @@ final class Run {
         try (SingleRun run = files.get()) {
           run.commit(
               plan(run.steps()),
-              steering.map(Steering::messages).orElse(0L),
+              steering.map(Steering::traffic).orElse(Traffic.NONE),
               steering.flatMap(Steering::proof));
         }
       }

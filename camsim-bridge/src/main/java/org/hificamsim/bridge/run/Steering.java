@@ -5,6 +5,7 @@ import java.util.SplittableRandom;
 import org.hificamsim.bridge.agent.FaultLine;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.runs.Proof;
+import org.hificamsim.runs.Traffic;
 
 /**
  * A zoom policy that chooses the views of CamSim's cameras.
@@ -17,7 +18,7 @@ final class Steering {
   private final long seed;
   private ZoomPolicy policy;
   private int[] views;
-  private long earlierMessages;
+  private Traffic earlier = Traffic.NONE;
   private Proof earlierProof = Proof.OF_NOTHING;
 
   Steering(BridgeSettings.Policy given, long seed) {
@@ -50,9 +51,11 @@ final class Steering {
     policy.learn(network);
   }
 
-  /** The number of messages that the cameras have sent each other for the policy's sake. */
-  long messages() {
-    return earlierMessages + (policy == null ? 0 : policy.messages());
+  /** What the cameras have sent each other for the policy's sake. */
+  Traffic traffic() {
+    return policy == null
+        ? earlier
+        : earlier.plus(new Traffic(policy.messages(), policy.bits(), Double.NaN));
   }
 
   /** What the policy proved; empty for one that does not claim to be the best. */
@@ -69,7 +72,7 @@ final class Steering {
     if (network.outgrown()) {
       network.makeRoom();
     }
-    earlierMessages = messages();
+    earlier = traffic();
     earlierProof = proof().orElse(earlierProof);
     policy = given.maker().get();
     policy.begin(network, new SplittableRandom(seed));

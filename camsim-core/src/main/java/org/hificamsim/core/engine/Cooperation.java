@@ -1,6 +1,7 @@
 package org.hificamsim.core.engine;
 
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.visibility.Visibility;
 
 /**
@@ -19,6 +20,9 @@ public interface Cooperation {
   default Visibility visibility(Detection detection, long seed) {
     return Visibility.of(detection, seed);
   }
+
+  /** Called once, before the first step. */
+  default void begin(NetworkView network) {}
 
   /** Called before the cameras decide and observe, after targets moved in CamSim's order. */
   default void prepare() {}

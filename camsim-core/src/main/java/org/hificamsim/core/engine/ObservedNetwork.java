@@ -1,6 +1,8 @@
 package org.hificamsim.core.engine;
 
 import java.util.Arrays;
+import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
@@ -33,11 +35,17 @@ final class ObservedNetwork implements OracleView {
   private final Workers.Share looking = this::look;
   private final Workers.Share adding = this::addUp;
   private final Division division = new Division();
+  private Channel channel = Channel.PERFECT;
   private long[] masks = {};
   private long step;
 
   ObservedNetwork(World world, Visibility visibility, Workers workers) {
     this(world, visibility, workers, new Sight(world, visibility));
+  }
+
+  /** Has messages go over the channel of the scenario. */
+  void connect(ChannelModel model, long seed) {
+    channel = model.isPerfect() ? Channel.PERFECT : new Channel(model, this, seed);
   }
 
   ObservedNetwork(World world, Visibility visibility, Workers workers, Sight sight) {
@@ -117,6 +125,11 @@ final class ObservedNetwork implements OracleView {
   @Override
   public Objective objective() {
     return objective;
+  }
+
+  @Override
+  public Channel channel() {
+    return channel;
   }
 
   @Override

@@ -63,11 +63,13 @@ public final class Simulation {
     this.policy = policy;
     this.listeners = listeners.toArray(StepListener[]::new);
     this.network = new ObservedNetwork(world, cooperation.visibility(detection, seed), workers);
+    this.network.connect(world.scenario().channel(), seed);
     this.byChance = !detection.certain();
     this.jumps = policy.jumps();
     this.aiming = policy instanceof AimingZoomPolicy aims ? aims : null;
     this.coverage = new StepCoverage(world.scenario().objective());
     this.views = new int[world.cameras().count()];
+    cooperation.begin(network);
     policy.begin(network, new SplittableRandom(seed));
   }
 

@@ -1,5 +1,7 @@
 package org.hificamsim.core.policy;
 
+import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.channel.Stations;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.CoveredTargets;
 import org.hificamsim.core.metrics.Objective;
@@ -18,32 +20,14 @@ import org.hificamsim.core.metrics.Objective;
  * <p>This is what cameras know between them. Positions of targets, and what a camera would detect
  * at another view, are in {@link OracleView}.
  */
-public interface NetworkView extends CoveredTargets {
-  /** The step that is under way, from 0. */
-  long step();
-
+public interface NetworkView extends CoveredTargets, Stations {
   /** What each step of the run is scored by. */
   default Objective objective() {
     return Objective.kMin();
   }
 
-  /** A number that changes whenever a camera is added, moved, refitted or switched off. */
-  int revision();
-
-  /** How many cameras there will ever be. */
-  int cameras();
-
   /** The name in the scenario file. */
   String cameraName(int camera);
-
-  /** Whether the camera takes part: it has been added, and no event has switched it off. */
-  boolean online(int camera);
-
-  /** Metres. */
-  double cameraX(int camera);
-
-  /** Metres. */
-  double cameraY(int camera);
 
   /** Radians, 0 is +y and pi/2 is +x; not normalised. */
   double cameraHeading(int camera);
@@ -188,6 +172,11 @@ public interface NetworkView extends CoveredTargets {
         }
       }
     }
+  }
+
+  /** What all messages between cameras go over; perfect unless the run has another. */
+  default Channel channel() {
+    return Channel.PERFECT;
   }
 
   /** The same network with what no camera knows, for upper bounds and records; see there. */

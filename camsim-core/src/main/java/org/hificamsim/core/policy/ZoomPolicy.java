@@ -69,8 +69,16 @@ public interface ZoomPolicy {
     return "";
   }
 
-  /** The number of messages that the cameras have sent each other so far. */
+  /**
+   * The number of messages that the cameras have sent each other so far; one to all others counts
+   * once.
+   */
   default long messages() {
+    return 0;
+  }
+
+  /** How many bits these messages had: see {@link org.hificamsim.core.channel.Fields}. */
+  default long bits() {
     return 0;
   }
 }

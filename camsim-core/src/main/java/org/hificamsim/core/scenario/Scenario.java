@@ -9,6 +9,7 @@ import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Stream;
+import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.obstacle.Obstacle;
@@ -39,6 +40,8 @@ step: how long a step takes, s, above 0; it says how far a camera moves in one. 
 of targets are in metres a step whatever it is (ours)
 occlusion: `targets`: a target hides those behind it, as a disc of its width. `none`: \
 obstacles alone hide (ours)
+channel: [what becomes of messages between cameras](channel.md), as \
+`loss=0.2,delay=2` (ours) | `perfect`
 floorplan: a PNG or JPEG that pictures and pages draw under the field; a path from the \
 scenario's folder (ours)
 floorplan_min_x, floorplan_max_x, floorplan_min_y, floorplan_max_y: what the floorplan \
@@ -70,6 +73,13 @@ shows, m (ours) | the field's borders
       ELEMENT.attribute("step", Type.number(Range.POSITIVE_TIME), 1.0).quiet();
   public static final Property<Scenario, Occlusion> OCCLUSION =
       ELEMENT.attribute("occlusion", Type.choice(Occlusion.class), Occlusion.NONE).quiet();
+  public static final Property<Scenario, ChannelModel> CHANNEL =
+      ELEMENT
+          .attribute(
+              "channel",
+              Type.named("", ChannelModel::parse, ChannelModel::text),
+              ChannelModel.PERFECT)
+          .quiet();
   static final Property<Scenario, String> FLOORPLAN = ELEMENT.optional("floorplan", Type.TEXT);
 
   /** West, east, south and north of what the floorplan shows. */
@@ -212,6 +222,10 @@ shows, m (ours) | the field's borders
 
   public Occlusion occlusion() {
     return get(OCCLUSION);
+  }
+
+  public ChannelModel channel() {
+    return get(CHANNEL);
   }
 
   /** The picture that is drawn under the field. */

@@ -9,5 +9,10 @@ public enum MessageKind {
   /** A bid: the sender sees the target; the value says how well. */
   FOUND,
   /** The sender sold the target to the receiver; the value is the price. */
-  START_TRACKING
+  START_TRACKING;
+
+  /** Whether a message of the kind has a value. */
+  boolean hasValue() {
+    return this == FOUND || this == START_TRACKING;
+  }
 }

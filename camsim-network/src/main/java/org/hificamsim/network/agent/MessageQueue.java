@@ -1,14 +1,17 @@
 package org.hificamsim.network.agent;
 
 import java.util.Arrays;
+import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.channel.Fields;
+import org.hificamsim.core.channel.Post;
+import org.hificamsim.core.channel.Stations;
 
 /**
  * The messages on their way, in flat arrays, delivered in the order in which they were sent.
  *
  * <p>The network empties the queue after each camera's turn. No camera reads in its own turn what
  * it writes to another one, so that this gives the same numbers as CamSim's delivery within the
- * call that sends (behaviour 8.2). A channel that delays or loses messages belongs in {@link
- * #deliver}.
+ * call that sends (behaviour 8.2). Over a channel that is not perfect they go on by {@link Post}.
  */
 public final class MessageQueue {
   /** Stands for all neighbours of the camera that sends. */
@@ -28,6 +31,10 @@ public final class MessageQueue {
     int receive(MessageKind kind, int from, int to, int target, double value);
   }
 
+  private record Letter(MessageKind kind, int target, double value) {}
+
+  private final int bitsWithoutValue;
+  private Post<Letter> post; // null where all arrives at once
   private MessageKind[] kinds = new MessageKind[64];
   private int[] froms = new int[64];
   private int[] tos = new int[64];
@@ -36,12 +43,25 @@ public final class MessageQueue {
   private int waiting;
   private long startSearches;
   private long startTrackings;
+  private long bits;
+
+  /** An empty queue of a network with so many cameras and targets. */
+  public MessageQueue(int cameras, int targets) {
+    bitsWithoutValue =
+        Fields.of(MessageKind.values().length) + Fields.address(cameras) + Fields.of(targets);
+  }
+
+  /** From now on messages go over a channel. */
+  public void connect(Stations stations, Channel channel) {
+    post = channel.isPerfect() ? null : new Post<>(stations, channel);
+  }
 
   /** Appends a message to a camera, or to {@link #NEIGHBOURS}. */
   void send(MessageKind kind, int from, int to, int target, double value) {
     if (waiting == kinds.length) {
       grow();
     }
+    bits += bits(kind);
     kinds[waiting] = kind;
     froms[waiting] = from;
     tos[waiting] = to;
@@ -49,12 +69,36 @@ public final class MessageQueue {
     values[waiting++] = value;
   }
 
-  /** Delivers every message that waits, also those that arise on the way. */
+  private int bits(MessageKind kind) {
+    return bitsWithoutValue + (kind.hasValue() ? Fields.REAL : 0);
+  }
+
+  /** Delivers every message that waits or arrives in this step, also those that arise meanwhile. */
   public void deliver(Receiver receiver) {
     for (int i = 0; i < waiting; i++) {
-      count(kinds[i], receiver.receive(kinds[i], froms[i], tos[i], targets[i], values[i]));
+      if (post == null) {
+        count(kinds[i], receiver.receive(kinds[i], froms[i], tos[i], targets[i], values[i]));
+      } else {
+        post(i);
+      }
     }
     waiting = 0;
+    if (post != null) {
+      post.deliver(
+          (from, to, sent, letter) ->
+              count(
+                  letter.kind,
+                  receiver.receive(letter.kind, from, to, letter.target, letter.value)));
+    }
+  }
+
+  private void post(int i) {
+    Letter letter = new Letter(kinds[i], targets[i], values[i]);
+    if (tos[i] == NEIGHBOURS) {
+      post.broadcast(froms[i], bits(kinds[i]), letter);
+    } else {
+      post.send(froms[i], tos[i], bits(kinds[i]), letter);
+    }
   }
 
   private void count(MessageKind kind, int receivers) {
@@ -75,7 +119,12 @@ public final class MessageQueue {
     return startTrackings;
   }
 
-  /** Starts counting at 0. */
+  /** How many bits all messages had that were sent so far, one to all neighbours once. */
+  public long bits() {
+    return bits;
+  }
+
+  /** Starts counting at 0, but for bits. */
   public void resetCounts() {
     startSearches = 0;
     startTrackings = 0;

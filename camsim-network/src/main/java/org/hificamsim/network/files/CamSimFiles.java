@@ -100,7 +100,7 @@ public final class CamSimFiles implements Closeable {
     }
     if (coverage.isPresent()) {
       coverage.get().folder().manifest(command, started, plan.steps());
-      coverage.get().commit(plan, run.sums().communication(), Optional.empty());
+      coverage.get().commit(plan, run.traffic(), Optional.empty());
     }
     for (OutputFile file : files) {
       file.commit();

@@ -8,7 +8,7 @@ import org.junit.jupiter.api.Test;
 
 /** Messages on their way. */
 class MessageQueueTest {
-  private final MessageQueue queue = new MessageQueue();
+  private final MessageQueue queue = new MessageQueue(4, 8);
 
   @Test
   void deliversInTheOrderOfSendingAndCountsWhoReceivesEachKind() {

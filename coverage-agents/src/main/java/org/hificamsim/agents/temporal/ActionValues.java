@@ -98,6 +98,16 @@ public final class ActionValues {
     return reading.state(view, percept, views[camera]);
   }
 
+  /** How many states a camera with most views has. */
+  public long states() {
+    return (long) percepts * reading.statesPerPercept(Arrays.stream(views).max().orElse(1));
+  }
+
+  /** How many actions a camera has. */
+  public int views(int camera) {
+    return views[camera];
+  }
+
   /** Whether the camera has views enough to ever be at this one. */
   public boolean knows(int camera, int view) {
     return !reading.byView() || view < views[camera];

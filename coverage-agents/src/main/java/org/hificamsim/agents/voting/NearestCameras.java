@@ -72,6 +72,11 @@ public final class NearestCameras {
     }
   }
 
+  /** How many neighbours a camera has at most. */
+  int most() {
+    return k;
+  }
+
   /** How many neighbours the camera has. */
   public int count(int camera) {
     return counts[camera];

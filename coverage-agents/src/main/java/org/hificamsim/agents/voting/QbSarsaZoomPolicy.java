@@ -5,6 +5,7 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.agents.temporal.SarsaZoomPolicy;
+import org.hificamsim.core.channel.Fields;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -20,9 +21,13 @@ import org.hificamsim.core.registry.Options;
  * the level the camera is at abstains. All answers come from the tables as they stood before the
  * step's updates. Exploring starts from the vote's outcome, so it is asked for in either case; a
  * camera that is on its way to a view asks nobody.
+ *
+ * <p>Over a channel that is not perfect a camera decides with the answers that it has: {@link
+ * Inquiries}.
  */
 public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private static final int MAX_NEIGHBOURS = 10_000;
+  private static final int MAX_TIMEOUT = 1_000_000;
 
   /** Whether a camera votes on its own next view; thesis 7.4.5 says that it does. */
   private enum OwnVote {
@@ -34,11 +39,26 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private final int neighbours;
   private final OwnVote ownVote;
   private final MajorityVote.Draw ties;
+  private final int timeout;
   private NearestCameras nearest;
   private ViewTranslation translation;
   private MajorityVote[] votes = {}; // of a thread: those of the first camera of its share
   private long[] messages = {}; // of a thread, as the votes
+  private final Inquiries.Voter voter =
+      new Inquiries.Voter() {
+        @Override
+        public int state(int camera, int view, int percept) {
+          return q().state(camera, view, percept);
+        }
+
+        @Override
+        public int answer(int asker, int neighbour, int view, int percept) {
+          return QbSarsaZoomPolicy.this.answer(asker, neighbour, view, percept);
+        }
+      };
   private int[] elected = {};
+  private Inquiries inquiries; // null over a perfect channel
+  private long bitsOfBoth; // of a query and its answer
 
   @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
   private int fetched;
@@ -55,6 +75,9 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
             "vote-ties",
             MajorityVote.Draw.OWN,
             "who wins a draw: own (else widest), widest, narrowest");
+    timeout =
+        options.integer(
+            "timeout", 10, 0, MAX_TIMEOUT, "steps after the query in which an answer counts");
   }
 
   @Override
@@ -65,7 +88,12 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   /** The number of messages sent so far: a query and an answer for each neighbour asked. */
   @Override
   public long messages() {
-    return Arrays.stream(messages).sum();
+    return inquiries == null ? Arrays.stream(messages).sum() : inquiries.messages();
+  }
+
+  @Override
+  public long bits() {
+    return inquiries == null ? messages() / 2 * bitsOfBoth : inquiries.bits();
   }
 
   @Override
@@ -78,12 +106,23 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     Arrays.setAll(votes, share -> new MajorityVote(ties, views));
     nearest = new NearestCameras(network, neighbours);
     translation = new ViewTranslation(network);
+    int address = Fields.address(network.cameras());
+    int query = address + Fields.of(q().states());
+    int answer = address + Fields.of(views);
+    bitsOfBoth = query + answer;
+    inquiries =
+        network.channel().isPerfect()
+            ? null
+            : new Inquiries(network, nearest, query, answer, timeout, voter);
   }
 
   /** All vote on the values as they stand, before any camera learns. */
   @Override
   protected void prepare(NetworkView network) {
     nearest.update(network);
+    if (inquiries != null) {
+      inquiries.run(camera -> percept(network, camera));
+    }
     network.divide(elected, electing);
   }
 
@@ -96,7 +135,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
   private void elect(NetworkView network, int[] elected, int from, int to) {
     for (int first = from; first < to; first += ActionValues.BLOCK) {
       int end = Math.min(to, first + ActionValues.BLOCK);
-      if (q().exceedsCache()) {
+      if (inquiries == null && q().exceedsCache()) {
         fetch(network, first, end);
       }
       for (int camera = first; camera < end; camera++) {
@@ -131,28 +170,34 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     if (ownVote == OwnVote.YES) {
       vote.vote(own);
     }
+    int view = network.view(camera);
+    int percept = percept(network, camera);
     int asked = nearest.count(camera);
     for (int i = 0; i < asked; i++) {
       int neighbour = nearest.neighbour(camera, i);
-      if (translation.isNeedless(camera, neighbour)) {
-        vote.vote(q().best(neighbour, state));
-      } else {
-        ask(network, camera, neighbour, vote);
+      int answer =
+          inquiries != null
+              ? inquiries.answer(camera, i, state)
+              : translation.isNeedless(camera, neighbour)
+                  ? q().best(neighbour, state)
+                  : answer(camera, neighbour, view, percept);
+      if (answer != Inquiries.NONE) {
+        vote.vote(answer);
       }
     }
     return vote.winner(own);
   }
 
-  private void ask(NetworkView network, int camera, int neighbour, MajorityVote vote) {
-    int view = network.view(camera);
+  /** What a neighbour votes for, as one of the asker's views, or {@link Inquiries#NONE}. */
+  private int answer(int camera, int neighbour, int view, int percept) {
     if (!translation.byNumber(camera, neighbour)) {
       int theirs = translation.view(camera, neighbour, view);
-      int answer = q().best(neighbour, state(network, camera, neighbour, theirs));
-      vote.vote(translation.view(neighbour, camera, answer));
-    } else if (q().knows(neighbour, view)) {
-      int views = network.views(camera);
-      vote.vote(q().answer(neighbour, view, percept(network, camera), views));
+      int best = q().best(neighbour, q().state(neighbour, theirs, percept));
+      return translation.view(neighbour, camera, best);
     }
+    return q().knows(neighbour, view)
+        ? q().answer(neighbour, view, percept, q().views(camera))
+        : Inquiries.NONE;
   }
 
   /** The state that one camera would be in, in one of its views, with the percept of another. */

@@ -55,4 +55,9 @@ final class HeldViews implements ZoomPolicy {
   public long messages() {
     return policy.messages();
   }
+
+  @Override
+  public long bits() {
+    return policy.bits();
+  }
 }

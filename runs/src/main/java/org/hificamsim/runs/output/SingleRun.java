@@ -14,6 +14,7 @@ import org.hificamsim.runs.Measured;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.Traffic;
 
 /** One run with its folder, for programs that take the steps themselves. */
 public final class SingleRun implements StepListener, Closeable {
@@ -55,11 +56,11 @@ public final class SingleRun implements StepListener, Closeable {
    * Moves the files into place.
    *
    * @param plan the run's settings, and its seed
-   * @param messages sent between cameras
+   * @param traffic what the cameras sent each other
    * @param proof what the policy proved; empty under one that does not claim to be the best
    */
-  public void commit(RunPlan plan, long messages, Optional<Proof> proof) throws IOException {
-    Measured measured = new Measured(sums, plan.objective(), messages, proof);
+  public void commit(RunPlan plan, Traffic traffic, Optional<Proof> proof) throws IOException {
+    Measured measured = new Measured(sums, plan.objective(), traffic, proof);
     folder.commit(plan, List.of(RunResult.of(run, plan.seed(), measured)));
   }
 

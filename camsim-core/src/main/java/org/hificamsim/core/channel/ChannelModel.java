@@ -1,0 +1,108 @@
+package org.hificamsim.core.channel;
+
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.hificamsim.core.registry.Options;
+
+/**
+ * What becomes of messages between cameras: what the option {@code --channel} and the attribute
+ * {@code channel} choose ({@code docs/channel.md}). A {@link Channel} is one at work.
+ */
+public final class ChannelModel {
+  /** An example for help. */
+  public static final String EXAMPLE = "loss=0.2,delay=2,range=30,bandwidth=1000";
+
+  /** Everything arrives at once. */
+  public static final ChannelModel PERFECT = parse("perfect");
+
+  private static final double MAX_RANGE = 1e9;
+  private static final int MAX_BITS = 1_000_000_000;
+
+  private final Loss loss;
+  private final Delay delay;
+  private final double range;
+  private final int bandwidth;
+  private final int queue;
+
+  private ChannelModel(Options options) {
+    loss = Loss.from(options);
+    delay = Delay.from(options);
+    range =
+        options.number("range", 0, 0, MAX_RANGE, "metres of a radio, farther over others; 0: any");
+    bandwidth = options.integer("bandwidth", 0, 0, MAX_BITS, "bits a step a camera sends; 0: any");
+    queue =
+        options.integer(
+            "queue", 10, 1, 10_000, "steps of sending that wait at most; more is dropped");
+  }
+
+  /**
+   * The model in a text: {@code perfect}, or {@code key=value,...}.
+   *
+   * @throws org.hificamsim.core.InputException when an option is wrong
+   */
+  public static ChannelModel parse(String text) {
+    Options options =
+        text.equals("perfect") ? Options.none("channel") : Options.parse("channel", text);
+    ChannelModel model = new ChannelModel(options);
+    options.rejectUnknown();
+    return model;
+  }
+
+  /** As users write it, with the options that are not the default. */
+  public String text() {
+    String given =
+        Stream.of(
+                loss.text(),
+                delay.isNone() ? "" : "delay=" + delay.text(),
+                option("range", range, 0),
+                option("bandwidth", bandwidth, 0),
+                bandwidth == 0 ? "" : option("queue", queue, 10))
+            .filter(option -> !option.isEmpty())
+            .collect(Collectors.joining(","));
+    return given.isEmpty() ? "perfect" : given;
+  }
+
+  static String option(String key, double value, double fallback) {
+    String number =
+        value == Math.rint(value) ? Long.toString((long) value) : Double.toString(value);
+    return value == fallback ? "" : key + "=" + number;
+  }
+
+  /** Whether everything arrives at once. */
+  public boolean isPerfect() {
+    return loss.isNone() && delay.isNone() && range == 0 && bandwidth == 0;
+  }
+
+  Loss loss() {
+    return loss;
+  }
+
+  Delay delay() {
+    return delay;
+  }
+
+  /** Metres; 0 where all cameras reach each other. */
+  double range() {
+    return range;
+  }
+
+  /** Bits a step a camera; 0 for any number. */
+  long bandwidth() {
+    return bandwidth;
+  }
+
+  /** Bits that may wait. */
+  long queue() {
+    return (long) queue * bandwidth;
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof ChannelModel model && text().equals(model.text());
+  }
+
+  @Override
+  public int hashCode() {
+    return text().hashCode();
+  }
+}
