@@ -36,6 +36,13 @@ class CompareStatisticsTest {
   }
 
   @Test
+  void warnsThatSeedsAreFew() {
+    String warning = "warning: --repeat " + SEEDS + ": with fewer than 10 seeds";
+    assertTrue(compare.err().contains(warning), compare.err());
+    assertFalse(run(folder.resolve("ten"), 10, "zoom-out", "--steps", 5).err().contains(warning));
+  }
+
+  @Test
   void theOptimumThatAProportionIsOfStandsBesideIt() throws IOException {
     boolean zero = false;
     for (Map<String, String> row : rows(out, "results.csv", row -> true)) {

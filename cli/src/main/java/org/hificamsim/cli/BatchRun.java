@@ -10,6 +10,7 @@ import java.util.function.BiConsumer;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.report.Report;
+import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
@@ -97,6 +98,7 @@ final class BatchRun {
   private List<CaseResult> results(
       List<RunPlan> plans, List<RunPlan> all, RunEngine engine, Journal journal)
       throws IOException {
+    warnOfFewSeeds(plans.get(0).repeats());
     List<CaseResult> results;
     try (Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
       RunEngine journalled = new JournalledEngine(engine, journal, progress);
@@ -116,6 +118,17 @@ final class BatchRun {
       folder.commit(List.of());
     }
     screen.out().printf("shard %s: %s runs%n", shard, tasks.size());
+  }
+
+  private void warnOfFewSeeds(int seeds) {
+    if (seeds < Estimate.ENOUGH_SEEDS) {
+      screen
+          .err()
+          .printf(
+              "warning: --repeat %d: with fewer than %d seeds intervals are wide or missing, and"
+                  + " other seeds may tell otherwise%n",
+              seeds, Estimate.ENOUGH_SEEDS);
+    }
   }
 
   /** Says so where a policy's claim to be the best is not proven for every step. */

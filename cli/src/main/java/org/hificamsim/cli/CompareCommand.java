@@ -13,12 +13,12 @@ import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.compare.AggregateFiles;
-import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.compare.PolicyScores;
@@ -108,7 +108,7 @@ final class CompareCommand implements Callable<Integer> {
 
   private static void print(PrintWriter out, List<CaseResult> cases) {
     SummaryTables.cases(cases).print(out);
-    if (cases.stream().allMatch(one -> Bootstrap.mean(one.figures(Metric.SCORE)).mean() == 0)) {
+    if (cases.stream().allMatch(one -> Estimate.mean(one.figures(Metric.SCORE)).mean() == 0)) {
       nothing(out, cases);
     }
     List<PolicyScores> policies =

@@ -9,10 +9,11 @@ import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
 import java.util.ArrayList;
 import java.util.List;
 import org.hificamsim.reproduction.Statements.Margin;
+import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
-import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
+import org.hificamsim.runs.statistics.Bootstrap;
 
 /** The checks of what chapter 8 says of the two detection models. */
 final class DetectionStatements {
@@ -66,7 +67,7 @@ final class DetectionStatements {
   private Margin more(String scenario, String detection, String better, String worse) {
     return new Margin(
         scenario + ", " + better + " and " + worse,
-        Bootstrap.difference(
+        Estimate.difference(
             cases.find(scenario, detection, better).figures(Metric.PERFORMANCE),
             cases.find(scenario, detection, worse).figures(Metric.PERFORMANCE)));
   }

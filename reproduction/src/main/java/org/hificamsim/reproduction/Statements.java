@@ -12,7 +12,6 @@ import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.reproduction.Statement.Check;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
-import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 
@@ -101,7 +100,7 @@ final class Statements {
   private Margin difference(Check check, Metric metric) {
     double[] less = find(check.less()).figures(metric);
     double[] more = check.more() == null ? new double[less.length] : figures(check.more(), metric);
-    return new Margin(check.where(), Bootstrap.difference(more, less));
+    return new Margin(check.where(), Estimate.difference(more, less));
   }
 
   /** What the distance between a proportion and the published one leaves of 0.05. */
@@ -113,7 +112,7 @@ final class Statements {
   }
 
   private Estimate proportion(Check check) {
-    return Bootstrap.mean(figures(check.more(), Metric.PROPORTION_OF_OPTIMAL));
+    return Estimate.mean(figures(check.more(), Metric.PROPORTION_OF_OPTIMAL));
   }
 
   /** By how much less than 0.05 two cases' final proportions differ, either way. */
@@ -126,8 +125,8 @@ final class Statements {
     double[] above = Arrays.stream(difference).map(d -> Verdict.TOLERANCE - d).toArray();
     double[] below = Arrays.stream(difference).map(d -> Verdict.TOLERANCE + d).toArray();
     return Stream.of(
-        new Margin(check.where() + ", above", Bootstrap.mean(above)),
-        new Margin(check.where() + ", below", Bootstrap.mean(below)));
+        new Margin(check.where() + ", above", Estimate.mean(above)),
+        new Margin(check.where() + ", below", Estimate.mean(below)));
   }
 
   /** The mean k_min over the last tenth, run by run. */

@@ -28,8 +28,8 @@ final class ProfileFigure {
     CaseGroups.byDetection(shown).forEach((name, group) -> panels.add(panel(name, group, colors)));
     return new Figure(
         "Performance profile",
-        "Share of all runs whose proportion of the optimum is tau or more; bands: 95% stratified"
-            + " bootstrap intervals, point by point.",
+        "Share of all runs whose proportion of the optimum is tau or more; bands: 95%"
+            + " intervals, point by point.",
         colors.legend(),
         panels,
         Math.min(2, panels.size()),

@@ -11,7 +11,6 @@ import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
-import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.knowm.xchart.XYChart;
 
@@ -38,7 +37,7 @@ final class ProportionFigure {
     CaseGroups.byScenario(cases).forEach((name, group) -> panels.add(figure.panel(name, group)));
     return new Figure(
         "Proportion of the optimum",
-        "Means over seeds with 95% bootstrap intervals; the optimum is that of the same detection"
+        "Means over seeds with 95% intervals; the optimum is that of the same detection"
             + " model.",
         figure.legend(),
         panels,
@@ -67,7 +66,7 @@ final class ProportionFigure {
 
   private void dot(XyPanel panel, CaseResult one) {
     int row = policies.indexOf(one.plan().policy());
-    Estimate estimate = Bootstrap.mean(one.figures(Metric.PROPORTION_OF_OPTIMAL));
+    Estimate estimate = Estimate.mean(one.figures(Metric.PROPORTION_OF_OPTIMAL));
     if (row >= 0 && !Double.isNaN(estimate.mean())) {
       int detection = detections.indexOf(one.plan().detection().name());
       double y = row + 1 + APART * ((detections.size() - 1) / 2.0 - detection);

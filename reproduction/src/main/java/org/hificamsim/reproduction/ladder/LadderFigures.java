@@ -24,7 +24,7 @@ final class LadderFigures {
   private static final double APART = 0.14;
   private static final double EDGE = 0.05;
   private static final double ROOM = 1.08;
-  private static final String INTERVALS = "Bars: 95% bootstrap intervals over seeds.";
+  private static final String INTERVALS = "Bars: 95% intervals over seeds.";
   private final LadderResult result;
   private final List<String> names;
 

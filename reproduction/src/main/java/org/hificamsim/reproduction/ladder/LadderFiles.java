@@ -17,7 +17,6 @@ import org.hificamsim.reproduction.ladder.LadderResult.RungResult;
 import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.RunExecutor;
-import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.Column;
@@ -155,7 +154,7 @@ public final class LadderFiles {
                 new PolicyRow(
                     place,
                     ladder.policies().get(policy),
-                    Bootstrap.mean(scores.score()[policy]),
+                    Estimate.mean(scores.score()[policy]),
                     ranks[policy]));
   }
 

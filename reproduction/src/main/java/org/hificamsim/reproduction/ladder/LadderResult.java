@@ -10,8 +10,8 @@ import org.apache.commons.math3.stat.correlation.KendallsCorrelation;
 import org.hificamsim.reproduction.ladder.Ladder.RungScenario;
 import org.hificamsim.reproduction.ladder.Rungs.Rung;
 import org.hificamsim.runs.Estimate;
-import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.Cases;
+import org.hificamsim.runs.statistics.Bootstrap;
 
 /**
  * Every rung compared with the top one.
@@ -77,10 +77,10 @@ public record LadderResult(List<RungResult> rungs, List<Double> nanoseconds, Str
           scenario,
           rung,
           estimate(comparisons, (one, seeds) -> one.own().optimum(seeds)),
-          estimate(comparisons, RungComparison::tau),
+          estimate(comparisons, RungComparison::tau).within(-1, 1),
           chosen,
-          estimate(comparisons, RungComparison::regret),
-          estimate(comparisons, RungComparison::share));
+          estimate(comparisons, RungComparison::regret).within(0, Double.POSITIVE_INFINITY),
+          estimate(comparisons, RungComparison::share).within(0, 1));
     }
 
     /**

@@ -8,9 +8,9 @@ import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
 import org.hificamsim.runs.Estimate;
-import org.hificamsim.runs.compare.Bootstrap;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
+import org.hificamsim.runs.statistics.Bootstrap;
 
 /**
  * The conclusion of chapter 8 in one place: hi-fi proportion of the optimum less CamSim's.

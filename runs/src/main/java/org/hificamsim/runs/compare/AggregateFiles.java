@@ -169,6 +169,6 @@ public final class AggregateFiles {
         .mapToObj(
             i ->
                 new Difference(
-                    all.get(i), Bootstrap.mean(all.get(i).differences()), p[i], corrected[i]));
+                    all.get(i), Estimate.mean(all.get(i).differences()), p[i], corrected[i]));
   }
 }

@@ -58,10 +58,10 @@ public final class ComparisonFiles {
       Optional<CaseResult> reference = firstDetection(one, cases);
       Estimate difference =
           reference
-              .map(other -> Bootstrap.difference(figures, other.figures(metric)))
+              .map(other -> Estimate.difference(figures, other.figures(metric)))
               .orElse(Estimate.single(Double.NaN));
-      int runs = Bootstrap.known(figures).length;
-      return new CaseMetric(one, metric, runs, Bootstrap.mean(figures), reference, difference);
+      int runs = Estimate.known(figures).length;
+      return new CaseMetric(one, metric, runs, Estimate.mean(figures), reference, difference);
     }
   }
 

@@ -3,6 +3,7 @@ package org.hificamsim.runs.compare;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 
 /** Two policies under one detection, over the same scenarios. */
@@ -14,7 +15,7 @@ record PolicyPair(PolicyScores one, PolicyScores other) {
   record InScenario(CaseResult one, CaseResult other) {
     /** What the first has more than the other, by seed, where both have a value. */
     double[] differences() {
-      return Bootstrap.differences(one.figures(SCORE), other.figures(SCORE));
+      return Estimate.differences(one.figures(SCORE), other.figures(SCORE));
     }
   }
 

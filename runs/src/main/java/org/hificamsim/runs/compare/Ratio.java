@@ -6,11 +6,12 @@ import java.util.function.ToDoubleFunction;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.ScoredRun;
+import org.hificamsim.runs.statistics.Bootstrap;
 
 /**
  * The proportion of Table 8.1: the performance of several cases together over that of their optima,
- * a ratio of sums. Intervals come from resampling seeds (percentile bootstrap), the same seeds for
- * everything in a difference.
+ * a ratio of sums. Intervals come from drawing seeds again, the same seeds for everything in a
+ * difference.
  *
  * @param performance the sum over the cases, by seed
  * @param optimum the same of the reference policies

@@ -74,11 +74,11 @@ public final class SummaryTables {
       throws IOException {
     CaseResult first = all.get(0);
     String ofCases =
-        "Means over %s seeds with 95%% bootstrap intervals. Performance is k_min summed over %s steps."
+        "Means over %s seeds with 95%% intervals. Performance is k_min summed over %s steps."
             .formatted(first.runs().size(), first.plan().steps());
     String ofAggregates =
         "All scenarios together, proportions of the optimum: interquartile mean and optimality"
-            + " gap with 95% stratified bootstrap intervals.";
+            + " gap with 95% intervals.";
     List<Figure> figures = shown(all, PERFORMANCE, PROPORTION, OVER_FIXED, SCORE);
     try (Writer out = folder.open(LATEX)) {
       out.write("% \\usepackage{booktabs}\n");
@@ -122,10 +122,10 @@ public final class SummaryTables {
    */
   private static String text(CaseResult one, Figure figure, boolean counted) {
     double[] figures = one.figures(figure.metric);
-    int known = Bootstrap.known(figures).length;
+    int known = Estimate.known(figures).length;
     boolean some = known > 0 && known < figures.length;
     String count = counted && some ? known + "/" + figures.length + ": " : "";
-    return count + Bootstrap.mean(figures).text(figure.format);
+    return count + Estimate.mean(figures).text(figure.format);
   }
 
   /** The cases of each scenario together: the optima come last otherwise. */

@@ -45,8 +45,7 @@ public enum Aggregate {
   public static Map<Aggregate, Estimate> estimates(Strata strata) {
     List<Aggregate> all = List.of(values());
     Estimate[] estimates =
-        StratifiedBootstrap.all(
-            drawn -> all.stream().mapToDouble(one -> one.of(drawn)).toArray(), strata);
+        Bootstrap.all(drawn -> all.stream().mapToDouble(one -> one.of(drawn)).toArray(), strata);
     return all.stream().collect(Collectors.toMap(one -> one, one -> estimates[all.indexOf(one)]));
   }
 

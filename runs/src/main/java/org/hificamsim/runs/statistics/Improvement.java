@@ -14,7 +14,7 @@ public final class Improvement {
 
   /** The probability with its interval; NaN where no scenario has runs of both. */
   public static Estimate estimate(Strata policy, Strata over) {
-    return StratifiedBootstrap.of(Improvement::probability, policy, over);
+    return Bootstrap.of(Improvement::probability, policy, over).within(0, 1);
   }
 
   /** The probability alone; both have the same scenarios in the same order. */

@@ -17,7 +17,10 @@ public record PerformanceProfile(Estimate[] shares) {
 
   /** The profile with its intervals, point by point. */
   public static PerformanceProfile of(Strata strata) {
-    return new PerformanceProfile(StratifiedBootstrap.all(PerformanceProfile::shares, strata));
+    return new PerformanceProfile(
+        Arrays.stream(Bootstrap.all(PerformanceProfile::shares, strata))
+            .map(share -> share.within(0, 1))
+            .toArray(Estimate[]::new));
   }
 
   private static double[] shares(Strata strata) {

@@ -4,6 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import org.apache.commons.math3.stat.StatUtils;
+import org.hificamsim.runs.Estimate;
 
 /**
  * Scores by scenario: what is drawn again within each scenario, never across scenarios.
@@ -13,11 +14,7 @@ import org.apache.commons.math3.stat.StatUtils;
 public record Strata(double[][] scores) {
   /** Those of scores that are not NaN. */
   public static Strata of(List<double[]> scores) {
-    return new Strata(scores.stream().map(Strata::known).toArray(double[][]::new));
-  }
-
-  private static double[] known(double[] scores) {
-    return Arrays.stream(scores).filter(score -> !Double.isNaN(score)).toArray();
+    return new Strata(scores.stream().map(Estimate::known).toArray(double[][]::new));
   }
 
   /** How many scores there are. */
@@ -34,9 +31,11 @@ public record Strata(double[][] scores) {
     return means().length;
   }
 
-  /** Whether drawing again can give anything else. */
-  boolean varies() {
-    return Arrays.stream(scores).anyMatch(one -> one.length > 1);
+  /**
+   * How many scores could differ from the means of their scenarios: 0 where none is drawn again.
+   */
+  int freedom() {
+    return runs() - scenarios();
   }
 
   /** All scores, rising. */
