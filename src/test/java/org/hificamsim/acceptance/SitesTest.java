@@ -11,6 +11,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.scenario.CameraSpec;
@@ -45,6 +46,7 @@ class SitesTest {
   void saysWhereItIsFromAndWhatSuitsIt(String name, String detection) throws IOException {
     String comment = Files.readString(Cli.scenario(name)).split("-->", 2)[0];
     Scenario scenario = read(name, new ArrayList<>());
+    assertEquals(Optional.of(detection), scenario.find(Scenario.DETECTION));
     assertTrue(comment.contains("Objective " + scenario.objective().text()), comment);
     assertTrue(comment.replaceAll("\\s+", " ").contains("Detection " + detection), comment);
     assertTrue(comment.contains("Value of adapting:"), comment);
@@ -63,10 +65,10 @@ class SitesTest {
   /** On a short run; the long ones are in docs/world.md. */
   @ParameterizedTest
   @CsvSource({
-    "corridor, dori-2014:level=recognise",
+    "corridor, oodpcvs-2025:level=perceive",
     "border, ttpf:task=recognise",
-    "warehouse, dori-2014:level=observe",
-    "hall, dori-2014:level=recognise"
+    "warehouse, oodpcvs-2025:level=discern",
+    "hall, oodpcvs-2025:level=perceive"
   })
   void adaptingIsWorthAThirdOrMore(String name, String detection) throws IOException {
     Path out = folder.resolve("out");

@@ -27,7 +27,7 @@ public final class AuctionRun {
     Detection detection = Detection.of(catalogue.detection("camsim-visibility"));
     RunPlan plan =
         new RunPlan(
-            CamSimScenario.as(read, settings), detection, "zoom-out", RunPlan.MAX_STEPS, 0, 1);
+            CamSimScenario.as(read, settings), detection, "zoom-out", Scenario.MAX_STEPS, 0, 1);
     return NetworkRun.of(plan, settings, catalogue);
   }
 }

@@ -34,6 +34,9 @@ import picocli.CommandLine.Parameters;
       "A --policy zooms over the file's zoom list, which CamSim ignores."
     })
 final class CamSimCommand implements Callable<Integer> {
+  /** CamSim's own default. */
+  private static final int USUAL_STEPS = 100;
+
   @Parameters(paramLabel = "SCENARIO.xml", description = "The scenario file.")
   private Path file;
 
@@ -58,8 +61,8 @@ final class CamSimCommand implements Callable<Integer> {
   @Option(
       names = {"-t", "--time"},
       paramLabel = "N",
-      description = "Steps.")
-  private int steps;
+      description = "Steps; default: the scenario's, else 100.")
+  private Optional<Integer> steps;
 
   @Option(
       names = {"-m", "--movement"},
@@ -125,19 +128,18 @@ final class CamSimCommand implements Callable<Integer> {
     NetworkRun run = NetworkRun.of(plan, camSims, catalogue);
     CamSimFiles.Places places = new CamSimFiles.Places(file, output, summary, extra, coverage);
     try (CamSimFiles files = new CamSimFiles(places, plan, run);
-        Progress progress = screen.progress(plan.scenario().name(), " steps", steps)) {
-      run.listen((view, measured) -> progress.advance()).run(steps);
+        Progress progress = screen.progress(plan.scenario().name(), " steps", plan.steps())) {
+      run.listen((view, measured) -> progress.advance()).run(plan.steps());
       files.commit(screen.words(), started);
-      print(plan.scenario(), run.sums());
+      print(plan, run.sums());
     }
     return 0;
   }
 
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue, NetworkSettings camSims) {
-    Numbers.inRange("-t", steps, 0, RunPlan.MAX_STEPS);
+    steps.ifPresent(asked -> Numbers.inRange("-t", asked, 0, Scenario.MAX_STEPS));
     Settings asked = settings.settings();
-    DetectionSpec spec = DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
     Scenario scenario =
         asked.scenario(
             CamSimScenario.read(
@@ -149,21 +151,21 @@ final class CamSimCommand implements Callable<Integer> {
                 screen.err()));
     return new RunPlan(
         scenario,
-        spec.detection(asked, scenario),
+        DetectionSpec.of(asked, scenario, file, catalogue),
         asked.asked(Setting.POLICY).orElse("zoom-out"),
-        steps,
+        steps.or(() -> scenario.find(Scenario.STEPS)).orElse(USUAL_STEPS),
         seed,
         1);
   }
 
-  private void print(Scenario scenario, StepFigures sums) {
+  private void print(RunPlan plan, StepFigures sums) {
     screen
         .out()
         .printf(
             Locale.ROOT,
             "%s: %d steps, seed %d: utility %.4f, %d messages, %d handovers, %.4f tracked; %s%n",
-            scenario.name(),
-            steps,
+            plan.scenario().name(),
+            plan.steps(),
             seed,
             sums.utility(),
             sums.communication(),

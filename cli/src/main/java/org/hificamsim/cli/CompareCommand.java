@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
-import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.presentation.figures.ComparisonFigures;
 import org.hificamsim.presentation.plot.PrintWidth;
@@ -26,8 +25,10 @@ import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.SummaryTables;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
 
 /** {@code hificamsim compare}: scenarios x detection models x policies x seeds, side by side. */
 @Command(
@@ -41,8 +42,8 @@ final class CompareCommand implements Callable<Integer> {
       names = "--detections",
       paramLabel = "A,B[@T]",
       description =
-          "Detection models or model files, perhaps with thresholds or rules; differences are to"
-              + " the first.")
+          "Detection models or model files, perhaps with thresholds or rules, in place of the one"
+              + " that a scenario names; differences are to the first.")
   private String detections;
 
   @Option(
@@ -59,6 +60,8 @@ final class CompareCommand implements Callable<Integer> {
       paramLabel = "MMmm",
       description = "Pictures for print, so wide: 88mm, 180mm. Without it, for the screen.")
   private Optional<String> figureWidth;
+
+  @Spec private CommandSpec command;
 
   @Mixin private ScenarioOptions scenarioOptions;
 
@@ -96,13 +99,35 @@ final class CompareCommand implements Callable<Integer> {
     List<String> zooms = NameLists.policies(policies, catalogue.policies());
     List<Scenario> scenarios = scenarioOptions.read(files, asked, catalogue, screen.err());
     List<RunPlan> plans = new ArrayList<>();
-    for (Scenario scenario : scenarios) {
-      List<Detection> used = specs.stream().map(one -> one.detection(asked, scenario)).toList();
-      NameLists.requireDistinct("--detections", used.stream().map(Detection::name).toList());
-      for (Detection detection : used) {
-        zooms.forEach(policy -> plans.add(asked.plan(scenario, detection, policy)));
+    for (int i = 0; i < files.size(); i++) {
+      for (RunPlan plan : plans(asked, scenarios.get(i), files.get(i), specs, catalogue)) {
+        zooms.forEach(policy -> plans.add(plan.withPolicy(policy)));
       }
     }
+    return plans;
+  }
+
+  /** A plan for each detection: those that are asked for, else the scenario's, else the default. */
+  private List<RunPlan> plans(
+      Settings asked,
+      Scenario scenario,
+      Path file,
+      List<DetectionSpec> specs,
+      Catalogue catalogue) {
+    boolean listed = command.commandLine().getParseResult().hasMatchedOption("--detections");
+    if (!listed && scenario.find(Scenario.DETECTION).isPresent()) {
+      return List.of(asked.plan(scenario, DetectionSpec.of(asked, scenario, file, catalogue)));
+    }
+    List<RunPlan> plans = new ArrayList<>();
+    for (DetectionSpec spec : specs) {
+      Settings own =
+          listed
+              ? asked.with(Setting.DETECTION, spec.text())
+              : asked.orElse(Setting.DETECTION, spec.text());
+      plans.add(own.plan(scenario, spec.detection(own, scenario)));
+    }
+    NameLists.requireDistinct(
+        "--detections", plans.stream().map(plan -> plan.detection().name()).toList());
     return plans;
   }
 

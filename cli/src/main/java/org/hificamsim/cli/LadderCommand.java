@@ -66,7 +66,9 @@ final class LadderCommand implements Callable<Integer> {
       names = "--detection",
       paramLabel = "NAME|FILE.json[@T|@RULE]",
       description =
-          "With --of world: what all rungs detect by; default: " + Rungs.WORLD_DETECTION + ".")
+          "With --of world: what all rungs detect by; default: the scenario's, else "
+              + Rungs.WORLD_DETECTION
+              + ".")
   private Optional<String> detection;
 
   @Option(
@@ -108,7 +110,7 @@ final class LadderCommand implements Callable<Integer> {
         scenarios,
         rungsAsked(),
         specs,
-        (rung, scenario) -> rung.spec(catalogue::detection).detection(asked, scenario));
+        (rung, scenario) -> rung.detection(asked, scenario, catalogue::detection));
   }
 
   private static void refuse(String rule) {
@@ -123,10 +125,9 @@ final class LadderCommand implements Callable<Integer> {
   }
 
   private List<Rung> ofWorld(Optional<List<String>> names) {
-    String all = detection.orElse(Rungs.WORLD_DETECTION);
     return names
-        .map(asked -> asked.stream().map(name -> Rungs.ofWorld(all, name)).toList())
-        .orElseGet(() -> Rungs.ofWorld(all));
+        .map(asked -> asked.stream().map(name -> Rungs.ofWorld(detection, name)).toList())
+        .orElseGet(() -> Rungs.ofWorld(detection));
   }
 
   private List<Rung> ofDetection(Optional<List<String>> names) {

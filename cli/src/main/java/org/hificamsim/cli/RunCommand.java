@@ -28,7 +28,6 @@ import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
-import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatMap;
@@ -216,10 +215,8 @@ final class RunCommand implements Callable<Integer> {
   /** Checks every option before anything is written. */
   private RunPlan plan(Catalogue catalogue) {
     Settings asked = settings.settings();
-    DetectionSpec detection =
-        DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
     Scenario scenario = scenarioOptions.read(file, asked, catalogue, screen.err());
-    Detection used = detection.detection(asked, scenario);
+    Detection used = DetectionSpec.of(asked, scenario, file, catalogue);
     scenarioOptions.warnAboutLens(file, scenario, used, screen.err());
     return asked.plan(scenario, used);
   }

@@ -19,6 +19,7 @@ final class SettingOptions {
   private final Set<Setting> settings;
   private final Set<Setting> open = EnumSet.noneOf(Setting.class);
   private final Map<Setting, OptionSpec> options = new EnumMap<>(Setting.class);
+  private CommandSpec command;
 
   private SettingOptions(Set<Setting> settings) {
     this.settings = settings;
@@ -49,7 +50,8 @@ final class SettingOptions {
 
   /** Adds the options to those of the command that has this mixin; picocli calls it. */
   @Spec(Spec.Target.MIXEE)
-  void addTo(CommandSpec command) {
+  void addTo(CommandSpec mixee) {
+    command = mixee;
     for (Setting setting : settings) {
       OptionSpec option =
           OptionSpec.builder(name(setting))
@@ -64,7 +66,7 @@ final class SettingOptions {
   }
 
   /**
-   * The settings as they were asked for.
+   * The settings as they were asked for, and the defaults of the command for those that were not.
    *
    * @throws InputException when one cannot have its value
    */
@@ -72,12 +74,18 @@ final class SettingOptions {
     Settings asked = Settings.NONE;
     for (Map.Entry<Setting, OptionSpec> one : options.entrySet()) {
       Object value = one.getValue().getValue();
-      if (value != null) {
+      if (isAsked(one.getValue())) {
         asked = asked.with(one.getKey(), value.toString(), name(one.getKey()));
+      } else if (value != null) {
+        asked = asked.orElse(one.getKey(), value.toString());
       }
     }
     requireRoom(asked);
     return asked;
+  }
+
+  private boolean isAsked(OptionSpec option) {
+    return command.commandLine().getParseResult().hasMatchedOption(option);
   }
 
   /** The last repeat's seed is a whole number of 64 bits too. */

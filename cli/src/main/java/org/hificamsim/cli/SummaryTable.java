@@ -7,11 +7,14 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
+import org.hificamsim.core.Spelling;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.SettingSource;
 
 /** The short table that a run prints when it is done. */
 final class SummaryTable {
@@ -47,6 +50,7 @@ final class SummaryTable {
                     + plan.seed()
                     + " to "
                     + plan.seed(plan.repeats() - 1)));
+    table.sources(plan);
     table.figures(plan);
     table.unproven(plan);
     table.uncovered(plan);
@@ -74,6 +78,23 @@ final class SummaryTable {
           plan.detection().certain() ? "detected up to" : "half of the time",
           DetectionHints.reach(plan.scenario(), plan.detection()));
     }
+  }
+
+  /** Says who chose what a scenario may name. */
+  private void sources(RunPlan plan) {
+    String chosen =
+        Arrays.stream(SettingSource.values())
+            .filter(plan.sources()::containsValue)
+            .map(from -> Spelling.of(from) + ": " + from(plan, from))
+            .collect(Collectors.joining("; "));
+    line("chosen by", chosen);
+  }
+
+  private static String from(RunPlan plan, SettingSource source) {
+    return plan.sources().entrySet().stream()
+        .filter(one -> one.getValue() == source)
+        .map(one -> one.getKey().label())
+        .collect(Collectors.joining(", "));
   }
 
   private void figures(RunPlan plan) {

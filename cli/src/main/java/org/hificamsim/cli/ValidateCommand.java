@@ -20,6 +20,7 @@ import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.presentation.replay.FloorPictures;
 import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -38,11 +39,7 @@ final class ValidateCommand implements Callable<Integer> {
 
   @Mixin private ScenarioOptions scenarioOptions;
 
-  @Option(
-      names = "--detection",
-      paramLabel = "NAME|FILE.json[@T]",
-      description = "The detection model whose reach and lens are checked.")
-  private String detection;
+  @Mixin private final SettingOptions settings = SettingOptions.of(Setting.DETECTION);
 
   @Option(names = "--json", description = "Print what is found as JSON.")
   private boolean json;
@@ -52,10 +49,13 @@ final class ValidateCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     Catalogue catalogue = Catalogue.load();
-    DetectionSpec model = DetectionSpec.parse(detection, catalogue::detection);
+    Settings asked = settings.settings();
+    asked
+        .asked(Setting.DETECTION)
+        .ifPresent(name -> DetectionSpec.parse(name, catalogue::detection));
     List<Checked> all = new ArrayList<>();
     for (Path file : files) {
-      Checked one = check(file, model, catalogue);
+      Checked one = check(file, asked, catalogue);
       all.add(scenarioOptions.strict() ? one.strict() : one);
       tell(all.get(all.size() - 1));
     }
@@ -69,7 +69,7 @@ final class ValidateCommand implements Callable<Integer> {
     one.print(json ? new PrintWriter(Writer.nullWriter()) : out(), spec.commandLine().getErr());
   }
 
-  private static Checked check(Path file, DetectionSpec model, Catalogue catalogue) {
+  private static Checked check(Path file, Settings asked, Catalogue catalogue) {
     List<String> warned = new ArrayList<>();
     List<String> errors = new ArrayList<>();
     Optional<Scenario> scenario =
@@ -79,14 +79,20 @@ final class ValidateCommand implements Callable<Integer> {
             NetworkSettings.DEFAULT.check(),
             warned::add,
             fault -> errors.add(fault.getMessage()));
-    scenario.ifPresent(one -> warnAboutDetection(file, one, model, warned));
+    scenario.ifPresent(
+        one -> {
+          try {
+            warnAboutDetection(file, one, DetectionSpec.of(asked, one, file, catalogue), warned);
+          } catch (InputException e) {
+            errors.add(e.getMessage());
+          }
+        });
     scenario.ifPresent(one -> warnAboutFloorplan(file, one, warned));
     return new Checked(file, scenario, errors, warned);
   }
 
   private static void warnAboutDetection(
-      Path file, Scenario scenario, DetectionSpec model, List<String> warned) {
-    Detection used = model.detection(Settings.NONE, scenario);
+      Path file, Scenario scenario, Detection used, List<String> warned) {
     Stream.of(
             DetectionHints.smallReach(scenario, used),
             DetectionHints.lens(scenario, used),

@@ -13,6 +13,7 @@ import org.hificamsim.presentation.view.LivePage;
 import org.hificamsim.presentation.view.LiveRun;
 import org.hificamsim.presentation.view.LiveSession;
 import org.hificamsim.presentation.view.ViewServer;
+import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.Setting;
 import org.hificamsim.runs.Settings;
 import picocli.CommandLine.Command;
@@ -59,7 +60,8 @@ final class ViewCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     Settings asked = settings.settings();
     Scenario scenario = scenarioOptions.read(file, asked, catalogue, spec.commandLine().getErr());
-    String detection = asked.value(Setting.DETECTION);
+    DetectionSpec.of(asked, scenario, file, catalogue); // refuses a wrong one with its place
+    String detection = asked.value(Setting.DETECTION, scenario);
     Double threshold = asked.asked(Setting.THRESHOLD).map(Double::valueOf).orElse(null);
     LiveChoice choice = new LiveChoice(detection, threshold, asked.value(Setting.POLICY));
     LiveRun run =

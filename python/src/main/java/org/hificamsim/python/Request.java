@@ -111,20 +111,18 @@ record Request(Settings asked, Environment own) {
 
   /** Reads the scenario, and finds everything by its name. */
   WorldSettings worldSettings(Catalogue catalogue) {
-    DetectionSpec spec = DetectionSpec.parse(asked.value(Setting.DETECTION), catalogue::detection);
+    Path file = Path.of(own.scenario);
     Scenario scenario =
-        asked.scenario(
-            ScenarioReader.read(
-                Path.of(own.scenario), catalogue.movements()::knows, warning -> {}));
+        asked.scenario(ScenarioReader.read(file, catalogue.movements()::knows, warning -> {}));
     Rewards.registry().create(own.reward); // a wrong one is refused here
     return new WorldSettings(
         scenario,
         catalogue.movements(),
-        spec.detection(asked, scenario),
+        DetectionSpec.of(asked, scenario, file, catalogue),
         new ObservationLayout(own.targets, own.neighbours),
         Spelling.require(ActionKind.class, "actions", own.actions),
         () -> Rewards.registry().create(own.reward),
-        asked.steps(),
+        Integer.parseInt(asked.value(Setting.STEPS, scenario)),
         own.autoReset);
   }
 }

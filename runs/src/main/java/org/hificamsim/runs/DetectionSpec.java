@@ -1,25 +1,29 @@
 package org.hificamsim.runs;
 
+import java.nio.file.Path;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioReader;
 
 /**
  * A detection as users name it: {@code NAME} or {@code FILE.json}, or either with a threshold or a
  * rule of its own, {@code NAME@T}, {@code NAME@chance:alpha=0.01}.
  *
+ * @param text as users name it
  * @param threshold the detection's own, in [0, 1]
  * @param rule the detection's own
  */
 public record DetectionSpec(
-    DetectionModel model, Optional<Double> threshold, Optional<DetectionRule> rule) {
+    String text, DetectionModel model, Optional<Double> threshold, Optional<DetectionRule> rule) {
   private static final Pattern WITH_THRESHOLD = Pattern.compile("(.+)@([-+.\\deE]+)");
   private static final Pattern WITH_RULE =
       Pattern.compile("(.+)@(" + String.join("|", DetectionRule.rules().names()) + ")(:[^@]*)?");
@@ -40,14 +44,20 @@ public record DetectionSpec(
     Matcher ruled = WITH_RULE.matcher(text);
     if (parts.matches()) {
       Optional<Double> own = Optional.of(threshold(parts.group(2)));
-      return new DetectionSpec(models.apply(parts.group(1)), own, Optional.empty());
+      return new DetectionSpec(text, models.apply(parts.group(1)), own, Optional.empty());
     }
     if (ruled.matches()) {
       String rule = text.substring(ruled.end(1) + 1).replace(';', ',');
+      DetectionModel model = models.apply(ruled.group(1));
       return new DetectionSpec(
-          models.apply(ruled.group(1)), Optional.empty(), Optional.of(DetectionRule.parse(rule)));
+          text, model, Optional.empty(), Optional.of(DetectionRule.parse(rule)));
     }
-    return new DetectionSpec(models.apply(text), Optional.empty(), Optional.empty());
+    return new DetectionSpec(text, models.apply(text), Optional.empty(), Optional.empty());
+  }
+
+  /** The same by this rule unless it has one of its own. */
+  public DetectionSpec or(DetectionRule other) {
+    return new DetectionSpec(text, model, threshold, rule.or(() -> Optional.of(other)));
   }
 
   /**
@@ -70,6 +80,27 @@ public record DetectionSpec(
     return threshold;
   }
 
+  /**
+   * The detection of a scenario: the one that is asked for, else the scenario's, else the default.
+   *
+   * @param file where the scenario was read, for errors
+   * @throws InputException when there is no such model, or its threshold or rule is wrong
+   */
+  public static Detection of(Settings asked, Scenario scenario, Path file, Catalogue catalogue) {
+    return parse(asked, scenario, file, catalogue).detection(asked, scenario);
+  }
+
+  private static DetectionSpec parse(
+      Settings asked, Scenario scenario, Path file, Catalogue catalogue) {
+    try {
+      return parse(asked.value(Setting.DETECTION, scenario), catalogue::detection);
+    } catch (InputException e) {
+      throw asked.source(Setting.DETECTION, scenario) == SettingSource.SCENARIO
+          ? ScenarioReader.error(file, Scenario.DETECTION, e)
+          : e;
+    }
+  }
+
   /** The detection where no scenario has a say. */
   public Detection detection(Settings asked) {
     return detection(asked, OptionalDouble.empty(), Optional.empty());
@@ -77,12 +108,17 @@ public record DetectionSpec(
 
   /**
    * The detection with the first rule or threshold that there is: its own, the one that is asked
-   * for, the scenario's, the default. A threshold asks for the rule of thresholds.
+   * for, the scenario's, the default. A threshold asks for the rule of thresholds. That of a
+   * scenario which names a detection is for that one alone.
    *
    * @throws InputException when both a threshold and a rule of chance are asked for
    */
   public Detection detection(Settings asked, Scenario scenario) {
-    return detection(asked, scenario.threshold(), scenario.detect());
+    boolean another =
+        scenario.find(Scenario.DETECTION).isPresent()
+            && asked.source(Setting.DETECTION, scenario) == SettingSource.OPTION;
+    return detection(
+        asked, another ? OptionalDouble.empty() : scenario.threshold(), scenario.detect());
   }
 
   Detection detection(

@@ -2,6 +2,7 @@ package org.hificamsim.runs;
 
 import java.util.EnumMap;
 import java.util.Map;
+import java.util.Optional;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.scenario.Scenario;
@@ -12,16 +13,23 @@ import org.hificamsim.core.scenario.Scenario;
  *
  * @param scenario with what was asked for in place of what its file says
  * @param own the values of the settings that the plan itself keeps, all of them
+ * @param sources where settings come from, for people; empty where nobody knows
  */
-public record RunPlan(Scenario scenario, Detection detection, Map<Setting, String> own) {
-  /** The longest run. */
-  public static final int MAX_STEPS = 1_000_000_000;
+public record RunPlan(
+    Scenario scenario,
+    Detection detection,
+    Map<Setting, String> own,
+    Map<Setting, SettingSource> sources) {
+  /** A plan whose settings come from nobody knows where. */
+  public RunPlan(Scenario scenario, Detection detection, Map<Setting, String> own) {
+    this(scenario, detection, own, Map.of());
+  }
 
   /**
    * A plan with all other settings at their defaults.
    *
    * @param policy name and options; each repeat makes its own instance
-   * @param steps 0 ({@code camsim} alone) to {@link #MAX_STEPS}
+   * @param steps 0 ({@code camsim} alone) to {@link Scenario#MAX_STEPS}
    * @param seed of the first repeat; repeat i uses seed + i
    * @param repeats 1 or more
    */
@@ -31,7 +39,7 @@ public record RunPlan(Scenario scenario, Detection detection, Map<Setting, Strin
   }
 
   private static Map<Setting, String> own(String policy, int steps, long seed, int repeats) {
-    Map<Setting, String> own = Settings.NONE.own();
+    Map<Setting, String> own = Settings.NONE.own(Optional.empty());
     own.put(Setting.POLICY, policy);
     own.put(Setting.STEPS, Integer.toString(steps));
     own.put(Setting.SEED, Long.toString(seed));
@@ -73,6 +81,6 @@ public record RunPlan(Scenario scenario, Detection detection, Map<Setting, Strin
   public RunPlan withPolicy(String policy) {
     Map<Setting, String> changed = new EnumMap<>(own);
     changed.put(Setting.POLICY, policy);
-    return new RunPlan(scenario, detection, changed);
+    return new RunPlan(scenario, detection, changed, sources);
   }
 }

@@ -28,15 +28,22 @@ public enum Setting {
       Kind.TEXT,
       "NAME|FILE.json[@T|@RULE]",
       "hifi:orb-lin",
-      ofPlan(plan -> plan.detection().name(), (name, text) -> {}),
-      "The detection model, perhaps with its threshold or rule (--detect); see 'list detections'."),
+      new Holder(
+          plan -> plan.detection().name(),
+          (name, text) -> {},
+          (scenario, text) -> scenario,
+          scenario -> scenario.find(Scenario.DETECTION)),
+      "The detection model, perhaps with its threshold or rule (--detect), in place of the"
+          + " scenario's; see 'list detections'."),
   THRESHOLD(
       Kind.NUMBER,
       "T",
       null,
-      ofPlan(
+      new Holder(
           plan -> Double.toString(plan.detection().threshold()),
-          (name, text) -> DetectionSpec.threshold(text)),
+          (name, text) -> DetectionSpec.threshold(text),
+          (scenario, text) -> scenario.withoutOwnRule(),
+          null),
       "Detection threshold, 0 to 1; default: that of NAME@T, the scenario's, else the model's."),
   DETECT(
       Kind.TEXT,
@@ -45,7 +52,8 @@ public enum Setting {
       new Holder(
           plan -> plan.detection().certain() ? null : plan.detection().rule().text(),
           (name, text) -> DetectionRule.parse(text),
-          (scenario, text) -> scenario.withDetect(DetectionRule.parse(text))),
+          (scenario, text) -> scenario.withDetect(DetectionRule.parse(text)),
+          scenario -> scenario.detect().map(DetectionRule::text)),
       "How a confidence becomes a detection: threshold; chance, drawn from the scatter of the"
           + " model's fit; or probability, the value itself.",
       "With options: chance:alpha=0.05,memory=N,phantoms=on. Default: the scenario's, else"
@@ -63,10 +71,22 @@ public enum Setting {
       new Holder(
           plan -> plan.objective().text(),
           (name, text) -> Objective.parse(text),
-          (scenario, text) -> scenario.with(Scenario.OBJECTIVE, Objective.parse(text))),
-      "What a step is scored by, and optimal, one-hop and best-fixed maximise; before the"
-          + " scenario's own. See docs/objectives.md."),
-  STEPS(Kind.INT, "N", "1000", own(range(1, RunPlan.MAX_STEPS)), "Steps, 1 to 1,000,000,000."),
+          (scenario, text) -> scenario.with(Scenario.OBJECTIVE, Objective.parse(text)),
+          scenario -> scenario.find(Scenario.OBJECTIVE).map(Objective::text)),
+      "The score of a step, and what optimal, one-hop and best-fixed maximise; overrides the"
+          + " scenario's. See docs/objectives.md."),
+  STEPS(
+      Kind.INT,
+      "N",
+      "1000",
+      new Holder(
+          null,
+          range(1, Scenario.MAX_STEPS),
+          (scenario, text) ->
+              scenario.with(
+                  Scenario.STEPS, scenario.find(Scenario.STEPS).map(any -> Integer.valueOf(text))),
+          scenario -> scenario.find(Scenario.STEPS).map(String::valueOf)),
+      "Steps, 1 to 1,000,000,000, in place of the scenario's."),
   SEED(
       Kind.LONG,
       "N",
@@ -129,9 +149,13 @@ public enum Setting {
    * @param of its value, perhaps null; not needed ({@code null}) for what the plan keeps itself
    * @param check of a value that is asked for
    * @param into changes what a scenario file says
+   * @param in what a scenario file says; null for what counts wherever it comes from
    */
   private record Holder(
-      Function<RunPlan, String> of, Check check, BiFunction<Scenario, String, Scenario> into) {}
+      Function<RunPlan, String> of,
+      Check check,
+      BiFunction<Scenario, String, Scenario> into,
+      Function<Scenario, Optional<String>> in) {}
 
   private final Kind kind;
   private final String form;
@@ -149,12 +173,7 @@ public enum Setting {
 
   /** A setting of runs alone, such as their number of steps: the plan keeps it. */
   private static Holder own(Check check) {
-    return new Holder(null, check, (scenario, text) -> scenario);
-  }
-
-  /** A setting that is part of the detection. */
-  private static Holder ofPlan(Function<RunPlan, String> of, Check check) {
-    return new Holder(of, check, (scenario, text) -> scenario);
+    return new Holder(null, check, (scenario, text) -> scenario, null);
   }
 
   /** A setting that is an attribute of scenarios too, which it overrides. */
@@ -162,7 +181,8 @@ public enum Setting {
     return new Holder(
         plan -> Spelling.of(plan.scenario().get(property)),
         (name, text) -> Spelling.require(type, name, text),
-        (scenario, text) -> scenario.with(property, Spelling.require(type, "", text)));
+        (scenario, text) -> scenario.with(property, Spelling.require(type, "", text)),
+        null);
   }
 
   private static Check range(long min, long max) {
@@ -208,6 +228,16 @@ public enum Setting {
   /** Its default; null where the scenario or the model decides. */
   public String fallback() {
     return fallback;
+  }
+
+  /** Whether results tell where it comes from: an option, the scenario or the default. */
+  public boolean hasSource() {
+    return holder.in != null;
+  }
+
+  /** What a scenario says of it; empty where it says nothing. */
+  Optional<String> in(Scenario scenario) {
+    return hasSource() ? holder.in.apply(scenario) : Optional.empty();
   }
 
   /** Whether it says which runs there are, and nothing of what each computes. */

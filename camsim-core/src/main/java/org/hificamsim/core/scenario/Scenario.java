@@ -8,6 +8,7 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.DetectionRule;
@@ -16,6 +17,12 @@ import org.hificamsim.core.obstacle.Obstacle;
 
 /** A scenario: the field and what stands in it, cameras, targets, and what happens when. */
 public final class Scenario extends Spec<Scenario> {
+  /** The longest run. */
+  public static final int MAX_STEPS = 1_000_000_000;
+
+  /** What follows a detection model's name where it has a threshold or rule of its own. */
+  private static final Pattern OWN_RULE = Pattern.compile("@[^@/]*$");
+
   static final Element<Scenario> ELEMENT =
       Element.of(
           "simulation",
@@ -32,8 +39,13 @@ threshold: least confidence that counts as a detection, 0 to 1 (ours) \
 | the detection model's
 detect: [how a confidence becomes a detection](detection.md), as `chance:alpha=0.01`; no \
 `threshold` in addition to one of chance (ours) | `threshold`
+detection: the [detection model](detection.md) that the scenario is made for, a name or a \
+[model file](profiling.md#the-model-file) with a path from the scenario's folder, as \
+`NAME`, `NAME@0.5`, `FILE.json@chance`; no `threshold` or `detect` in addition to `@` (ours) \
+| `hifi:orb-lin`
 objective: [what a step is scored by](objectives.md): `kmin`, `covered:k=1`, \
-`lexicographic` or `sum:cap=3` (ours)
+`lexicographic` or `sum:cap=3` (ours) | `kmin`
+steps: how many steps a run has (ours) | 1000
 mount_height: height of the cameras, m, above 0; it gives each zoom radius its \
 [focal length](#the-lens) (ours) | the height at which the narrowest radius has 85 mm
 step: how long a step takes, s, above 0; it says how far a camera moves in one. Speeds \
@@ -62,11 +74,12 @@ shows, m (ours) | the field's borders
       ELEMENT.optional("threshold", Type.PROPORTION);
   public static final Property<Scenario, DetectionRule> DETECT =
       ELEMENT.optional("detect", Type.named("", DetectionRule::parse, DetectionRule::text));
+  public static final Property<Scenario, String> DETECTION =
+      ELEMENT.optional("detection", Type.TEXT);
   public static final Property<Scenario, Objective> OBJECTIVE =
-      ELEMENT
-          .attribute(
-              "objective", Type.named("", Objective::parse, Objective::text), Objective.kMin())
-          .quiet();
+      ELEMENT.optional("objective", Type.named("", Objective::parse, Objective::text));
+  public static final Property<Scenario, Integer> STEPS =
+      ELEMENT.optional("steps", Type.whole(1, MAX_STEPS));
   public static final Property<Scenario, Double> MOUNT_HEIGHT =
       ELEMENT.optional("mount_height", Type.POSITIVE_LENGTH);
   public static final Property<Scenario, Double> STEP_TIME =
@@ -207,7 +220,7 @@ shows, m (ours) | the field's borders
   }
 
   public Objective objective() {
-    return get(OBJECTIVE);
+    return find(OBJECTIVE).orElseGet(Objective::kMin);
   }
 
   /** Metres, if given. */
@@ -322,8 +335,18 @@ shows, m (ours) | the field's borders
 
   /** The same scenario with another rule of detection; its threshold goes with the old one. */
   public Scenario withDetect(DetectionRule rule) {
-    Scenario ruled = with(DETECT, rule);
+    Scenario ruled = withoutOwnRule().with(DETECT, rule);
     return rule.certain() ? ruled : ruled.without(THRESHOLD);
+  }
+
+  /** Whether a detection has a threshold or rule of its own: {@code NAME@0.5}. */
+  public static boolean hasOwnRule(String detection) {
+    return OWN_RULE.matcher(detection).find();
+  }
+
+  /** The same scenario with the detection that it names, but without that one's own rule. */
+  public Scenario withoutOwnRule() {
+    return with(DETECTION, find(DETECTION).map(name -> OWN_RULE.matcher(name).replaceFirst("")));
   }
 
   /** The same scenario with every target, now or later, under one movement. */

@@ -1,5 +1,6 @@
 package org.hificamsim.core.scenario;
 
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -8,6 +9,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
+import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -23,6 +25,9 @@ import org.hificamsim.core.obstacle.Obstacle;
  * warning.
  */
 public final class ScenarioReader {
+  private static final Predicate<String> MODEL_FILE =
+      Pattern.compile(".+\\.json(@.*)?").asMatchPredicate();
+
   private final Path path;
   private final XmlElement root;
   private final Predicate<String> movements;
@@ -101,7 +106,8 @@ public final class ScenarioReader {
     checkArea(Scenario.area(Scenario.BORDERS, attributes::get), Scenario.BORDERS, attributes);
     Scenario said = Scenario.ELEMENT.make(attributes.said(faults)).with(Scenario.NAME, name());
     faults.check(() -> checkThreshold(said, attributes));
-    Scenario scenario = faults.or(said, () -> withFloorplan(said, attributes));
+    Scenario shown = faults.or(said, () -> withFloorplan(said, attributes));
+    Scenario scenario = faults.or(shown, () -> withDetection(shown, attributes));
     scenario = scenario.with(Scenario.OBSTACLES, obstacles());
     scenario = withStory(withZooms(scenario, attributes));
     if (faults.none()) {
@@ -154,12 +160,43 @@ public final class ScenarioReader {
     }
   }
 
-  /** Rules of chance have a threshold of their own. */
+  /** Rules of chance have a threshold of their own, as a detection may have a rule. */
   private static void checkThreshold(Scenario said, Attributes<Scenario> attributes) {
+    if (said.find(Scenario.DETECTION).filter(Scenario::hasOwnRule).isPresent()) {
+      String expected = "none together with detection=\"" + said.get(Scenario.DETECTION) + "\"";
+      attributes.refuse(Scenario.THRESHOLD, expected);
+      attributes.refuse(Scenario.DETECT, expected);
+    }
     if (said.threshold().isPresent() && !said.detect().map(DetectionRule::certain).orElse(true)) {
       String rule = said.detect().get().text();
       throw attributes.invalid(Scenario.THRESHOLD, "none together with detect=\"" + rule + "\"");
     }
+  }
+
+  /** A model file's path is from the scenario's folder. */
+  private Scenario withDetection(Scenario said, Attributes<Scenario> attributes) {
+    try {
+      return said.with(
+          Scenario.DETECTION,
+          said.find(Scenario.DETECTION)
+              .map(name -> MODEL_FILE.test(name) ? path.resolveSibling(name).toString() : name));
+    } catch (InvalidPathException e) {
+      throw attributes.invalid(Scenario.DETECTION, "a path from the scenario's folder");
+    }
+  }
+
+  /**
+   * An error about an attribute of {@code <simulation>} that shows only when its value is used.
+   *
+   * @param path of a file that has been read
+   */
+  public static InputException error(
+      Path path, Property<Scenario, ?> attribute, InputException cause) {
+    return XmlParser.parse(path)
+        .only(Scenario.ELEMENT.name(), "one")
+        .map(simulation -> simulation.place(attribute.name()))
+        .map(place -> place.error(attribute.name() + ": " + cause.getMessage()))
+        .orElse(cause);
   }
 
   /** A floorplan without borders of its own shows the field. */

@@ -12,8 +12,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.data.CsvRow;
-import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.Table;
@@ -60,10 +60,10 @@ final class CaseCurves {
     Map<List<String>, Integer> lengths = new HashMap<>();
     for (JsonNode plan : settings) {
       int steps = plan.path("steps").asInt();
-      if (steps < 1 || steps > RunPlan.MAX_STEPS) {
+      if (steps < 1 || steps > Scenario.MAX_STEPS) {
         throw new InputException(
             "%s: steps is %s, expected 1 to %s"
-                .formatted(folder.resolve(ResultFolder.SETTINGS), steps, RunPlan.MAX_STEPS));
+                .formatted(folder.resolve(ResultFolder.SETTINGS), steps, Scenario.MAX_STEPS));
       }
       lengths.put(
           List.of(

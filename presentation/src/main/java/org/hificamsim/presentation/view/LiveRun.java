@@ -15,8 +15,6 @@ import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.runs.DetectionSpec;
-import org.hificamsim.runs.Setting;
-import org.hificamsim.runs.Settings;
 
 /**
  * One or two simulations of the same targets, in step. The targets are the same because each world
@@ -257,11 +255,8 @@ public final class LiveRun {
   }
 
   private LiveSide side(World world, LiveChoice choice) {
-    Settings asked =
-        choice.threshold() == null
-            ? Settings.NONE
-            : Settings.NONE.with(Setting.THRESHOLD, choice.threshold().toString());
-    Detection detection = spec(choice.detection()).detection(asked, scenario.now());
+    Detection detection =
+        spec(choice.detection()).detection(choice.asked(scenario.now()), scenario.now());
     LiveSide side =
         new LiveSide(world, catalogue, detection, choice.policy(), seed, next, floor, held);
     side.heat(heat);

@@ -105,7 +105,7 @@ public final class Ladder {
    */
   record RungScenario(String scenario, Rung rung, Scenario changed, Detection detection) {
     RunPlan plan(String policy, Settings asked) {
-      return asked.plan(changed, detection, policy);
+      return rung.with(asked).plan(changed, detection, policy);
     }
 
     List<CaseResult> results(Cases cases, List<String> policies) {

@@ -6,15 +6,18 @@ import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.DetectionRule;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.runs.DetectionSpec;
+import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.Settings;
 
 /** The rungs, one line each, from the least realism to the most ({@code docs/ladder.md}). */
 public final class Rungs {
-  /** What the rungs of the world detect by unless asked otherwise. */
-  public static final String WORLD_DETECTION = "dori-2014:level=recognise";
+  /** What the rungs of the world detect by where neither the user nor the scenario names it. */
+  public static final String WORLD_DETECTION = "oodpcvs-2025:level=perceive";
 
   private static final List<Rung> OF_DETECTION =
       List.of(
@@ -45,9 +48,9 @@ public final class Rungs {
    * The rungs of the world, from round views to a scenario as it is. Each is made by taking away
    * from the rung above it.
    *
-   * @param detection of every rung, as users name it
+   * @param detection of every rung, as users name it; empty for that of each scenario
    */
-  public static List<Rung> ofWorld(String detection) {
+  public static List<Rung> ofWorld(Optional<String> detection) {
     return List.of(
         new Rung(
             "round",
@@ -71,7 +74,7 @@ public final class Rungs {
    *
    * @throws InputException when there is none
    */
-  public static Rung ofWorld(String detection, String name) {
+  public static Rung ofWorld(Optional<String> detection, String name) {
     List<Rung> all = ofWorld(detection);
     String names = all.stream().map(Rung::name).collect(Collectors.joining(", "));
     return find(all, name)
@@ -88,13 +91,21 @@ public final class Rungs {
    *
    * @param name in files, distinct on a ladder
    * @param adds what the rungs below it have not, in a few words
-   * @param detection as users name it
+   * @param detection as users name it; empty for the scenario's
    * @param world what it makes of a scenario; one that changes a scenario gives it another name
    */
-  public record Rung(String name, String adds, String detection, UnaryOperator<Scenario> world) {
+  public record Rung(
+      String name, String adds, Optional<String> detection, UnaryOperator<Scenario> world) {
     /** A rung that leaves scenarios as they are, under the name of its detection. */
     Rung(String detection, String adds) {
-      this(detection, adds, detection, UnaryOperator.identity());
+      this(detection, adds, Optional.of(detection), UnaryOperator.identity());
+    }
+
+    /** What is asked for with its detection. */
+    Settings with(Settings asked) {
+      return detection
+          .map(name -> asked.with(Setting.DETECTION, name))
+          .orElseGet(() -> asked.orElse(Setting.DETECTION, WORLD_DETECTION));
     }
 
     /**
@@ -103,10 +114,11 @@ public final class Rungs {
      *
      * @throws org.hificamsim.core.InputException when there is no such detection
      */
-    public DetectionSpec spec(Function<String, DetectionModel> models) {
-      DetectionSpec asked = DetectionSpec.parse(detection, models);
-      DetectionRule rule = asked.rule().orElseGet(DetectionRule.Threshold::new);
-      return new DetectionSpec(asked.model(), asked.threshold(), Optional.of(rule));
+    public Detection detection(
+        Settings asked, Scenario scenario, Function<String, DetectionModel> models) {
+      Settings own = with(asked);
+      DetectionSpec spec = DetectionSpec.parse(own.value(Setting.DETECTION, scenario), models);
+      return spec.or(new DetectionRule.Threshold()).detection(own, scenario);
     }
   }
 }

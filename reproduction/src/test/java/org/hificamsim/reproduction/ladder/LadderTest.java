@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Map;
 import java.util.stream.IntStream;
 import org.hificamsim.catalogue.Catalogue;
@@ -39,7 +40,7 @@ class LadderTest {
       new Rung(
           "lonely",
           "no other targets",
-          "geometric",
+          Optional.of("geometric"),
           scenario ->
               scenario
                   .with(Scenario.NAME, "lonely-ring")
@@ -50,7 +51,7 @@ class LadderTest {
         List.of(RING),
         List.of(rungs),
         List.of("zoom-out", "zoom-in"),
-        (rung, scenario) -> rung.spec(LadderTest::model).detection(Settings.NONE, scenario));
+        (rung, scenario) -> rung.detection(Settings.NONE, scenario, LadderTest::model));
   }
 
   private static DetectionModel model(String name) {
@@ -119,7 +120,7 @@ class LadderTest {
   void aRungWithoutARuleIsByThresholdWhereTheScenarioSaysChance() {
     Scenario chance = RING.withDetect(DetectionRule.parse("chance"));
     Rung rung = Rungs.ofDetection("hifi:orb-lin");
-    assertTrue(rung.spec(LadderTest::model).detection(Settings.NONE, chance).certain());
+    assertTrue(rung.detection(Settings.NONE, chance, LadderTest::model).certain());
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Collectors;
 import org.hificamsim.core.InputException;
@@ -28,7 +29,7 @@ import org.junit.jupiter.api.io.TempDir;
 class WorldRungsTest {
   private static final Path ROOT = Path.of(System.getProperty("hificamsim.root", "."));
   private static final Scenario HALL = site("hall");
-  private static final List<Rung> RUNGS = Rungs.ofWorld(Rungs.WORLD_DETECTION);
+  private static final List<Rung> RUNGS = Rungs.ofWorld(Optional.empty());
 
   private static Scenario site(String name) {
     return ScenarioReader.read(
@@ -36,7 +37,7 @@ class WorldRungsTest {
   }
 
   private static Scenario world(String rung) {
-    return Rungs.ofWorld(Rungs.WORLD_DETECTION, rung).world().apply(HALL);
+    return Rungs.ofWorld(Optional.empty(), rung).world().apply(HALL);
   }
 
   private static List<OpticsSpec> optics(Scenario scenario) {
@@ -130,14 +131,14 @@ class WorldRungsTest {
     InputException fault =
         assertThrows(
             InputException.class,
-            () -> Rungs.ofWorld(Rungs.WORLD_DETECTION, "round").world().apply(ring));
+            () -> Rungs.ofWorld(Optional.empty(), "round").world().apply(ring));
     assertTrue(fault.getMessage().contains("'ring-random' has no camera with law"));
   }
 
   @Test
   void anUnknownRungIsRefusedWithThoseThatThereAre() {
     InputException fault =
-        assertThrows(InputException.class, () -> Rungs.ofWorld(Rungs.WORLD_DETECTION, "lens"));
+        assertThrows(InputException.class, () -> Rungs.ofWorld(Optional.empty(), "lens"));
     assertTrue(fault.getMessage().endsWith("round, optics, pan, time, walls, occlusion"));
   }
 }

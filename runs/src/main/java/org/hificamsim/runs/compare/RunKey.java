@@ -13,6 +13,7 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.file.Sha256;
+import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
@@ -62,7 +63,7 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
   }
 
   private static RunKey of(List<Input> program, RunPlan plan, PolicyFiles files) {
-    String scenario = ScenarioWriter.write(plan.scenario());
+    String scenario = ScenarioWriter.write(withoutSettings(plan.scenario()));
     List<Input> inputs = new ArrayList<>(program);
     inputs.add(new Input("scenario", plan.scenario().name(), Sha256.of(bytes(scenario))));
     inputs.add(new Input("detection", plan.detection().name(), digest(plan.detection().model())));
@@ -71,6 +72,11 @@ public record RunKey(List<Input> inputs, Map<String, String> settings) {
           new Input("file of policy", file.toString(), Sha256.of(PolicyFiles.content(file))));
     }
     return new RunKey(inputs, settings(plan));
+  }
+
+  /** Without what is among the settings of the key, wherever it comes from. */
+  private static Scenario withoutSettings(Scenario scenario) {
+    return scenario.without(Scenario.DETECTION).without(Scenario.OBJECTIVE).without(Scenario.STEPS);
   }
 
   private static Map<String, String> settings(RunPlan plan) {

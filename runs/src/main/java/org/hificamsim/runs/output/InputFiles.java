@@ -5,10 +5,12 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
@@ -37,8 +39,10 @@ public final class InputFiles {
   /** Adds them to a folder's files. */
   public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
     Map<String, byte[]> files = new LinkedHashMap<>();
-    distinct(plans, RunPlan::scenario).forEach(one -> add(files, one));
-    distinct(plans, plan -> plan.detection().model()).forEach(one -> add(files, one));
+    Map<String, byte[]> models = new LinkedHashMap<>();
+    distinct(plans, plan -> plan.detection().model()).forEach(one -> add(models, one));
+    distinct(plans, plan -> asRun(plan, plans, models)).forEach(one -> add(files, one));
+    files.putAll(models);
     PolicyFiles policies = new PolicyFiles();
     plans.stream()
         .flatMap(plan -> policies.of(plan.policy()).stream())
@@ -67,6 +71,48 @@ public final class InputFiles {
     byte[] content =
         ScenarioWriter.write(scenario.withoutFloorplan()).getBytes(StandardCharsets.UTF_8);
     files.put(free(files, SCENARIO + scenario.name(), ".xml"), content);
+  }
+
+  /**
+   * A scenario that names a detection names the one that it was run with, a model file being the
+   * copy in the folder; none where there were several.
+   */
+  private static Scenario asRun(RunPlan plan, List<RunPlan> plans, Map<String, byte[]> models) {
+    Scenario scenario = plan.scenario();
+    if (scenario.find(Scenario.DETECTION).isEmpty()) {
+      return scenario;
+    }
+    boolean several =
+        plans.stream()
+            .filter(other -> other.scenario().equals(scenario))
+            .anyMatch(other -> !other.detection().name().equals(plan.detection().name()));
+    return several
+        ? scenario.without(Scenario.DETECTION)
+        : scenario
+            .without(Scenario.THRESHOLD)
+            .without(Scenario.DETECT)
+            .with(Scenario.DETECTION, named(plan.detection(), models));
+  }
+
+  private static String named(Detection detection, Map<String, byte[]> models) {
+    return model(detection.model(), models) + "@" + rule(detection);
+  }
+
+  private static String model(DetectionModel model, Map<String, byte[]> models) {
+    return model instanceof HiFiDetection fitted
+        ? models.entrySet().stream()
+            .filter(file -> Arrays.equals(file.getValue(), ModelFiles.bytes(fitted)))
+            .findFirst()
+            .map(Map.Entry::getKey)
+            .orElseThrow()
+        : model.name();
+  }
+
+  /** As it follows the name of a detection. */
+  private static String rule(Detection detection) {
+    return detection.certain()
+        ? String.valueOf(detection.threshold())
+        : detection.rule().text().replace(',', ';');
   }
 
   /** A model that is code has no file; its name, and the version that has it, are all there is. */

@@ -39,6 +39,8 @@ public final class SettingsFile {
     json.put("cameras", scenario.cameras().size());
     optics(json, scenario);
     lens(json, plan);
+    plan.sources()
+        .forEach((setting, from) -> json.put(setting.label() + "_from", Spelling.of(from)));
     return json;
   }
 
