@@ -101,7 +101,8 @@ public enum Setting {
       new Holder(
           plan -> plan.scenario().channel().isPerfect() ? null : plan.scenario().channel().text(),
           (name, text) -> ChannelModel.parse(text),
-          (scenario, text) -> scenario.with(Scenario.CHANNEL, ChannelModel.parse(text))),
+          (scenario, text) -> scenario.with(Scenario.CHANNEL, ChannelModel.parse(text)),
+          null),
       "What becomes of messages between cameras, as "
           + ChannelModel.EXAMPLE
           + ", or perfect; before the scenario's own. See docs/channel.md."),
