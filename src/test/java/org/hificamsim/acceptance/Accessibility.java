@@ -3,6 +3,9 @@ package org.hificamsim.acceptance;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -10,53 +13,44 @@ import java.util.Map;
 
 /** What WCAG 2.2 asks of a page, as far as a script can tell. */
 final class Accessibility {
-  /** Texts with less contrast than 4.5, or 3 where they are large: success criterion 1.4.3. */
-  private static final String PALE =
-      """
-const numbers = colour => (colour.match(/[\\d.]+/g) ?? []).map(Number);
-const over = ([r, g, b, a = 1], below) => [r, g, b].map((c, i) => a * c + (1 - a) * below[i]);
-const ground = element => element ? over(numbers(getComputedStyle(element).backgroundColor),
-    (numbers(getComputedStyle(element).backgroundColor)[3] ?? 1) < 1 ? ground(element.parentElement) : [0, 0, 0])
-    : [255, 255, 255];
-const linear = c => c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4;
-const light = ([r, g, b]) => 0.2126 * linear(r) + 0.7152 * linear(g) + 0.0722 * linear(b);
-const ratio = (a, b) => (Math.max(light(a), light(b)) + 0.05) / (Math.min(light(a), light(b)) + 0.05);
-const found = [];
-for (const element of document.querySelectorAll('body *')) {
-  const text = [...element.childNodes].filter(node => node.nodeType === 3).map(node => node.data.trim()).join('');
-  const {color, fontSize, fontWeight} = getComputedStyle(element);
-  if (!text || !element.checkVisibility()) continue;
-  const size = parseFloat(fontSize);
-  const least = size >= 24 || (size >= 18.66 && Number(fontWeight) >= 700) ? 3 : 4.5;
-  const contrast = ratio(over(numbers(color), ground(element)), ground(element));
-  if (contrast < least) found.push(`${contrast.toFixed(2)}: ${text.slice(0, 40)}`);
-}
-return found;
-""";
+  private static final String AXE = text("/axe.min.js");
 
-  private static final String EMPTY_HEADS =
+  /** What axe-core finds serious or critical: in which rule, and where first. */
+  private static final String SERIOUS =
       """
-return [...document.querySelectorAll('th')].filter(head => !head.textContent.trim())
-    .map(head => head.closest('table').textContent.slice(0, 60));
-""";
-
-  private static final String NAMELESS =
-      """
-return [...document.querySelectorAll('button, select, input, a, canvas[role], [role=img], [role=group]')]
-    .filter(one => one.checkVisibility() && !(one.ariaLabel || one.title || one.textContent.trim() || one.labels?.length))
-    .map(one => one.outerHTML.slice(0, 100));
+const done = arguments[0];
+axe.run(document).then(({violations}) => done(violations
+    .filter(({impact, id}) => impact === 'serious' || impact === 'critical' || id === 'empty-table-header')
+    .map(({id, nodes}) => `${id}: ${nodes[0].html.slice(0, 120)}: ${nodes[0].failureSummary}`)));
 """;
 
   private Accessibility() {}
 
-  /**
-   * Fails if the page in the browser has pale texts, heads of tables without text, or nameless
-   * controls.
-   */
+  private static String text(String resource) {
+    try (InputStream in = Accessibility.class.getResourceAsStream(resource)) {
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  /** Fails if axe-core finds anything serious on the page in the browser. */
   static void check(Browser browser) {
-    assertEquals(List.of(), browser.run(PALE), "contrast");
-    assertEquals(List.of(), browser.run(EMPTY_HEADS), "tables with an empty head");
-    assertEquals(List.of(), browser.run(NAMELESS), "controls without a name");
+    browser.run(AXE);
+    assertEquals(List.of(), browser.runAsync(SERIOUS));
+  }
+
+  /** The same on a phone and on a screen, light and dark, and nothing may stick out. */
+  static void checkEverywhere(Browser browser) {
+    for (boolean dark : new boolean[] {false, true}) {
+      browser.dark(dark);
+      for (int width : new int[] {400, 1400}) {
+        browser.size(width, 1000);
+        check(browser);
+        assertNothingSticksOut(browser, width);
+      }
+    }
+    browser.dark(false);
   }
 
   /** Takes pictures at three widths, to be looked at, and checks what a script can. */

@@ -115,6 +115,20 @@ return document.getElementById('page').dataset.ready !== undefined
     return driver.executeScript(script, arguments);
   }
 
+  /** What a script hands to its last argument, a function. */
+  Object runAsync(String script) {
+    return driver.executeAsyncScript(script);
+  }
+
+  /** Whether pages are asked to be dark. */
+  void dark(boolean dark) {
+    driver.executeCdpCommand(
+        "Emulation.setEmulatedMedia",
+        Map.of(
+            "features",
+            List.of(Map.of("name", "prefers-color-scheme", "value", dark ? "dark" : "light"))));
+  }
+
   /** Waits until a script returns true. */
   void until(String script) {
     new WebDriverWait(driver, MAX_WAIT, Duration.ofMillis(50))

@@ -176,8 +176,7 @@ class RunPageTest {
   @Test
   void isReadableAndNothingSticksOut() {
     open(run);
-    Accessibility.check(browser);
-    Accessibility.assertNothingSticksOut(browser, 400);
+    Accessibility.checkEverywhere(browser);
     Accessibility.assertNothingSticksOut(browser, 3840);
   }
 

@@ -140,6 +140,8 @@ public enum Metric {
           + " queue of their sender",
       measured(run -> run.traffic().dropped()));
 
+  private static final String EXPECTED = "EXPECTED_";
+
   /** How a run prints a metric: its title, the format of the number, and a note. */
   private record Line(String title, String format, String note) {}
 
@@ -243,9 +245,14 @@ public enum Metric {
     return line != null;
   }
 
-  /** What it is called where a run prints it. */
+  /** What it is called where people read: where a run prints it, and on pages. */
   public String title() {
-    return line.title;
+    if (line != null) {
+      return line.title;
+    }
+    return name().startsWith(EXPECTED)
+        ? "expected " + valueOf(name().substring(EXPECTED.length())).title()
+        : label().replace('_', ' ');
   }
 
   /** How its number is printed. */

@@ -14,7 +14,7 @@ import org.hificamsim.runs.compare.CaseResult;
 public final class CoverageFigure {
   private static final int WIDTH = 340;
   private static final int HEIGHT = 270;
-  private static final Color[] COLORS = {Palette.BLUE, Palette.GREEN, Palette.YELLOW};
+  private static final Color[] COLORS = {Palette.UNSEEN, Palette.SEEN_ONCE, Palette.SEEN_OFTEN};
   private static final String[] LABELS = {"no camera", "one camera", "two and more"};
   private static final Metric[] METRICS = {Metric.COVERED_0, Metric.COVERED_1, Metric.COVERED_K};
 
@@ -23,7 +23,7 @@ public final class CoverageFigure {
   /** The cases of one panel: one bar for each. */
   public record Group(String title, List<CaseResult> cases) {}
 
-  /** The figure, in the colours of Figure 7.9. */
+  /** The figure, in the colours of pages. */
   public static Figure of(String title, List<Group> groups, int columns) {
     return new Figure(
         title,

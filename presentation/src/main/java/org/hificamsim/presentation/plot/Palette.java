@@ -2,6 +2,10 @@ package org.hificamsim.presentation.plot;
 
 import java.awt.Color;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * The colours of Okabe and Ito (Color Universal Design, 2008): told apart by people with any common
@@ -18,6 +22,23 @@ public final class Palette {
   public static final Color PURPLE = new Color(0xCC79A7);
   public static final Color GREY = new Color(0x8A8A8A);
 
+  /** What colours mean on every page and in every picture, beside the lines of policies. */
+  public static final Color UNSEEN = VERMILION;
+
+  public static final Color SEEN_ONCE = ORANGE;
+  public static final Color SEEN_TWICE = SKY;
+  public static final Color SEEN_OFTEN = GREEN;
+  public static final Color CAMERA = BLUE;
+
+  private static final Map<String, Color> MEANINGS =
+      new TreeMap<>(
+          Map.of(
+              "unseen", UNSEEN,
+              "once", SEEN_ONCE,
+              "twice", SEEN_TWICE,
+              "often", SEEN_OFTEN,
+              "cameras", CAMERA));
+
   /** The colours for lines, in the order in which they are handed out. */
   public static final List<Color> LINES =
       List.of(BLUE, VERMILION, GREEN, ORANGE, PURPLE, SKY, GREY, YELLOW, BLACK);
@@ -27,6 +48,28 @@ public final class Palette {
   /** The colour of the i-th thing; they come round again after the ninth. */
   public static Color line(int i) {
     return LINES.get(i % LINES.size());
+  }
+
+  /** The colours with a meaning for each script of a page: an object, by name. */
+  public static String script() {
+    return meanings("const MEANING = {%s};\n", "%s: '%s'", ", ");
+  }
+
+  /** The same for a style sheet: properties, by name. */
+  public static String style() {
+    return meanings(":root { %s; }\n", "--%s: %s", "; ");
+  }
+
+  private static String meanings(String frame, String one, String between) {
+    return frame.formatted(
+        MEANINGS.entrySet().stream()
+            .map(entry -> one.formatted(entry.getKey(), hex(entry.getValue())))
+            .collect(Collectors.joining(between)));
+  }
+
+  /** The colour as pages write it. */
+  public static String hex(Color color) {
+    return String.format(Locale.ROOT, "#%06x", color.getRGB() & 0xffffff);
   }
 
   /**

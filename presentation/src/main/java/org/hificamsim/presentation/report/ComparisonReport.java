@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;
-import java.util.Locale;
 import java.util.Map;
 import java.util.stream.StreamSupport;
 import java.util.zip.Deflater;
@@ -18,6 +17,7 @@ import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
 import org.hificamsim.presentation.figures.PolicyColors;
+import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.replay.Deflated;
 import org.hificamsim.runs.compare.AggregateFiles;
 import org.hificamsim.runs.compare.ComparisonFiles;
@@ -104,6 +104,7 @@ final class ComparisonReport {
     write(data.putObject("results"), results, MAX_ROWS);
     JsonNode settings = new ResultFolder(folder).json(ResultFolder.SETTINGS);
     data.set("settings", settings);
+    data.set("names", MetricNames.json());
     if (ComparisonFiles.STEPS.isIn(folder)) {
       data.set("curves", CaseCurves.of(folder, settings));
     }
@@ -164,11 +165,7 @@ final class ComparisonReport {
         summary.rows().stream().map(row -> row.text("policy")).distinct().toList();
     PolicyColors colors = new PolicyColors(policies);
     ObjectNode node = data.putObject("colours");
-    policies.forEach(
-        policy ->
-            node.put(
-                policy,
-                String.format(Locale.ROOT, "#%06x", colors.of(policy).getRGB() & 0xffffff)));
+    policies.forEach(policy -> node.put(policy, Palette.hex(colors.of(policy))));
   }
 
   private static void write(ObjectNode node, CsvRows table, int max) {

@@ -3,6 +3,7 @@ package org.hificamsim.presentation.report;
 import java.nio.charset.StandardCharsets;
 import java.util.Base64;
 import org.hificamsim.core.file.Sha256;
+import org.hificamsim.presentation.plot.Palette;
 
 /**
  * A page that needs no other file: script, style, data and uPlot inside. Its content security
@@ -46,7 +47,8 @@ public record Page(String title, String module, String function, String data, St
 
   /** The page as HTML. */
   public String html() {
-    String style = Scripts.text("uplot/uPlot.min.css") + Scripts.text("style.css");
+    String style =
+        Scripts.text("uplot/uPlot.min.css") + Palette.style() + Scripts.text("style.css");
     String plot = Scripts.text("uplot/uPlot.iife.min.js");
     String script = Scripts.bundle(module) + start();
     return PAGE.formatted(

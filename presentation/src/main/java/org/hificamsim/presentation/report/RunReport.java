@@ -56,6 +56,7 @@ final class RunReport {
       data.set("heat", JSON.readTree(ReplayJson.of(report.heat())));
     }
     data.set("summary", report.figures());
+    data.set("names", MetricNames.json());
     ResultFolder files = new ResultFolder(folder);
     data.put("command", files.command());
     data.put("version", files.version());

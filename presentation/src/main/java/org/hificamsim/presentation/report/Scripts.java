@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.hificamsim.presentation.plot.Palette;
 
 /**
  * The page's modules as one script: each in a function of its own, after those that it imports, so
@@ -30,7 +31,7 @@ public final class Scripts {
   public static String bundle(String entry) {
     Scripts scripts = new Scripts();
     scripts.add(entry);
-    return "'use strict';\n" + String.join("", scripts.modules.values());
+    return "'use strict';\n" + Palette.script() + String.join("", scripts.modules.values());
   }
 
   /** The variable that holds a module's exports. */

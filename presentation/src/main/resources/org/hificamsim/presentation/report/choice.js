@@ -1,5 +1,6 @@
 // What a simulation runs under: detection model, threshold and policy, to be chosen while it runs.
 import { el, say } from './dom.js';
+import { spelled } from './names.js';
 import { decimals } from './numbers.js';
 
 let forms = 0;
@@ -12,7 +13,7 @@ export class ChoiceForm {
   constructor(data, choose) {
     const id = `choice-${forms++}`;
     this.policies = data.policies;
-    this.detection = el('select', {id: `${id}-detection`, name: 'detection'}, ...data.detections.map(one => el('option', {value: one}, one)));
+    this.detection = el('select', {id: `${id}-detection`, name: 'detection'}, ...data.detections.map(one => el('option', {value: one, title: one}, spelled(one))));
     this.policy = el('select', {id: `${id}-policy`, name: 'policy'},
       ...data.policies.map(one => el('option', {value: one.name, title: one.summary}, one.name)));
     this.options = el('input', {id: `${id}-options`, name: 'options', placeholder: 'key=value,...', spellcheck: 'false'});

@@ -3,11 +3,13 @@ import { el, onThemeChange, rem, style } from './dom.js';
 import { inflate } from './inflate.js';
 import { movingMean } from './smooth.js';
 import { rowsOf, sortable } from './table.js';
+import { besideUnit, isShare, spelled, told, words } from './names.js';
 import { decimals } from './numbers.js';
 
 /** The metrics that a comparison begins with: the first one that is not 0 or missing everywhere. */
 const FAVOURITES = ['proportion_of_optimal', 'performance', 'covered_k', 'mean_k', 'covered_1', 'covered_0'];
 const SHORT = 4;
+const OPTIMAL = 'optimal';
 
 /** The page; `data` is what ComparisonReport wrote. */
 export async function comparisonPage(root, data) {
@@ -15,11 +17,11 @@ export async function comparisonPage(root, data) {
   const adapting = data.tables.find(table => table.name === 'adapting.csv');
   if (adapting) root.append(el('p', {class: 'notice'}, worthOfAdapting(rowsOf(adapting))));
   const cases = [data.summary && comparison(data), data.curves && curves(data)];
-  const tables = data.tables.map(table => card(titleOf(table.name), plainTable(table)));
+  const tables = data.tables.map(table => card(titleOf(table.name), plainTable(table, data.names)));
   const figures = data.pictures.length && await pictures(data.pictures);
   const order = kind(data) === 'Ladder' ? [figures, ...tables, ...cases] : [...cases, ...tables, figures];
   root.append(...order.filter(Boolean));
-  if (data.results) root.append(folded(`All runs (${data.results.count})`, () => plainTable(data.results)));
+  if (data.results) root.append(folded(`All runs (${data.results.count})`, () => plainTable(data.results, data.names)));
   if (data.settings) root.append(settings(data.settings));
   root.append(card('Made with', el('pre', {tabindex: 0}, data.command), el('p', {class: 'note'}, `HiFi-CamSim ${data.version}`)));
   root.dataset.ready = '';
@@ -28,7 +30,7 @@ export async function comparisonPage(root, data) {
 const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
 const TITLES = {'aggregate.csv': 'All scenarios together: proportion of the optimum', 'improvement.csv': 'Probability that one policy beats another',
   'pairs.csv': 'Differences between policies, paired by seed'};
-const titleOf = name => TITLES[name] || name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
+const titleOf = name => TITLES[name] ?? name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
 
 function kind({tables}) {
@@ -50,47 +52,49 @@ function badges({summary, settings}) {
   const rows = rowsOf(summary);
   const count = (name, word) => `${distinct(rows, name).length} ${word}${distinct(rows, name).length === 1 ? '' : 's'}`;
   const facts = [count('scenario', 'scenario'), count('detection', 'detection model'), `${distinct(rows, 'policy').length} policies`,
-    `${Math.max(...rows.map(row => Number(row.runs)))} seeds`, `${settings?.[0]?.steps} steps`];
-  return el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact)));
+    `${Math.max(...rows.map(row => Number(row.runs)))} seeds`, settings && `${settings[0].steps} steps`];
+  return el('p', {class: 'badges'}, ...facts.filter(Boolean).map(fact => el('span', {}, fact)));
 }
 
 /** The cases of one metric, each with its interval drawn to one scale. */
-function comparison({summary, colours}) {
+function comparison({summary, colours, names}) {
   const rows = rowsOf(summary);
   const metrics = distinct(rows, 'metric');
-  const pick = choice('metric', metrics, FAVOURITES.find(name => tells(rows, name)) || metrics[0], () => fill());
+  const pick = choice('metric', metrics, FAVOURITES.find(name => tells(rows, name)) || metrics[0], () => fill(), name => names[name]?.title ?? words(name));
   const scenarios = choice('scenario', ['all', ...distinct(rows, 'scenario')], 'all', () => fill());
   const place = el('div', {class: 'scroll'});
 
   function fill() {
     const shown = rows.filter(row => row.metric === pick.value && (scenarios.value === 'all' || row.scenario === scenarios.value));
-    place.replaceChildren(sortable(`${pick.value}: mean and 95 % interval over seeds`, summaryColumns(shown, colours), shown));
+    const {title, unit, meaning} = names[pick.value] ?? {title: words(pick.value), unit: ''};
+    place.replaceChildren(sortable(`${title}${unit ? ` (${isShare(unit) ? `% ${besideUnit(unit)}`.trim() : unit})` : ''}: mean and 95 % interval over seeds`, summaryColumns(shown, colours, unit), shown));
+    place.title = `${pick.value}: ${meaning ?? ''}`;
   }
 
   fill();
-  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), blank(rows, pick.value), shortened(summary), place);
+  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), blank(rows, pick.value, names), shortened(summary), place);
 }
 
 /** Whether some case has another value than 0. */
 const tells = (rows, metric) => rows.some(row => row.metric === metric && Number(row.mean) !== 0);
 
 /** Says why the first metric is another one, where k_min is 0 throughout. */
-function blank(rows, chosen) {
+function blank(rows, chosen, names) {
   if (!rows.some(row => row.metric === 'performance') || tells(rows, 'performance')) return null;
   return el('p', {class: 'notice'}, 'All k_min are 0: at every step of every run there was a target that no camera covered. ' +
-    `Performance is 0 and a proportion of the optimum is not defined, so the table begins with ${chosen}.`);
+    `Performance is 0 and a proportion of the optimum is not defined, so the table begins with ${names[chosen].title}.`);
 }
 
-function summaryColumns(rows, colours) {
+function summaryColumns(rows, colours, unit) {
   const numbers = rows.flatMap(row => [row.mean, row.low, row.high]).filter(text => text !== '').map(Number);
   const scale = [Math.min(0, ...numbers), Math.max(...numbers, 1e-12)];
   const digits = Math.max(0, Math.min(SHORT, SHORT - Math.floor(Math.log10(Math.max(...numbers.map(Math.abs), 1)))));
-  const short = text => (text === '' ? '' : Number(text).toFixed(digits));
-  const columns = [{name: 'scenario'}, {name: 'detection'}, {name: 'policy'}, {name: 'runs'}, {name: 'mean', show: short},
+  const short = text => (text === '' ? '' : isShare(unit) ? `${(100 * Number(text)).toFixed(digits - 2)} %` : Number(text).toFixed(digits));
+  const columns = [{name: 'scenario'}, {name: 'detection', show: spelled}, {name: 'policy', show: spelled}, {name: 'runs'}, {name: 'mean', show: short},
     {name: 'low', show: short}, {name: 'high', show: short},
     {name: 'mean', label: 'interval', show: (text, row) => whisker(row, scale, colours[row.policy])}];
   if (rows.some(row => row.difference)) {
-    columns.push({name: 'difference', label: `less ${distinct(rows.filter(row => row.difference_to), 'difference_to').join(', ')}`, show: short},
+    columns.push({name: 'difference', label: `less ${distinct(rows.filter(row => row.difference_to), 'difference_to').map(spelled).join(', ')}`, show: short},
       {name: 'difference_low', label: 'low', show: short}, {name: 'difference_high', label: 'high', show: short});
   }
   return columns.filter(column => rows.some(row => row[column.name] !== undefined));
@@ -113,8 +117,8 @@ function svgElement(tag, attributes) {
   return element;
 }
 
-function choice(name, values, chosen, onchange) {
-  const select = el('select', {onchange, 'aria-label': name}, ...values.map(value => el('option', {value}, value)));
+function choice(name, values, chosen, onchange, nameOf = value => value) {
+  const select = el('select', {onchange, 'aria-label': name}, ...values.map(value => el('option', {value, title: value}, nameOf(value))));
   select.value = chosen;
   select.label = el('label', {}, `${name} `, select);
   return select;
@@ -138,16 +142,17 @@ function curves({curves: {cases, steps}, colours}) {
     const x = Array.from({length: longest}, (none, i) => i * steps);
     plot?.destroy();
     plot = new uPlot({
-      width: box.clientWidth || 600, height: 26 * rem(), padding: [8, rem(), 0, 0], cursor: {drag: {x: true, y: false}},
+      width: box.clientWidth || 600, height: 26 * rem(), padding: [8, (shown.some(({policy}) => YARDSTICKS.includes(policy)) ? 5.5 : 1) * rem(), 0, 0], cursor: {drag: {x: true, y: false}},
       scales: {x: {time: false}, y: {range: (any, low, high) => [0, (high || 1) * 1.05]}},
-      axes: [axis({size: 2.2 * rem(), space: 5 * rem(), label: 'step', labelSize: 1.4 * rem(), labelFont: font()}), axis({size: 3.5 * rem(), space: 2 * rem()})],
+      axes: [axis({size: 2.2 * rem(), space: 5 * rem(), label: 'step', labelSize: 1.4 * rem(), labelFont: font()}), axis({size: 3.5 * rem(), space: 2 * rem(), label: 'k_min (cameras)', labelSize: 1.4 * rem(), labelFont: font()})],
+      hooks: {draw: [plot => nameYardsticks(plot, shown)]},
       series: [{label: 'step'}, ...shown.map(one => series(one))],
       legend: {markers: {dash: (any, i) => DASHES[Math.max(0, detections.indexOf(shown[i - 1]?.detection)) % DASHES.length].piece}},
     }, [x, ...shown.map(one => movingMean(one.k_min, (Number(width.value) - 1) / 2))], box);
   }
 
   const series = ({policy, detection}) => ({
-    label: `${policy}, ${detection}`, stroke: colours[policy] === '#000000' ? () => style('--ink') : colours[policy], width: 0.12 * rem(),
+    label: `${spelled(policy)}; ${spelled(detection)}`, stroke: policy === OPTIMAL ? () => style('--ink') : colours[policy], width: 0.12 * rem(),
     dash: DASHES[detections.indexOf(detection) % DASHES.length].line, points: {show: false},
     value: (any, value) => (value == null ? '' : decimals(value, SHORT)),
   });
@@ -161,13 +166,34 @@ function curves({curves: {cases, steps}, colours}) {
   return card('k_min over time', el('p', {class: 'pick'}, pick.label, width.label), box, el('p', {class: 'note'}, note));
 }
 
+/** What no policy of a network can run, and the others are measured by: a line that is named at its end. */
+const YARDSTICKS = [OPTIMAL, 'best-fixed'];
+
+function nameYardsticks({ctx, data, bbox, series, valToPos}, shown) {
+  ctx.save();
+  ctx.font = `${0.8 * rem() * devicePixelRatio}px sans-serif`;
+  ctx.textBaseline = 'middle';
+  ctx.fillStyle = style('--ink');
+  shown.forEach(({policy}, i) => {
+    const last = data[i + 1].at(-1);
+    if (YARDSTICKS.includes(policy) && series[i + 1].show && last != null) ctx.fillText(policy, bbox.left + bbox.width + 5, valToPos(last, 'y', true));
+  });
+  ctx.restore();
+}
+
 const font = () => `${0.8 * rem()}px sans-serif`;
 const axis = more => ({stroke: () => style('--faint'), font: font(), grid: {stroke: () => style('--grid'), width: 1},
   ticks: {stroke: () => style('--grid'), width: 1, size: 4}, ...more});
 
-function plainTable(table) {
-  const columns = table.columns.map(name => ({name, show: text => (/^-?\d+\.(\d{5,}|\d+E-\d+)$/.test(text) ? decimals(Number(text), SHORT) : text)}));
-  return el('div', {class: 'scroll'}, shortened(table), sortable(table.name, columns, rowsOf(table)));
+/** Columns that hold options as they are written. */
+const SPELLED = /detection|policy|objective|difference_to|^(better|worse|other)$/;
+
+const STATISTICS = {iqm: 'interquartile mean', optimality_gap: 'optimality gap'};
+
+function plainTable(table, names = {}) {
+  const columns = table.columns.map(name => ({name, label: names[name]?.title ?? words(name), title: name,
+    show: text => (SPELLED.test(name) ? spelled(text) : /^-?\d+\.(\d{5,}|\d+E-\d+)$/.test(text) ? decimals(Number(text), SHORT) : names[text]?.title ?? STATISTICS[text] ?? text)}));
+  return el('div', {class: 'scroll'}, shortened(table), sortable(titleOf(table.name), columns, rowsOf(table), 'unseen'));
 }
 
 /** What is said of a table that is not here as a whole. */
@@ -192,11 +218,11 @@ async function pictures(list) {
 
 /** What is the same for all cases once, the rest in a table. */
 function settings(list) {
-  const text = value => (Array.isArray(value) ? value.join(' ') : String(value));
+  const text = told;
   const names = [...new Set(list.flatMap(Object.keys))];
   const differ = names.filter(name => new Set(list.map(one => text(one[name]))).size > 1);
   const same = names.filter(name => !differ.includes(name));
   const rows = list.map(one => Object.fromEntries(differ.map(name => [name, text(one[name])])));
-  return card('Settings', el('p', {}, ...same.map(name => el('span', {class: 'setting'}, `${name}: `, el('b', {}, text(list[0][name]))))),
-    el('div', {class: 'scroll'}, sortable('settings.json', differ.map(name => ({name})), rows)));
+  return card('Settings', el('p', {}, ...same.map(name => el('span', {class: 'setting', title: name}, `${words(name)}: `, el('b', {}, text(list[0][name]))))),
+    el('div', {class: 'scroll'}, sortable('settings.json', differ.map(name => ({name, label: words(name), title: name, show: text => (SPELLED.test(name) ? spelled(text) : text)})), rows)));
 }

@@ -2,7 +2,7 @@
 import { el, onThemeChange, style, Surface } from './dom.js';
 import { host } from './host.js';
 import { HeatChoice } from './heat.js';
-import { figureSize, fit, legend, paintScene, paintTracks } from './scene.js';
+import { figureSize, fit, legend, magnified, paintScene, paintTracks } from './scene.js';
 import { named, obstacleAt } from './site.js';
 import { densityAt, viewAt, viewOf, zoneAt } from './views.js';
 import { decimals, metres, signed } from './numbers.js';
@@ -10,6 +10,8 @@ import { decimals, metres, signed } from './numbers.js';
 const NEAR = 16;
 const STILL = 3; // pixels a pressed camera may be off before it moves
 const TIP_GAP = 16;
+const ZOOM = 1.5;
+const MOST_TIMES = 64;
 
 export class FieldView {
   /**
@@ -25,11 +27,12 @@ export class FieldView {
     this.opacity = 0.5;
     this.surface = new Surface({class: 'field', role: 'img', tabindex: 0}, (context, width, height) => this.paint(context, width, height));
     this.tip = el('div', {class: 'tip', hidden: true});
+    this.closer = {times: 1, left: 0, top: 0}; // how the map is magnified
     this.layer = document.createElement('canvas'); // with the tracks up to the frame `drawn`
     this.heat = on.heat && new HeatChoice(run.setup.field, on.figures, on.heat);
     this.floor = (run.setup.floor ?? []).map(({area, data}) => ({area, image: el('img', {src: data, onload: () => this.surface.draw()})}));
     this.legend = el('div', {class: 'legend'});
-    this.element = el('div', {class: 'field-box much'}, this.surface.canvas, this.tip, this.options(), this.legend);
+    this.element = el('div', {class: 'field-box much'}, el('div', {class: 'field-frame'}, this.surface.canvas, this.tip, this.lens()), this.options(), this.legend);
     this.readColours();
     onThemeChange(() => this.readColours());
     this.listen(this.surface.canvas);
@@ -42,8 +45,74 @@ export class FieldView {
     const floor = () => el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.opacity,
       oninput: event => this.set('opacity', event.target.value / 100)});
     return el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'},
-      ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []), box('tracks', 'tracks'),
+      ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []), box('trails', 'last steps'), box('tracks', 'whole paths'),
       known ? box('zones', 'pixel density of the chosen camera (EN 62676-4, px/m)') : null, this.floor.length ? el('label', {}, 'floorplan ', floor()) : null);
+  }
+
+  /** Buttons by which to look closer. */
+  lens() {
+    const button = (text, label, onclick) => el('button', {type: 'button', 'aria-label': label, title: label, onclick}, text);
+    const middle = times => this.magnify(times, this.surface.width / 2, this.surface.height / 2);
+    this.whole = button('⤢', 'show the whole field', () => this.showWhole());
+    this.whole.disabled = true;
+    return el('div', {class: 'lens', role: 'group', 'aria-label': 'look closer'},
+      button('+', 'zoom in', () => middle(ZOOM)), button('−', 'zoom out', () => middle(1 / ZOOM)), this.whole);
+  }
+
+  /** Makes the map larger about a place in pixels. */
+  magnify(by, x, y) {
+    const {times, left, top} = this.closer;
+    const now = Math.min(MOST_TIMES, Math.max(1, times * by));
+    this.look(now, x - ((x - left) * now) / times, y - ((y - top) * now) / times);
+  }
+
+  /** Moves the map, as far as some of it stays in sight. */
+  look(times, left, top) {
+    if (!this.fitted) return;
+    const {width, height} = this.surface;
+    const within = (offset, size) => Math.max(size * (1 - times), Math.min(0, offset));
+    this.closer = {times, left: within(left, width), top: within(top, height)};
+    this.whole.disabled = times === 1;
+    this.lay();
+    this.surface.draw();
+  }
+
+  showWhole() {
+    this.look(1, 0, 0);
+  }
+
+  /** Shows an area in metres, with some of what is around it. */
+  showArea({minX, maxX, minY, maxY}) {
+    const {width, height} = this.surface;
+    const map = this.fitted;
+    const times = Math.min(MOST_TIMES, Math.max(1, 0.4 * Math.min(width / Math.max(1, map.x(maxX) - map.x(minX)), height / Math.max(1, map.y(minY) - map.y(maxY)))));
+    this.look(times, width / 2 - (times * (map.x(minX) + map.x(maxX))) / 2, height / 2 - (times * (map.y(minY) + map.y(maxY))) / 2);
+  }
+
+  lay() {
+    const {times, left, top} = this.closer;
+    this.map = times === 1 ? this.fitted : magnified(this.fitted, times, left, top);
+  }
+
+  /** Keys of the field itself: +, - and 0, and arrows once it is magnified. */
+  keyed(event) {
+    const {times, left, top} = this.closer;
+    const {width, height} = this.surface;
+    const by = {ArrowLeft: [1, 0], ArrowRight: [-1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
+    if (event.ctrlKey || event.altKey || event.metaKey) return;
+    if (by && times > 1) this.look(times, left + (by[0] * width) / 8, top + (by[1] * height) / 8);
+    else if ('+=-'.includes(event.key)) this.magnify(event.key === '-' ? 1 / ZOOM : ZOOM, width / 2, height / 2);
+    else if (event.key === '0') this.showWhole();
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** Where everything is in sight, the page scrolls on. */
+  wheeled(event) {
+    if (event.deltaY > 0 && this.closer.times === 1) return;
+    event.preventDefault();
+    this.magnify(Math.exp(-event.deltaY / 400), event.offsetX, event.offsetY);
   }
 
   /** Changes what is shown: a frame, a chosen camera, an option. */
@@ -95,7 +164,7 @@ export class FieldView {
     const {run, frame, map, colours, selected, opacity} = this;
     const scene = {
       run, frame, map, colours, selected, opacity, host, unit: this.surface.unit ?? 1, zoned: this.zones ? selected : -1, heat: this.heat?.shown,
-      floor: this.floor.filter(({image}) => image.complete), tracks: this.tracks && (context => this.paintTracks(context, scene)),
+      floor: this.floor.filter(({image}) => image.complete), trails: this.trails, tracks: this.tracks && (context => this.paintTracks(context, scene)),
     };
     return scene;
   }
@@ -107,6 +176,8 @@ export class FieldView {
       this.tip.hidden = true;
     });
     canvas.addEventListener('pointerdown', event => this.pressed(event));
+    canvas.addEventListener('wheel', event => this.wheeled(event), {passive: false});
+    canvas.addEventListener('keydown', event => this.keyed(event));
     for (const end of ['pointerup', 'pointercancel']) canvas.addEventListener(end, event => this.released(event.type === 'pointerup'));
   }
 
@@ -125,12 +196,16 @@ export class FieldView {
       const pose = this.run.pose(camera, this.frame);
       this.grabbed = {camera, at: this.pointer, centre: [this.map.x(pose.x), this.map.y(pose.y)], moves: false};
       this.surface.canvas.setPointerCapture(event.pointerId);
+    } else if (camera < 0 && this.closer.times > 1) {
+      this.panned = {at: this.pointer, left: this.closer.left, top: this.closer.top};
+      this.surface.canvas.setPointerCapture(event.pointerId);
     }
   }
 
   moved(event) {
     this.pointer = [event.offsetX, event.offsetY];
     if (this.grabbed) this.dragGrabbed(this.grabbed);
+    if (this.panned) this.look(this.closer.times, this.panned.left + this.pointer[0] - this.panned.at[0], this.panned.top + this.pointer[1] - this.panned.at[1]);
     if (this.line) this.drawLine();
     this.hover();
   }
@@ -143,7 +218,7 @@ export class FieldView {
 
   /** What was held is let go: a wall that has been drawn is there now, but for a mere click. */
   released(done) {
-    this.grabbed = null;
+    this.grabbed = this.panned = null;
     const {line} = this;
     this.line = null;
     if (line && done && this.map.scale * Math.hypot(line[2] - line[0], line[3] - line[1]) >= STILL) this.on.line(line);
@@ -224,8 +299,11 @@ export class FieldView {
 
   paint(context, width, height) {
     const {run} = this;
-    if (this.surface.changed) this.map = fit(run.setup.field, width, height, this.surface.unit);
-    this.surface.changed = false;
+    if (this.surface.changed) {
+      this.surface.changed = false;
+      this.fitted = fit(run.setup.field, width, height, this.surface.unit);
+      this.lay();
+    }
     context.fillStyle = this.colours.paper;
     context.fillRect(0, 0, width, height);
     if (!run.count) return;

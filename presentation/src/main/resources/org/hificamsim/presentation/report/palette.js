@@ -1,11 +1,11 @@
-// Colours, shapes and widths that mean something, once for pages and pictures. Colours are those of Okabe and Ito.
+// Shapes, widths and scales that mean something, once for pages and pictures. MEANING has the colours: Java's Palette, put before all scripts.
 
 /** How many cameras cover a target, as colour, shape and width of its trail. */
 export const COVER = [
-  {label: 'no camera', colour: '#d55e00', width: 1.2},
-  {label: '1 camera', colour: '#e69f00', width: 2},
-  {label: '2 cameras', colour: '#56b4e9', width: 3},
-  {label: '3 or more', colour: '#009e73', width: 4.5},
+  {label: 'no camera', colour: MEANING.unseen, width: 1.2},
+  {label: '1 camera', colour: MEANING.once, width: 2},
+  {label: '2 cameras', colour: MEANING.twice, width: 3},
+  {label: '3 or more', colour: MEANING.often, width: 4.5},
 ];
 
 /** The class of a target that k cameras cover. */

@@ -25,7 +25,7 @@ export function paint(host, setup, colours, width, height, columns, poses, image
   const count = columns.step.length;
   const scene = {
     run: {...columns, setup, count, poses: JSON.parse(poses).map(pose => [{step: -1, pose}])}, frame: columns.frame, map: fit(setup.field, width, height, 1), unit: 1,
-    colours, selected: -1, zoned, heat: heat && {...JSON.parse(heat), values}, floor: (setup.floor ?? []).map(({area}, i) => ({area, image: images[i]})), opacity, host,
+    colours, selected: -1, zoned, heat: heat && {...JSON.parse(heat), values}, floor: (setup.floor ?? []).map(({area}, i) => ({area, image: images[i]})), opacity, host, trails: true,
   };
   const every = 1 + Math.floor((count * setup.targets.length) / TRACK_POINTS);
   if (tracked) scene.tracks = () => paintTracks(host, scene, 0, every);

@@ -6,7 +6,8 @@ import { Playhead } from './playhead.js';
 import { Controls } from './controls.js';
 import { Player } from './player.js';
 import { unpackHeat } from './heat.js';
-import { decimals, percent } from './numbers.js';
+import { besideUnit, spelled, tipped, told, withUnit, words } from './names.js';
+import { decimals } from './numbers.js';
 
 /** The page; `data` is what RunReport wrote. */
 export async function runPage(root, data) {
@@ -45,9 +46,9 @@ export async function runPage(root, data) {
 }
 
 function header({replay: {setup, runs, repeat}, settings}, open) {
-  const facts = [setup.detection, `${/@(chance|probability)/.test(setup.detection) ? 'half of the time at' : 'threshold'} ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
-    `order ${setup.order}`];
-  return el('header', {}, el('h1', {}, setup.scenario, el('small', {}, setup.policy)),
+  const facts = [tipped(spelled(setup.detection), setup.detection), `${/@(chance|probability)/.test(setup.detection) ? 'half of the time at' : 'threshold'} ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
+    `targets move ${setup.order === 'camsim' ? 'before' : 'after'} cameras look`];
+  return el('header', {}, el('h1', {}, setup.scenario, el('small', {title: setup.policy}, spelled(setup.policy))),
     el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact))), chooser(runs, repeat, open));
 }
 
@@ -60,24 +61,26 @@ function chooser(runs, repeat, open) {
 }
 
 /** The whole run in numbers, and how to do it again. */
-function details({summary, command, version}) {
+function details({summary, names, command, version}) {
   const repeated = summary.repeat > 1;
-  const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) => row(name,
-    el('td', {data: {name: `summary-${name}`}}, decimals(mean, 4)),
-    repeated ? el('td', {}, low === high ? '' : `${decimals(low, 4)} to ${decimals(high, 4)}`) : null));
-  const settings = Object.entries(summary.settings).flatMap(([name, value]) => name === 'optics' ? value.map(opticsRow) : [row(name, el('td', {}, words(value)))]);
+  const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) => row(name, names[name].title, `${name}: ${names[name].meaning}`,
+    el('td', {data: {name: `summary-${name}`}}, withUnit(mean, names[name].unit)),
+    repeated ? el('td', {}, low === high ? '' : `${withUnit(low, names[name].unit)} to ${withUnit(high, names[name].unit)}`) : null,
+    el('td', {class: 'unit'}, besideUnit(names[name].unit))));
+  const settings = Object.entries(summary.settings).flatMap(([name, value]) => name === 'optics' ? value.map(opticsRow) : [row(name, words(name), name, settingCell(name, value))]);
   return el('section', {class: 'details'},
-    table('Whole run', ['figure', ...(repeated ? ['mean of the repeats', '95 % interval'] : ['value'])], rows),
+    table('Whole run', ['figure', ...(repeated ? ['mean of the repeats', '95 % interval'] : ['value']), 'unit'], rows),
     table('Settings', ['setting', 'value'], settings),
     el('div', {}, el('h2', {}, 'Made with'), el('pre', {tabindex: 0}, command), el('p', {class: 'note'}, `HiFi-CamSim ${version}`)));
 }
 
 /** A kind of optics: its name, and what else the summary says of it. */
-const opticsRow = ({name, ...parts}) => row(`optics ${name}`, el('td', {}, Object.entries(parts).map(([part, value]) => `${part} ${words(value)}`).join(', ')));
+const opticsRow = ({name, ...parts}) => row('optics', `optics ${name}`, 'optics', el('td', {}, told(parts)));
 
-const words = value => Array.isArray(value) ? value.join(' ') : String(value ?? '–');
+/** What is written as an option is read in words, with the option in the tooltip. */
+const settingCell = (name, value) => el('td', {}, /^(detection|policy|objective)$/.test(name) ? tipped(spelled(value), value) : told(value));
 
-const row = (name, ...cells) => el('tr', {}, el('th', {scope: 'row'}, name), ...cells);
+const row = (name, text, title, ...cells) => el('tr', {data: {row: name}}, el('th', {scope: 'row', title}, text), ...cells);
 
 function table(title, columns, rows) {
   return el('div', {tabindex: 0}, el('h2', {}, title), el('table', {},

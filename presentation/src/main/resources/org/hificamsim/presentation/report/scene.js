@@ -8,7 +8,8 @@ import { decimals } from './numbers.js';
 const TRAIL = 40; // frames
 const TRAIL_SEGMENTS = 1500;
 const MARGIN = [46, 36]; // pixels, for the numbers along the borders
-const ROOM = 40; // pixels a figure has about it before it shrinks
+const ROOM = 56; // pixels a figure has about it before it shrinks
+const LEGIBLE = 6; // pixels: in smaller figures no number is written
 const WALL = 3;
 const DOT = 2.2;
 const VIEW = [5, 4]; // dashes
@@ -20,10 +21,10 @@ export const HEAT = 0.8;
 export const NEVER = COVER[0].colour;
 
 /** All layers, the lowest first. */
-export const LAYERS = [floor, grid, heat, zones, views, shadows, obstacles, tracks, trails, cameras, targets];
+export const LAYERS = [floor, grid, heat, zones, views, shadows, obstacles, tracks, trails, cameras, targets, scaleBar];
 
 /** The layers of a heat map's picture: what belongs to one step is left out. */
-export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras];
+export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleBar];
 
 /**
  * Paints layers of a scene.
@@ -31,7 +32,7 @@ export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras];
  * `run`: what is shown, with `setup`, `most` (targets at the same time) and lists by camera or target and by frame; `frame`;
  * `map`: from `fit`; `unit`: pixels of a pixel, which grow with the text; `colours`: by their names in the style sheet;
  * `selected`: the chosen camera and `zoned`: the one whose pixel densities are shown, -1 for none;
- * `heat`: the record ShownFigure with `columns`, `rows` and `values`, or nothing; `floor`: a list of {area, image}, `opacity` of these; `tracks(context)` or nothing;
+ * `heat`: the record ShownFigure with `columns`, `rows` and `values`, or nothing; `floor`: a list of {area, image}, `opacity` of these; `trails`: whether targets have their last steps behind them; `tracks(context)` or nothing;
  * `host`: what each canvas does in its own way: `pattern(side, paint)`, a style for filling, `cells(columns, rows, colourOf)`, an image,
  * and `through(context, mask, style)`, which fills what `mask(canvas)` covers and leaves covered.
  */
@@ -57,13 +58,21 @@ export function fit({minX, maxX, minY, maxY}, width, height, unit) {
   };
 }
 
+/** The same map, so many times larger about a place in pixels, and moved by some. */
+export const magnified = ({x, y, scale, width, height, place}, times, left, top) => ({
+  scale: scale * times, width, height, times,
+  x: metres => left + times * x(metres),
+  y: metres => top + times * y(metres),
+  place: (px, py) => place((px - left) / times, (py - top) / times),
+});
+
 /** How high a picture is in which the field is as wide as the picture allows. */
 export const heightFor = ({minX, maxX, minY, maxY}, width) => 2 * MARGIN[1] + (width - 2 * MARGIN[0]) * ((maxY - minY) / (maxX - minX));
 
-/** How large cameras and targets are drawn: smaller where there are many. */
+/** How large cameras and targets are drawn: smaller where there are many, larger where somebody looks closer. */
 export function figureSize({run, map, unit}) {
-  const room = Math.sqrt((map.width * map.height) / (run.setup.cameras.length + run.most + 1));
-  return unit * Math.max(0.3, Math.min(1, room / (ROOM * unit)));
+  const room = (map.times ?? 1) * Math.sqrt((map.width * map.height) / (run.setup.cameras.length + run.most + 1));
+  return unit * Math.max(0.25, Math.min(1, room / (ROOM * unit)));
 }
 
 function floor(context, {map, floor, opacity}) {
@@ -97,7 +106,24 @@ function grid(context, {map, colours, unit, run}) {
   context.strokeStyle = colours.faint;
   context.rect(map.x(minX), map.y(maxY), map.x(maxX) - map.x(minX), map.y(minY) - map.y(maxY));
   context.stroke();
-  context.fillText('metres', map.x(maxX), map.y(minY) + 28 * unit);
+}
+
+/** How long some metres are, in the lower right corner whatever part of the field is in sight. */
+function scaleBar(context, {map, colours, unit}) {
+  const metres = niceGap((60 * unit) / map.scale);
+  const [right, bottom, length] = [map.width - 12 * unit, map.height - 6 * unit, map.scale * metres];
+  context.fillStyle = colours.paper;
+  context.globalAlpha = 0.75;
+  context.fillRect(right - length - 70 * unit, bottom - 11 * unit, length + 76 * unit, 16 * unit);
+  context.globalAlpha = 1;
+  context.strokeStyle = context.fillStyle = colours.ink;
+  context.lineWidth = 1.5 * unit;
+  context.beginPath();
+  [[0, -5], [0, 0], [-length, 0], [-length, -5]].forEach(([dx, dy], i) => context[i ? 'lineTo' : 'moveTo'](right + dx, bottom + dy * unit));
+  context.stroke();
+  context.font = `${11 * unit}px sans-serif`;
+  context.textAlign = 'right';
+  context.fillText(`${decimals(metres, 3)} m`, right - length - 5 * unit, bottom);
 }
 
 /** 1, 2 or 5 times a power of ten, at least this much. */
@@ -217,11 +243,13 @@ function shadows(context, scene) {
 }
 
 /** Walls, polygons and pillars; what lets light through is paler and dashed. */
-function obstacles(context, {run, map, colours, unit}) {
+function obstacles(context, scene) {
+  const {run, map, colours, unit} = scene;
+  const thick = Math.max(unit / 2, figureSize(scene));
   (run.setup.obstacles ?? []).forEach(obstacle => {
     context.beginPath();
     outline(context, obstacle, map);
-    paintObstacle(context, obstacle, colours.wall, unit);
+    paintObstacle(context, obstacle, colours.wall, thick);
   });
 }
 
@@ -284,6 +312,7 @@ export function paintTracks(context, {run, map, colours, unit}, from, every = 1)
 
 /** A target's last steps, in the colours and widths of how it was covered. */
 function trails(context, scene) {
+  if (!scene.trails) return;
   const {run, frame, map} = scene;
   const size = figureSize(scene);
   const length = Math.ceil(Math.min(TRAIL, TRAIL_SEGMENTS / run.most));
@@ -369,7 +398,7 @@ function targets(context, scene) {
     shape(context, kind, x, y, r);
     context.fill();
     context.stroke();
-    if (kind > 0) {
+    if (kind > 0 && r >= LEGIBLE) {
       context.fillStyle = '#000';
       context.font = `bold ${Math.round(r * 1.15)}px sans-serif`;
       context.textAlign = 'center';

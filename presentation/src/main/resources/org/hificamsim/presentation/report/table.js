@@ -13,13 +13,14 @@ function order(a, b) {
 /**
  * A table.
  * @param caption what it is
- * @param columns each {name, label?, show?}: `show(text, row)` is what stands in the cell, the text itself if missing
+ * @param columns each {name, label?, title?, show?}: `show(text, row)` is what stands in the cell, the text itself if missing
  * @param rows each an object of texts by column name
+ * @param captioned class of the caption: `unseen` where a heading says the same
  */
-export function sortable(caption, columns, rows) {
+export function sortable(caption, columns, rows, captioned) {
   const body = el('tbody');
   const heads = columns.map((column, i) => el('th', {scope: 'col', 'aria-sort': 'none', class: rows.some(row => isNumber(row[column.name] ?? '')) ? 'number' : null},
-    el('button', {type: 'button', onclick: () => sort(i)}, column.label || column.name)));
+    el('button', {type: 'button', title: column.title, onclick: () => sort(i)}, column.label || column.name)));
   const lines = rows.map(row => ({row, element: line(columns, row)}));
   body.append(...lines.map(({element}) => element));
 
@@ -34,7 +35,7 @@ export function sortable(caption, columns, rows) {
     body.replaceChildren(...sorted.map(({element}) => element));
   }
 
-  return el('table', {class: 'sortable'}, el('caption', {}, caption), el('thead', {}, el('tr', {}, ...heads)), body);
+  return el('table', {class: 'sortable'}, el('caption', {class: captioned}, caption), el('thead', {}, el('tr', {}, ...heads)), body);
 }
 
 function line(columns, row) {
