@@ -58,7 +58,7 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
       };
   private int[] elected = {};
   private Inquiries inquiries; // null over a perfect channel
-  private long bitsOfBoth; // of a query and its answer
+  private int bitsOfBoth; // of a query and its answer
 
   @SuppressWarnings("UnusedVariable") // written so that the reads that it sums up are not left out
   private int fetched;
