@@ -9,6 +9,7 @@ import org.hificamsim.agents.baseline.GreedyZoomPolicy;
 import org.hificamsim.agents.baseline.PatrolZoomPolicy;
 import org.hificamsim.agents.baseline.RandomZoomPolicy;
 import org.hificamsim.agents.baseline.TrackerZoomPolicy;
+import org.hificamsim.agents.cooperative.CooperativeZoomPolicy;
 import org.hificamsim.agents.optimal.BestFixedZoomPolicy;
 import org.hificamsim.agents.optimal.OneHopZoomPolicy;
 import org.hificamsim.agents.optimal.OptimalExpectedZoomPolicy;
@@ -82,6 +83,10 @@ public final class CoveragePolicies {
         .register(
             "qb-sarsa",
             "SARSA that follows the majority vote of the nearest cameras",
-            QbSarsaZoomPolicy::new);
+            QbSarsaZoomPolicy::new)
+        .register(
+            "cooperative",
+            "cameras that share what they see, predict where targets go, and divide them up",
+            CooperativeZoomPolicy::new);
   }
 }

@@ -6,9 +6,11 @@ import org.hificamsim.core.channel.ChannelModel;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.SeenPairs;
+import org.hificamsim.core.scenario.Field;
 import org.hificamsim.core.visibility.Visibility;
 import org.hificamsim.core.world.Cameras;
 import org.hificamsim.core.world.SightLines;
@@ -29,6 +31,7 @@ final class ObservedNetwork implements OracleView {
   private final int[] coverage;
   private final boolean phantoms;
   private final Objective objective;
+  private final Field field;
   private final Workers workers;
   private final long[][] found; // of each worker
   private final int[][] counts; // of each worker, in the order of the grid
@@ -58,6 +61,7 @@ final class ObservedNetwork implements OracleView {
     this.coverage = new int[targets.count()];
     this.phantoms = visibility.detection().rule().phantoms() > 0;
     this.objective = world.scenario().objective();
+    this.field = world.scenario().field();
     this.workers = workers;
     this.found = new long[workers.count()][ROOM + coverage.length + 1];
     this.counts = new int[workers.count()][coverage.length];
@@ -210,6 +214,27 @@ final class ObservedNetwork implements OracleView {
   @Override
   public boolean reaches(int camera, int view) {
     return cameras.reaches(camera, view);
+  }
+
+  @Override
+  public int stepsTo(int camera, int view) {
+    return cameras.stepsTo(camera, view);
+  }
+
+  @Override
+  public Obstacles obstacles() {
+    return lines.obstacles();
+  }
+
+  @Override
+  public Field field() {
+    return field;
+  }
+
+  @Override
+  public boolean chancesAt(
+      int camera, double x, double y, double size, double transmittance, double[] chances) {
+    return sight.chancesAt(camera, x, y, size, transmittance, chances);
   }
 
   @Override

@@ -217,6 +217,32 @@ final class Sight {
             transmittance(camera, target));
   }
 
+  /** As {@link org.hificamsim.core.policy.NetworkView#chancesAt}. */
+  boolean chancesAt(
+      int camera, double x, double y, double size, double transmittance, double[] chances) {
+    double squared = cameras.pose(camera).squaredDistance(x, y);
+    int nearest = nearestSize(size);
+    boolean any = false;
+    for (int view = 0; view < cameras.views(camera) && nearest >= 0; view++) {
+      int number = cameras.zoomNumber(camera, view);
+      chances[view] = 0;
+      if (squared < outside[number] && transmittance > 0) {
+        LevelSight level = levels[number * sizes.length + nearest];
+        chances[view] = level.chance(cameras.pose(camera, view), x, y, transmittance);
+        any |= chances[view] > 0;
+      }
+    }
+    return any;
+  }
+
+  private int nearestSize(double size) {
+    int nearest = sizes.length - 1;
+    while (nearest > 0 && size - sizes[nearest - 1] <= sizes[nearest] - size) {
+      nearest--;
+    }
+    return nearest;
+  }
+
   /** The model's value for a target, as it would be with nothing in between; 0 out of view. */
   double value(int camera, int view, int target) {
     return level(camera, view, target)

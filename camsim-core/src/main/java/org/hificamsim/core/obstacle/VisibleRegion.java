@@ -62,6 +62,11 @@ public final class VisibleRegion {
     return new VisibleRegion(pieces, x, y, new RegionSweep(obstacles, x, y, reach));
   }
 
+  /** Whether the region is seen from this very point. */
+  public boolean isFrom(double x, double y) {
+    return atX == x && atY == y;
+  }
+
   /** As {@link Obstacles#transmittance} from the standpoint to a point. */
   public double transmittance(double x, double y) {
     double dx = x - atX;

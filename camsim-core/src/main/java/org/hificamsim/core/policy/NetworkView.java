@@ -1,10 +1,14 @@
 package org.hificamsim.core.policy;
 
+import java.util.DoubleSummaryStatistics;
+import java.util.stream.IntStream;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.Stations;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.metrics.CoveredTargets;
 import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.obstacle.Obstacles;
+import org.hificamsim.core.scenario.Field;
 
 /**
  * The camera network at one step, read only: the same for every camera, so that all decide from one
@@ -17,8 +21,10 @@ import org.hificamsim.core.metrics.Objective;
  * cannot turn has its levels alone. What was detected is what the last observation saw: at a
  * decision that is the step before (0 everywhere at the first).
  *
- * <p>This is what cameras know between them. Positions of targets, and what a camera would detect
- * at another view, are in {@link OracleView}.
+ * <p>This is what cameras know between them, with what is known to whoever installs them: the map
+ * of the site, how long moves take, and what a lens and a detection model make of a place.
+ * Positions of targets, and what a camera would detect of them at another view, are in {@link
+ * OracleView}.
  */
 public interface NetworkView extends CoveredTargets, Stations {
   /** What each step of the run is scored by. */
@@ -84,6 +90,14 @@ public interface NetworkView extends CoveredTargets, Stations {
     return Math.abs(view - view(camera)) <= 1;
   }
 
+  /**
+   * How many steps the camera is on its way before the first one that it sees through a view, if it
+   * sets out now: 0 where it does so in the step that is under way.
+   */
+  default int stepsTo(int camera, int view) {
+    return 0;
+  }
+
   /** The zoom level of one of the camera's views. */
   ZoomLevel zoom(int camera, int view);
 
@@ -98,6 +112,48 @@ public interface NetworkView extends CoveredTargets, Stations {
   /** The pan angle of one of the camera's views: radians off its heading, to the right. */
   default double pan(int camera, int view) {
     return 0;
+  }
+
+  /** The site's map: what blocks or dims lines of sight, known to whoever installs a camera. */
+  default Obstacles obstacles() {
+    return Obstacles.NONE;
+  }
+
+  /** The rectangle that targets move in, also known; by default one that holds all cameras. */
+  default Field field() {
+    DoubleSummaryStatistics x =
+        IntStream.range(0, cameras()).mapToDouble(this::cameraX).summaryStatistics();
+    DoubleSummaryStatistics y =
+        IntStream.range(0, cameras()).mapToDouble(this::cameraY).summaryStatistics();
+    return cameras() == 0
+        ? new Field(0, 0, 0, 0)
+        : new Field(x.getMin(), x.getMax(), y.getMin(), y.getMax());
+  }
+
+  /**
+   * How likely the camera would detect a target that stood at a place, through each of its views:
+   * by its lens and its detection model, which are known, wherever targets are.
+   *
+   * @param size of the target, metres; the nearest of those that the scenario has counts
+   * @param transmittance how much of it gets through what is in between, in [0, 1]
+   * @param chances one entry for each view, in [0, 1]
+   * @return whether any is above 0; if not, the entries mean nothing
+   */
+  default boolean chancesAt(
+      int camera, double x, double y, double size, double transmittance, double[] chances) {
+    double dx = x - cameraX(camera);
+    double dy = y - cameraY(camera);
+    double distance = Math.hypot(dx, dy);
+    boolean any = false;
+    for (int view = 0; view < views(camera); view++) {
+      double axis = cameraHeading(camera) + pan(camera, view);
+      double off = Math.abs(Math.IEEEremainder(Math.atan2(dx, dy) - axis, 2 * Math.PI));
+      boolean inView =
+          distance <= reach(camera, view) && off <= zoom(camera, view).viewingAngle() / 2;
+      chances[view] = inView ? transmittance : 0;
+      any |= inView;
+    }
+    return any;
   }
 
   /** How many targets the camera detected at the last observation; 0 while offline. */

@@ -193,6 +193,11 @@ public final class Cameras {
         : mounts[camera].set().isNextTo(view[camera], otherView); // thesis 7.4.1
   }
 
+  /** How many steps a camera is on its way to a view before the one in which it arrives. */
+  public int stepsTo(int camera, int otherView) {
+    return motion == null ? 0 : motion.stepsTo(camera, otherView);
+  }
+
   /** How far the camera sees now, metres; 0 while it moves blindly. */
   public double range(int camera) {
     int through = seeing(camera);

@@ -73,6 +73,14 @@ final class Motion {
         && isWithin(set.zoomOf(view) - zoom[camera], set.zoomSpeed());
   }
 
+  /** How many steps a camera moves towards a view before the one in which it comes to it. */
+  int stepsTo(int camera, int view) {
+    ViewSet set = views[camera];
+    double turning = Math.abs(set.pan(view) - pan[camera]) / set.panSpeed();
+    double zooming = Math.abs(set.zoomOf(view) - zoom[camera]) / set.zoomSpeed();
+    return (int) Math.max(0, Math.ceil(Math.max(turning, zooming) / stepTime / (1 + 1e-6)) - 1);
+  }
+
   /** A part in a million more: five steps of a fifth are a whole. */
   private boolean isWithin(double way, double speed) {
     return Math.abs(way) <= speed * stepTime * (1 + 1e-6);

@@ -15,8 +15,6 @@ public final class SightLines {
   private final Cameras cameras;
   private final Targets targets;
   private final VisibleRegion[] regions;
-  private final double[] fromX;
-  private final double[] fromY;
   private final boolean partial;
   private int revision = -1;
 
@@ -26,8 +24,6 @@ public final class SightLines {
     this.cameras = cameras;
     this.targets = targets;
     this.regions = new VisibleRegion[obstacles.isEmpty() ? 0 : cameras.count()];
-    this.fromX = new double[regions.length];
-    this.fromY = new double[regions.length];
     this.partial = obstacles.all().stream().anyMatch(one -> one.transmittance() > 0);
     refresh();
   }
@@ -40,17 +36,18 @@ public final class SightLines {
     revision = cameras.revision();
     for (int camera = 0; camera < regions.length; camera++) {
       if (hasMoved(camera)) {
-        fromX[camera] = cameras.x(camera);
-        fromY[camera] = cameras.y(camera);
-        regions[camera] = VisibleRegion.of(obstacles, fromX[camera], fromY[camera]);
+        regions[camera] = VisibleRegion.of(obstacles, cameras.x(camera), cameras.y(camera));
       }
     }
   }
 
   private boolean hasMoved(int camera) {
-    return regions[camera] == null
-        || fromX[camera] != cameras.x(camera)
-        || fromY[camera] != cameras.y(camera);
+    return regions[camera] == null || !regions[camera].isFrom(cameras.x(camera), cameras.y(camera));
+  }
+
+  /** The obstacles alone. */
+  public Obstacles obstacles() {
+    return obstacles;
   }
 
   /** Whether nothing ever stands in between. */

@@ -1,0 +1,123 @@
+package org.hificamsim.agents.cooperative;
+
+import java.util.Arrays;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * Which view each camera is going to choose, and what every view of a camera adds to that: the
+ * worth of what it would detect from when it gets there up to the horizon, beyond what the other
+ * cameras cover as planned.
+ *
+ * <p>What a view adds of targets that nobody sees are those expected in the cells that it looks at,
+ * as far as no other camera is going to look there.
+ */
+final class Plan {
+  /** No view. */
+  static final int NONE = -1;
+
+  private static final double TIE = 1e-9;
+
+  private final Parameters parameters;
+  private final Forecast forecast;
+  private final PlannedCoverage coverage;
+  private final Outlook[] outlooks; // of each camera
+  private final int[] planned; // view of each camera, or NONE
+  private double[] unseen = {}; // by cell: targets that nobody looks at, if all do as planned
+  private double[] gains = {};
+  private CellSight cells;
+
+  Plan(Parameters parameters, Worth worth, int cameras) {
+    this.parameters = parameters;
+    forecast = new Forecast(parameters);
+    coverage = new PlannedCoverage(worth);
+    outlooks = new Outlook[cameras];
+    Arrays.setAll(outlooks, camera -> new Outlook());
+    planned = new int[cameras];
+  }
+
+  /** Begins a plan in which no camera has a view yet, from what is believed now. */
+  void begin(NetworkView network, Belief belief) {
+    forecast.update(belief.tracks());
+    coverage.clear(forecast.slots());
+    cells = belief.cells();
+    double[] expected = belief.map().unseen();
+    unseen = unseen.length == expected.length ? unseen : new double[expected.length];
+    System.arraycopy(expected, 0, unseen, 0, unseen.length);
+    Arrays.fill(planned, NONE);
+    for (int camera = 0; camera < planned.length; camera++) {
+      if (network.online(camera)) {
+        outlooks[camera].update(network, camera, belief.sight(), forecast);
+      }
+    }
+  }
+
+  /** The view that is planned for a camera; -1 for none. */
+  int view(int camera) {
+    return planned[camera];
+  }
+
+  /** Plans another view for a camera, or none. */
+  void change(int camera, int view) {
+    if (planned[camera] != view) {
+      apply(camera, planned[camera], false);
+      apply(camera, view, true);
+      planned[camera] = view;
+    }
+  }
+
+  private void apply(int camera, int view, boolean added) {
+    if (view == NONE) {
+      return;
+    }
+    Outlook outlook = outlooks[camera];
+    outlook.cover(view, coverage, added);
+    if (outlook.delay(view) < forecast.horizon()) {
+      int[] seen = cells.cells(camera, view);
+      float[] chances = cells.chances(camera, view);
+      for (int i = 0; i < seen.length; i++) {
+        double left = SearchMap.leftAfterLook(chances[i]);
+        unseen[seen[i]] = added ? unseen[seen[i]] * left : unseen[seen[i]] / left;
+      }
+    }
+  }
+
+  /** What each view of a camera, for which none is planned, adds. */
+  double[] gains(NetworkView network, int camera) {
+    int views = network.views(camera);
+    gains = gains.length < views ? new double[views] : gains;
+    outlooks[camera].gains(forecast, coverage, gains);
+    for (int view = 0; view < views; view++) {
+      int delay = outlooks[camera].delay(view);
+      if (delay < forecast.horizon()) {
+        gains[view] += parameters.search() * forecast.weightFrom(delay) * unseen(camera, view);
+      }
+    }
+    return gains;
+  }
+
+  private double unseen(int camera, int view) {
+    int[] seen = cells.cells(camera, view);
+    float[] chances = cells.chances(camera, view);
+    double sum = 0;
+    for (int i = 0; i < seen.length; i++) {
+      sum += unseen[seen[i]] * chances[i];
+    }
+    return sum;
+  }
+
+  /**
+   * The view of a camera that adds most. Of equally good ones it is the one that the camera chose
+   * last, or the one that takes least time, the first of these.
+   */
+  int best(NetworkView network, int camera) {
+    double[] gain = gains(network, camera);
+    int best = network.view(camera);
+    for (int view = 0; view < network.views(camera); view++) {
+      double more = gain[view] - gain[best];
+      Outlook outlook = outlooks[camera];
+      boolean tie = Math.abs(more) <= TIE && outlook.delay(view) < outlook.delay(best);
+      best = more > TIE || tie ? view : best;
+    }
+    return best;
+  }
+}

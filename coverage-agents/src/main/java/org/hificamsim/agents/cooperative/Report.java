@@ -1,0 +1,80 @@
+package org.hificamsim.agents.cooperative;
+
+import java.util.Arrays;
+import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.SeenPairs;
+
+/**
+ * What a camera tells the others in each step: the view that it looks through, and what it sees.
+ */
+final class Report {
+  private int camera;
+  private int view;
+  private int count;
+  private int[] targets = {};
+  private double[] x = {};
+  private double[] y = {};
+  private double[] sizes = {};
+
+  /** Begins a report of a camera that has seen nothing yet. */
+  void begin(NetworkView network, int newCamera) {
+    camera = newCamera;
+    view = network.online(camera) ? network.seeing(camera) : -1;
+    count = 0;
+  }
+
+  /** Adds a target that the camera sees: its place follows from the camera's pose. */
+  void add(NetworkView network, SeenPairs pairs, int pair) {
+    if (count == targets.length) {
+      grow(Math.max(4, 2 * count));
+    }
+    double axis = network.cameraHeading(camera) + network.pan(camera, view);
+    double aheadX = Math.sin(axis);
+    double aheadY = Math.cos(axis);
+    double ahead = pairs.ahead(pair);
+    double right = pairs.right(pair);
+    targets[count] = pairs.target(pair);
+    sizes[count] = network.targetSize(pairs.target(pair));
+    x[count] = network.cameraX(camera) + ahead * aheadX + right * aheadY;
+    y[count++] = network.cameraY(camera) + ahead * aheadY - right * aheadX;
+  }
+
+  private void grow(int length) {
+    targets = Arrays.copyOf(targets, length);
+    x = Arrays.copyOf(x, length);
+    y = Arrays.copyOf(y, length);
+    sizes = Arrays.copyOf(sizes, length);
+  }
+
+  int camera() {
+    return camera;
+  }
+
+  /** The view that it looks through; -1 for none. */
+  int view() {
+    return view;
+  }
+
+  /** How many targets it sees. */
+  int count() {
+    return count;
+  }
+
+  int target(int i) {
+    return targets[i];
+  }
+
+  /** Where a target is, metres. */
+  double x(int i) {
+    return x[i];
+  }
+
+  double y(int i) {
+    return y[i];
+  }
+
+  /** Metres; NaN where it is not known. */
+  double size(int i) {
+    return sizes[i];
+  }
+}

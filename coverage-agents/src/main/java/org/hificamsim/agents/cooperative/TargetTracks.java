@@ -1,0 +1,179 @@
+package org.hificamsim.agents.cooperative;
+
+/**
+ * Targets that were seen lately: where each one is now, as far as is known, and how it moves. While
+ * nobody sees them they go on as they went, up to the next obstacle.
+ */
+final class TargetTracks {
+  private static final double FEW = 0.05; // what is left of a track that is given up
+
+  private final Parameters parameters;
+  private final SiteSight sight;
+  private final boolean[] known;
+  private final int[] list; // of those that are known
+  private int count;
+  private final double[] x;
+  private final double[] y;
+  private final double[] wayX; // of a step
+  private final double[] wayY;
+  private final double[] seenX;
+  private final double[] seenY;
+  private final long[] seenAt; // step
+  private final double[] size;
+  private final double[] weight;
+  private double ways;
+  private long steps;
+
+  TargetTracks(Parameters parameters, SiteSight sight, int capacity) {
+    this.parameters = parameters;
+    this.sight = sight;
+    known = new boolean[capacity];
+    list = new int[capacity];
+    x = new double[capacity];
+    y = new double[capacity];
+    wayX = new double[capacity];
+    wayY = new double[capacity];
+    seenX = new double[capacity];
+    seenY = new double[capacity];
+    seenAt = new long[capacity];
+    size = new double[capacity];
+    weight = new double[capacity];
+  }
+
+  /** All go on by a step. */
+  void step() {
+    for (int i = 0; i < count; i++) {
+      move(list[i]);
+      weight[list[i]] *= parameters.decay();
+    }
+  }
+
+  private void move(int track) {
+    double toX = x[track] + wayX[track];
+    double toY = y[track] + wayY[track];
+    if (sight.isWay(x[track], y[track], toX, toY)) {
+      x[track] = toX;
+      y[track] = toY;
+    }
+  }
+
+  /**
+   * A target is seen, or was.
+   *
+   * @param step in which it was
+   * @param now the step that is under way
+   */
+  void see(int track, long step, long now, double atX, double atY, double itsSize) {
+    if (known[track] && seenAt[track] >= step) {
+      return;
+    }
+    if (known[track]) {
+      turn(track, step - seenAt[track], atX - seenX[track], atY - seenY[track]);
+    } else {
+      known[track] = true;
+      list[count++] = track;
+      wayX[track] = 0;
+      wayY[track] = 0;
+    }
+    seenX[track] = atX;
+    seenY[track] = atY;
+    seenAt[track] = step;
+    size[track] = itsSize;
+    place(track, now - step);
+  }
+
+  private void turn(int track, long passed, double dx, double dy) {
+    wayX[track] = dx / passed;
+    wayY[track] = dy / passed;
+    ways += Math.sqrt(dx * dx + dy * dy);
+    steps += passed;
+  }
+
+  private void place(int track, long passed) {
+    x[track] = seenX[track];
+    y[track] = seenY[track];
+    weight[track] = Math.pow(parameters.decay(), passed);
+    for (long step = 0; step < passed; step++) {
+      move(track);
+    }
+  }
+
+  /**
+   * A camera that looks at where a target should be does not see it: by Bayes' rule it is less
+   * likely to be there.
+   *
+   * @param chance that the camera would have detected it
+   * @return by how much
+   */
+  double miss(int track, double chance) {
+    double before = weight[track];
+    double seen = before * chance;
+    weight[track] = seen >= 1 ? 0 : (before - seen) / (1 - seen);
+    return before - weight[track];
+  }
+
+  /** Forgets targets that were last seen long ago, or are hardly there; the map takes them. */
+  void forget(long now, SearchMap map) {
+    int kept = 0;
+    for (int i = 0; i < count; i++) {
+      int track = list[i];
+      known[track] = now - seenAt[track] <= parameters.memory() && weight[track] >= FEW;
+      if (known[track]) {
+        list[kept++] = track;
+      } else {
+        map.absorb(x[track], y[track], weight[track]);
+      }
+    }
+    count = kept;
+  }
+
+  /** Says where a target is going to be in each step of a forecast, from a slot on. */
+  void follow(int track, Forecast forecast, int firstSlot) {
+    double atX = x[track];
+    double atY = y[track];
+    for (int step = 0; step < forecast.horizon(); step++) {
+      forecast.set(firstSlot + step, atX, atY, size[track], weight[track]);
+      if (sight.isWay(atX, atY, atX + wayX[track], atY + wayY[track])) {
+        atX += wayX[track];
+        atY += wayY[track];
+      }
+    }
+  }
+
+  /** How many targets are known. */
+  int count() {
+    return count;
+  }
+
+  /** One of them, by its place in the list. */
+  int at(int i) {
+    return list[i];
+  }
+
+  double x(int track) {
+    return x[track];
+  }
+
+  double y(int track) {
+    return y[track];
+  }
+
+  double size(int track) {
+    return size[track];
+  }
+
+  /** How likely it still is where it is believed to be, (0, 1]. */
+  double weight(int track) {
+    return weight[track];
+  }
+
+  /** The step in which it was last seen. */
+  long seenAt(int track) {
+    return seenAt[track];
+  }
+
+  /** How far a target goes in a step on average, metres; 0 before any was seen twice. */
+  double meanWay() {
+    return steps == 0 ? 0 : ways / steps;
+  }
+}

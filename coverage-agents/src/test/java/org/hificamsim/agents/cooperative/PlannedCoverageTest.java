@@ -1,0 +1,77 @@
+package org.hificamsim.agents.cooperative;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.SplittableRandom;
+import org.hificamsim.core.metrics.Objective;
+import org.junit.jupiter.api.Test;
+
+class PlannedCoverageTest {
+  @Test
+  void aCameraMoreAddsWhatTheOthersMiss() {
+    PlannedCoverage coverage = coverage("covered:k=1");
+    coverage.add(0, 0.5);
+    coverage.add(0, 0.2);
+    assertEquals(0.5 * 0.8, coverage.added(0), 1e-12);
+    assertEquals(1, coverage.added(1), 1e-12);
+  }
+
+  @Test
+  void whoIsCertainLeavesNothingToAdd() {
+    PlannedCoverage coverage = coverage("covered:k=1");
+    coverage.add(0, 0.5);
+    coverage.add(0, 1);
+    assertEquals(0, coverage.added(0), 1e-12);
+    coverage.remove(0, 1);
+    assertEquals(0.5, coverage.added(0), 1e-12);
+  }
+
+  @Test
+  void ofTwoThatAreNeededTheFirstAddsAPartInAdvance() {
+    PlannedCoverage coverage = coverage("covered:k=2");
+    assertEquals(0.2, coverage.added(0), 1e-12);
+    coverage.add(0, 1);
+    assertEquals(0.8, coverage.added(0), 1e-12);
+    coverage.add(0, 1);
+    assertEquals(0, coverage.added(0), 1e-12);
+  }
+
+  /** All ways in which cameras detect or miss, by their chances. */
+  @Test
+  void equalsTheSumOverAllOutcomes() {
+    SplittableRandom random = new SplittableRandom(3);
+    Worth worth = new Worth(Objective.parse("sum:cap=3"), 0.2);
+    for (int trial = 0; trial < 100; trial++) {
+      PlannedCoverage coverage = new PlannedCoverage(worth);
+      coverage.clear(1);
+      double[] chances = new double[5];
+      for (int camera = 0; camera < chances.length; camera++) {
+        chances[camera] = random.nextInt(3) == 0 ? 1 : random.nextDouble();
+        coverage.add(0, chances[camera]);
+      }
+      double last = chances[4] > 0.98 ? 1 : chances[4];
+      coverage.remove(0, last);
+      assertEquals(overOutcomes(worth, chances, 4), coverage.added(0), 0.05);
+    }
+  }
+
+  private static double overOutcomes(Worth worth, double[] chances, int cameras) {
+    double sum = 0;
+    for (int outcome = 0; outcome < 1 << cameras; outcome++) {
+      double chance = 1;
+      for (int camera = 0; camera < cameras; camera++) {
+        boolean detects = (outcome >> camera & 1) == 1;
+        chance *= detects ? chances[camera] : 1 - chances[camera];
+      }
+      int k = Integer.bitCount(outcome);
+      sum += k < worth.most() ? chance * worth.added(k) : 0;
+    }
+    return sum;
+  }
+
+  private static PlannedCoverage coverage(String objective) {
+    PlannedCoverage coverage = new PlannedCoverage(new Worth(Objective.parse(objective), 0.2));
+    coverage.clear(2);
+    return coverage;
+  }
+}
