@@ -92,7 +92,7 @@ final class TargetTracks {
   private void place(int track, long passed) {
     x[track] = seenX[track];
     y[track] = seenY[track];
-    weight[track] = Math.pow(parameters.decay(), passed);
+    weight[track] = Math.pow(parameters.decay(), (double) passed);
     for (long step = 0; step < passed; step++) {
       move(track);
     }
