@@ -87,7 +87,7 @@ class ChanceTest {
     assertEquals(
         "run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k,expected_k_min,"
             + "expected_covered_0,expected_covered_1,expected_covered_k,expected_mean_k,"
-            + "least_expected_k,least_chance",
+            + "least_expected_k,least_chance,score",
         steps.get(0));
     assertTrue(
         Files.readAllLines(out.resolve("targets.csv")).get(0).endsWith("x,y,k,chance_1,chance_k"));

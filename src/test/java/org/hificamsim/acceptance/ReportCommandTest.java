@@ -56,7 +56,9 @@ class ReportCommandTest {
       delimiter = '|',
       value = {
         "steps.csv | (?m)^0,7,[0-9]+ | 0,7,99 | steps.csv:9:5: '99,",
-        "steps.csv | (?m)^(0,7,.*),[0-9.]+$ | $1,9.5 | steps.csv:9:5: '",
+        "steps.csv | (?m)^(0,7,.*),[0-9.]+,([0-9.]+)$ | $1,9.5,$2 | steps.csv:9:5: '",
+        "steps.csv | (?m)^(0,7,.*),[0-9.]+$ | $1,9.5 | but the scores of steps.csv make",
+        "steps.csv | (?m)^(0,7,.*),[0-9.]+$ | $1,x | score is 'x', expected a number",
         "summary.json | (?<=performance. : )[0-9]+ | 99999 | summary.json: performance is 99999",
         "steps.csv | (?m)^0,29,.*\\n | '' | no row for run 0 and step 29",
         "summary.json | epsilon-greedy | sarsa | policy is 'sarsa', but replay.json says"

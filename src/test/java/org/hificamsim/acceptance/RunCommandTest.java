@@ -31,7 +31,7 @@ class RunCommandTest {
     Cli run = Cli.run("run", LATTICE, "--steps", 50, "--repeat", 2, "--out", out);
     assertEquals(0, run.exit(), run.err());
     List<String> rows = Files.readAllLines(out.resolve("steps.csv"));
-    assertEquals("run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k", rows.get(0));
+    assertEquals("run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k,score", rows.get(0));
     assertEquals(101, rows.size());
     JsonNode summary = summary(out);
     for (int repeat = 0; repeat < 2; repeat++) {

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,12 +28,21 @@ class ScenarioQuestionTest {
   @ParameterizedTest
   @CsvFileSource(resources = "/org/hificamsim/acceptance/sites.csv")
   void everySiteAnswersWithoutOptions(String name, String detection) throws IOException {
-    JsonNode summary = summary("run", Cli.scenario(name));
+    Path out = folder.resolve("out");
+    Cli run = Cli.run("run", Cli.scenario(name), "--out", out);
+    assertEquals(0, run.exit(), run.err());
+    JsonNode summary = json(out.resolve("summary.json"));
     assertEquals(detection, summary.path("detection").asText());
     assertEquals("scenario", summary.path("detection_from").asText());
     assertEquals("scenario", summary.path("objective_from").asText());
     assertEquals("scenario", summary.path("steps_from").asText());
-    assertTrue(summary.path("score").asDouble() > 0, name);
+    double mean = summary.path("score").asDouble() / summary.path("steps").asInt();
+    boolean share = summary.path("score_unit").asText().equals("share");
+    String shown = String.format(Locale.ROOT, share ? "%.1f %%" : "%.3f", share ? 100 * mean : mean);
+    assertTrue(mean > 0, name);
+    assertTrue(
+        run.out().startsWith("score            " + summary.path("score_words").asText() + ": " + shown),
+        run.out());
   }
 
   @Test

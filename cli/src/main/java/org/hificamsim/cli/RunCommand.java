@@ -119,7 +119,7 @@ final class RunCommand implements Callable<Integer> {
     HeatRecorder heat =
         heatmap ? new HeatRecorder(world(plan, catalogue), plan.detection(), most) : null;
     ReplayRecorder replay = record ? replay(plan, catalogue) : null;
-    KMinOverTime kMin = new KMinOverTime(plan.steps());
+    ScoreOverTime scores = new ScoreOverTime(plan.steps());
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
     try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan), tables);
         Workers workers = Workers.of(threads.count())) {
@@ -131,7 +131,7 @@ final class RunCommand implements Callable<Integer> {
               run ->
                   Stream.of(
                       output.listener(run),
-                      kMin,
+                      scores,
                       heat,
                       replay == null ? null : replay.listener(run)));
       output.manifest(screen.words(), started, (long) plan.steps() * plan.repeats());
@@ -152,7 +152,7 @@ final class RunCommand implements Callable<Integer> {
       if (json) {
         screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
       } else {
-        SummaryTable.print(screen.out(), plan, results, kMin.means(), folder);
+        SummaryTable.print(screen.out(), plan, results, scores.means(), folder);
         if (map != null) {
           tell(map);
         }

@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
@@ -30,8 +31,9 @@ final class SummaryTable {
   }
 
   static void print(
-      PrintWriter out, RunPlan plan, List<RunResult> results, double[] kMin, Path folder) {
+      PrintWriter out, RunPlan plan, List<RunResult> results, double[] scores, Path folder) {
     SummaryTable table = new SummaryTable(out, results);
+    table.line("score", table.score(plan));
     table.line("scenario", plan.scenario().name());
     table.line(
         "detection",
@@ -54,7 +56,8 @@ final class SummaryTable {
     table.figures(plan);
     table.unproven(plan);
     table.uncovered(plan);
-    table.line("k_min over time", bars(kMin, terminal()));
+    String score = plan.objective().hasOwnFigure() ? "score" : plan.objective().stepScore();
+    table.line(score + " over time", bars(scores, terminal()));
     table.line("files", folder.toString());
     out.flush();
   }
@@ -71,9 +74,9 @@ final class SummaryTable {
     }
   }
 
-  /** Says how far targets are detected where they were never all covered. */
+  /** Says how far targets are detected where the score says nothing. */
   private void uncovered(RunPlan plan) {
-    if (Estimate.of(results, Metric.PERFORMANCE).mean() == 0) {
+    if (Estimate.of(results, Metric.SCORE).mean() == 0) {
       line(
           plan.detection().certain() ? "detected up to" : "half of the time",
           DetectionHints.reach(plan.scenario(), plan.detection()));
@@ -103,18 +106,25 @@ final class SummaryTable {
         figure(metric.title(), metric, metric.format(), metric.note());
       }
       if (metric == Metric.PERFORMANCE && plan.objective().hasOwnFigure()) {
-        figure("score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
+        figure("summed score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
       }
     }
   }
 
+  /** The mean score of a step in the objective's own words. */
+  private String score(RunPlan plan) {
+    Objective objective = plan.objective();
+    double factor = objective.isShare() ? 100 : 1;
+    String mean =
+        Estimate.of(results, Metric.SCORE)
+            .times(factor / plan.steps())
+            .within(0, objective.isShare() ? factor : Double.POSITIVE_INFINITY)
+            .text(objective.isShare() ? "%.1f %%" : "%.3f");
+    return objective.words() + ": " + mean + (objective.isShare() ? "" : ", mean of the steps");
+  }
+
   private void figure(String label, Metric metric, String format, String unit) {
-    Estimate estimate = Estimate.of(results, metric);
-    String text = format(format, estimate.mean());
-    if (results.size() > 1) {
-      text +=
-          " [%s, %s]".formatted(format(format, estimate.low()), format(format, estimate.high()));
-    }
+    String text = Estimate.of(results, metric).text(format);
     line(label, unit.isEmpty() ? text : text + "  (" + unit + ")");
   }
 

@@ -23,7 +23,7 @@ public final class PlainRun {
             Double.parseDouble(words[3]),
             0);
     try (BufferedWriter out = Files.newBufferedWriter(Path.of(words[5]))) {
-      out.write("run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k\n");
+      out.write("run,step,k_min,targets,covered_0,covered_1,covered_k,mean_k,score\n");
       int steps = Integer.parseInt(words[4]);
       for (int step = 0; step < steps; step++) {
         out.write(row(step, simulation.step(), simulation) + "\n");
@@ -48,6 +48,8 @@ public final class PlainRun {
         + ","
         + covered[2]
         + ","
-        + meanK;
+        + meanK
+        + ","
+        + kMin;
   }
 }

@@ -82,6 +82,19 @@ public sealed interface Objective {
     return "score by " + text();
   }
 
+  /** What the score of a step is, for people, as in "targets covered by at least one camera". */
+  String words();
+
+  /** What the score of a step counts, in the plural; empty for a share. */
+  default String unit() {
+    return "cameras";
+  }
+
+  /** Whether the score of a step is a share, from 0 to 1. */
+  default boolean isShare() {
+    return unit().isEmpty();
+  }
+
   /** Whether the score of a run is a figure of its own, next to the performance (Eq 7.2). */
   default boolean hasOwnFigure() {
     return true;
@@ -126,6 +139,11 @@ public sealed interface Objective {
     @Override
     public String text() {
       return "kmin";
+    }
+
+    @Override
+    public String words() {
+      return "cameras on the target with the fewest (k_min)";
     }
 
     @Override
@@ -180,6 +198,16 @@ public sealed interface Objective {
     }
 
     @Override
+    public String words() {
+      return "targets covered by at least " + (k == 1 ? "one camera" : k + " cameras");
+    }
+
+    @Override
+    public String unit() {
+      return "";
+    }
+
+    @Override
     public double score(int[] coverage, int from, int to) {
       int enough = 0;
       for (int i = from; i < to; i++) {
@@ -217,6 +245,11 @@ public sealed interface Objective {
     @Override
     public String text() {
       return "lexicographic";
+    }
+
+    @Override
+    public String words() {
+      return "cameras on the target with the fewest, of those that some view detects";
     }
 
     @Override
@@ -287,6 +320,16 @@ public sealed interface Objective {
     @Override
     public String text() {
       return "sum:cap=" + cap;
+    }
+
+    @Override
+    public String words() {
+      return "detections, at most " + cap + " of a target";
+    }
+
+    @Override
+    public String unit() {
+      return "detections";
     }
 
     @Override

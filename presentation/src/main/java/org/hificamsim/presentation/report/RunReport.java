@@ -102,13 +102,15 @@ final class RunReport {
     for (int i = 0; i < replay.runs().size(); i++) {
       addRows(recorded, replay.recording(folder, i));
     }
-    long[] sum = {0};
+    double[] sums = {0, 0};
+    boolean scored = summary.has("score_words"); // else of an earlier version
     Path file =
         StepRow.each(
             folder,
             row -> {
               check(row, recorded.remove(row.run() + "," + row.step()));
-              sum[0] += row.kMin();
+              sums[0] += row.kMin();
+              sums[1] += scored ? row.score() : 0;
             });
     if (!recorded.isEmpty()) {
       String[] missing = Collections.min(recorded.keySet()).split(",");
@@ -116,7 +118,10 @@ final class RunReport {
           "%s: no row for run %s and step %s, expected the file of the run that was recorded"
               .formatted(file, missing[0], missing[1]));
     }
-    checkPerformance((double) sum[0] / replay.repeat(), file.getFileName());
+    checkSum("performance", "k_min", sums[0] / replay.repeat(), file.getFileName());
+    if (scored) {
+      checkSum("score", "scores", sums[1] / replay.repeat(), file.getFileName());
+    }
   }
 
   /** The rows of {@code steps.csv} that a recording makes, by run and step. */
@@ -126,7 +131,7 @@ final class RunReport {
     try (CsvTable row = new CsvTable(text, "", ',', "")) {
       for (Frame frame : recording.frames()) {
         at.at(recording.run(), frame.step(), frame.measure());
-        RunTables.steps(frame.measure().byChance()).add(at, row);
+        RunTables.RECORDED.add(at, row);
         String which = recording.run() + "," + frame.step();
         rows.put(which, text.toString().substring(which.length() + 1));
         text.getBuffer().setLength(0);
@@ -142,12 +147,13 @@ final class RunReport {
     }
   }
 
-  private void checkPerformance(double mean, Path steps) {
-    double performance = summary.path("performance").asDouble(Double.NaN);
-    if (!(Math.abs(performance - mean) <= ROUNDING * Math.max(1, mean))) {
+  private void checkSum(String metric, String column, double mean, Path steps) {
+    double said = summary.path(metric).asDouble(Double.NaN);
+    if (!(Math.abs(said - mean) <= ROUNDING * Math.max(1, mean))) {
       throw new InputException(
-          "%s: performance is %s, but the k_min of %s make %s, expected the files of one run"
-              .formatted(folder.resolve(ResultFolder.SUMMARY), performance, steps, mean));
+          "%s: %s is %s, but the %s of %s make %s, expected the files of one run"
+              .formatted(
+                  folder.resolve(ResultFolder.SUMMARY), metric, said, column, steps, mean));
     }
   }
 

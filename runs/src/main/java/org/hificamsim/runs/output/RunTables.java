@@ -13,8 +13,17 @@ public final class RunTables {
           Column.ofInt("run", "", "the repeat, from 0", at -> at.run),
           Column.ofLong("step", "steps", "from 0", at -> at.step));
 
-  /** A row per run and step. */
-  public static final Table<StepCursor> STEPS =
+  /** What the objective makes of a step; a recording does not know it. */
+  private static final Column<StepCursor> SCORE =
+      Column.<StepCursor>ofPlain(
+              "score",
+              "that of the [objective](objectives.md)",
+              "what the objective makes of the step; k_min by default",
+              at -> at.coverage.score())
+          .later();
+
+  /** A row per run and step, as far as a recording knows it. */
+  public static final Table<StepCursor> RECORDED =
       Table.<StepCursor>of("steps.csv")
           .with(WHICH)
           .with(
@@ -35,9 +44,13 @@ public final class RunTables {
                   "that cover a target, mean; 0 without targets",
                   at -> at.coverage.meanK()));
 
+  /** A row per run and step. */
+  public static final Table<StepCursor> STEPS = RECORDED.with(SCORE);
+
   /** The same where detections are by chance. */
   public static final Table<StepCursor> STEPS_BY_CHANCE =
-      STEPS.with(
+      RECORDED
+          .with(
           expected(
               "expected_k_min",
               "cameras",
@@ -59,7 +72,8 @@ public final class RunTables {
               "least_chance",
               "probability",
               "the least one of a target to be covered",
-              ExpectedCoverage::leastChance));
+              ExpectedCoverage::leastChance))
+          .with(SCORE);
 
   /** A row per run, step and camera. */
   public static final Table<StepCursor> ZOOMS =

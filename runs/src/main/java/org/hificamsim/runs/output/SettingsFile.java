@@ -41,6 +41,8 @@ public final class SettingsFile {
     lens(json, plan);
     plan.sources()
         .forEach((setting, from) -> json.put(setting.label() + "_from", Spelling.of(from)));
+    json.put("score_words", plan.objective().words());
+    json.put("score_unit", plan.objective().isShare() ? "share" : plan.objective().unit());
     return json;
   }
 

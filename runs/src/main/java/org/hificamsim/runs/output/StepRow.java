@@ -57,6 +57,21 @@ public record StepRow(Path file, int line, String run, String step, String measu
     return number("k_min", measures.split(",", 2)[0], measured());
   }
 
+  /**
+   * The score, the last column.
+   *
+   * @throws InputException when it is no number
+   */
+  public double score() {
+    String cell = measures.substring(measures.lastIndexOf(',') + 1);
+    try {
+      return Double.parseDouble(cell);
+    } catch (NumberFormatException e) {
+      int column = measured() + measures.length() - cell.length();
+      throw error(column, "score is '" + cell + "', expected a number");
+    }
+  }
+
   /** That what is measured is not what was expected. */
   public InputException error(String message) {
     return error(measured(), message);
