@@ -50,6 +50,6 @@ public final class PlainRun {
         + ","
         + meanK
         + ","
-        + kMin;
+        + (double) kMin;
   }
 }

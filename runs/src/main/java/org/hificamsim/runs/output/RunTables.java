@@ -15,7 +15,7 @@ public final class RunTables {
 
   /** What the objective makes of a step; a recording does not know it. */
   private static final Column<StepCursor> SCORE =
-      Column.<StepCursor>ofPlain(
+      Column.<StepCursor>ofDouble(
               "score",
               "that of the [objective](objectives.md)",
               "what the objective makes of the step; k_min by default",
