@@ -1,7 +1,6 @@
 package org.hificamsim.hifi;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.detector.DetectorModel;
@@ -18,7 +17,7 @@ import org.hificamsim.hifi.optics.Optics;
  * @param g turns that share into a confidence
  * @param optics gives the zoom level's focal length
  * @param defaultThreshold the confidence from which a target counts as detected
- * @param rmse root mean squared error of the confidences about g, above 0, where it is known
+ * @param residuals how measured confidences scatter about g, where it is known
  * @param fitted what the numbers were fitted on, where it is known
  * @param provenance where the numbers come from
  */
@@ -28,13 +27,13 @@ public record HiFiDetection(
     DetectorModel g,
     Optics optics,
     double defaultThreshold,
-    OptionalDouble rmse,
+    Optional<Residuals> residuals,
     Optional<FittedOn> fitted,
     Provenance provenance)
     implements OpticalDetection {
   /** The same under another name. */
   public HiFiDetection named(String other) {
-    return new HiFiDetection(other, f, g, optics, defaultThreshold, rmse, fitted, provenance);
+    return new HiFiDetection(other, f, g, optics, defaultThreshold, residuals, fitted, provenance);
   }
 
   @Override
@@ -42,11 +41,9 @@ public record HiFiDetection(
     return g.confidence(f.pip(size, distance, optics.focalLength(zoom)));
   }
 
-  /** The fit's own scatter (Table 6.1), about the confidence where no target is in the image. */
+  /** The fit's own scatter, about the confidence where no target is in the image. */
   @Override
   public Optional<Scatter> scatter() {
-    return rmse.isPresent()
-        ? Optional.of(new Scatter(g.confidence(0), rmse.getAsDouble()))
-        : Optional.empty();
+    return residuals.map(one -> one.about(g));
   }
 }

@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
@@ -57,6 +56,6 @@ class HiFiDetectionTest {
 
   private static HiFiDetection model(FeatureAbstraction f, DetectorLine g) {
     return new HiFiDetection(
-        "test", f, g, LAB, 0.5, OptionalDouble.empty(), Optional.empty(), Provenance.UNKNOWN);
+        "test", f, g, LAB, 0.5, Optional.empty(), Optional.empty(), Provenance.UNKNOWN);
   }
 }

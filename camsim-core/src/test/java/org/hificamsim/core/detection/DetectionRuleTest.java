@@ -76,18 +76,43 @@ class DetectionRuleTest {
     assertTrue(fault.getMessage().contains("'falling' has no rmse"), fault.getMessage());
   }
 
+  private static Detection byChance(String alpha, Scatter scatter) {
+    return Detection.by(
+        DetectionRule.parse("chance:alpha=" + alpha), "x", new Falling(Optional.of(scatter)));
+  }
+
+  /** P = Phi((v - tau) / 0.1) with tau = 0.2 + 2.3263 * 0.1; of the target: (P - 0.01) / 0.99. */
   @Test
-  void theThresholdOfChanceIsReachedByNothingAtTheRateOfFalseAlarms() {
-    Detection detection =
-        Detection.by(
-            DetectionRule.parse("chance:alpha=0.01"),
-            "x",
-            new Falling(Optional.of(new Scatter(0.2, 0.1))));
-    assertEquals(0.2 + 2.3263478740408408 * 0.1, detection.threshold(), 1e-12);
-    assertEquals(0.01, detection.chance(0.2), 1e-12);
-    assertEquals(0.5, detection.chance(detection.threshold()), 1e-15);
-    assertEquals(0.8413447460685429, detection.chance(detection.threshold() + 0.1), 1e-12);
+  void byChanceADetectionIsOfTheTargetAndNoFalseAlarm() {
+    Detection detection = byChance("0.01", new Scatter(0.2, 0.1));
+    double tau = 0.2 + 2.3263478740408408 * 0.1;
+    assertEquals(0, detection.chance(0.2), 1e-12);
+    assertEquals(0, detection.chance(0.1));
+    assertEquals((0.5 - 0.01) / 0.99, detection.chance(tau), 1e-12);
+    assertEquals((0.8413447460685429 - 0.01) / 0.99, detection.chance(tau + 0.1), 1e-12);
+    assertEquals(1, detection.chance(2), 1e-15);
+    assertFalse(detection.detects(0.2, 0, 1), "nothing is detected where nothing is");
     assertFalse(detection.detects(Double.NaN, 0, 1));
+  }
+
+  @Test
+  void itsThresholdIsDetectedHalfOfTheTime() {
+    for (double growth : new double[] {0, 0.3, 2}) {
+      Detection detection = byChance("0.05", new Scatter(0.2, 0.1, growth));
+      assertEquals(0.5, detection.chance(detection.threshold()), 1e-12, "growth " + growth);
+    }
+    assertEquals(
+        Double.POSITIVE_INFINITY, byChance("0.5", new Scatter(0.2, 0.1, 2)).threshold(), "never");
+  }
+
+  /** The scatter at 0.7 is 0.1 + 0.4 * 0.5 = 0.3; the threshold is that of the background. */
+  @Test
+  void aScatterThatGrowsBlursWhatIsWellInSight() {
+    double tau = 0.2 + 1.6448536269514722 * 0.1;
+    assertEquals(
+        (NormalDistribution.cdf((0.7 - tau) / 0.3) - 0.05) / 0.95,
+        byChance("0.05", new Scatter(0.2, 0.1, 0.4)).chance(0.7),
+        1e-12);
   }
 
   @Test
@@ -119,6 +144,7 @@ class DetectionRuleTest {
     for (DetectionModel model :
         List.of(
             new Falling(Optional.of(new Scatter(0.2, 0.3))),
+            new Falling(Optional.of(new Scatter(0.2, 0.1, 0.5))),
             new Jump(Optional.of(new Scatter(0.2, 0.1))))) {
       Detection detection = Detection.by(DetectionRule.parse("chance"), "x", model);
       ChanceTable table = detection.chances(0.66, ZOOM);

@@ -4,12 +4,14 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.choice.PanAngles;
 import org.hificamsim.core.policy.NetworkView;
+import org.hificamsim.core.policy.OracleView;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Options;
 
 /**
- * Each camera takes the view in which it would detect most targets now, whatever the others detect.
- * It knows what no camera knows: what it would detect in other views.
+ * Each camera takes the view in which it would detect most targets now, whatever the others detect;
+ * by chance, the view in which it is expected to detect most. It knows what no camera knows, what
+ * it would detect in other views, but not the luck that is drawn.
  *
  * <p>It chooses among the views that it {@linkplain NetworkView#reaches reaches}; where it would
  * detect nothing in any of these, it sets out for the best view of all, however far. Of equally
@@ -23,8 +25,9 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
   }
 
   private final Among among;
-  private long[] masks = {};
-  private int words;
+  private double[] expected = {}; // number of targets, by view
+  private int[] targets = {};
+  private double[] chances = {};
 
   /** Reads the option {@code among}. */
   public GreedyZoomPolicy(Options options) {
@@ -42,9 +45,10 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
-    int most = IntStream.range(0, network.cameras()).map(network::views).max().orElse(0);
-    masks = new long[most * words];
+    expected =
+        new double[IntStream.range(0, network.cameras()).map(network::views).max().orElse(0)];
+    targets = new int[network.targets() + 1];
+    chances = new double[network.targets() + 1];
   }
 
   @Override
@@ -57,31 +61,35 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
   }
 
   private int choose(NetworkView network, int camera) {
-    network.oracle().detections(camera, masks, words);
+    for (int view = 0; view < network.views(camera); view++) {
+      expected[view] = expected(network.oracle(), camera, view);
+    }
     int reached = among == Among.REACHED ? best(network, camera, false) : network.view(camera);
-    return among == Among.ALL || count(reached) == 0 ? best(network, camera, true) : reached;
+    return among == Among.ALL || expected[reached] == 0 ? best(network, camera, true) : reached;
+  }
+
+  private double expected(OracleView network, int camera, int view) {
+    int count = network.chances(camera, view, targets, chances);
+    double sum = 0;
+    for (int i = 0; i < count; i++) {
+      sum += chances[i];
+    }
+    return sum;
   }
 
   private int best(NetworkView network, int camera, boolean any) {
     int best = network.view(camera);
-    int most = any || network.reaches(camera, best) ? count(best) : 0;
+    double most = any || network.reaches(camera, best) ? expected[best] : 0;
     for (int view = 0; view < network.views(camera); view++) {
-      int count = count(view);
-      boolean better = count > most || (count == most && isPreferred(network, camera, view, best));
+      boolean better =
+          expected[view] > most
+              || (expected[view] == most && isPreferred(network, camera, view, best));
       if (better && (any || network.reaches(camera, view))) {
         best = view;
-        most = count;
+        most = expected[view];
       }
     }
     return best;
-  }
-
-  private int count(int view) {
-    int count = 0;
-    for (int word = view * words; word < (view + 1) * words; word++) {
-      count += Long.bitCount(masks[word]);
-    }
-    return count;
   }
 
   /** Whether a view is better than another one in which as much is detected. */

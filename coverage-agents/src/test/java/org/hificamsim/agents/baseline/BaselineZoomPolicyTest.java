@@ -30,6 +30,23 @@ class BaselineZoomPolicyTest {
         levelsAfter(new AheadZoomPolicy("zoom-in", PatrolZoomPolicy.Zoom.NARROWEST)));
   }
 
+  /** In view 0 all happens to be detected; view 1 detects more on average. */
+  @Test
+  void greedyExpectsAndDoesNotKnowTheLuck() {
+    double[][] chances = {{0.4, 0.4}, {0.9, 0.1}, {0.2, 0.2}};
+    ToyNetwork byChance =
+        new ToyNetwork(2, 3) {
+          @Override
+          public double chance(int camera, int view, int target) {
+            return chances[view][target];
+          }
+        };
+    byChance.see(0, 0, 0, 1);
+    ZoomPolicy greedy = byChance.begin(new GreedyZoomPolicy(Options.none("greedy")), 1);
+    byChance.decide(greedy);
+    assertArrayEquals(new int[] {1}, byChance.currentLevels());
+  }
+
   @Test
   void oneFixedLevelServesAllCameras() {
     assertArrayEquals(new int[] {0, 0, 0}, levelsAfter(new FixedZoomPolicy(Options.none("fixed"))));

@@ -69,7 +69,7 @@ public final class HiFiDetections {
         line.g(),
         catalogue.optics(),
         catalogue.threshold(line.g()),
-        line.rmse(),
+        line.residuals(),
         Optional.empty(),
         provenance);
   }

@@ -34,7 +34,10 @@ public final class LabDetections {
     String model = detector + "-" + f;
     registry.register(
         "lab:" + model,
-        detector.toUpperCase(Locale.ROOT) + " line on the " + title + ", fitted in the lab",
+        detector.toUpperCase(Locale.ROOT)
+            + " on the "
+            + title
+            + ", fitted in the rendered laboratory",
         () -> model("lab/" + model + ".json"));
   }
 

@@ -4,12 +4,12 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.regex.Pattern;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
+import org.hificamsim.hifi.Residuals;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
@@ -27,7 +27,9 @@ final class ModelFormat {
   /** The version in which every g is a line. */
   static final int LINES_ALONE = 1;
 
-  private static final int NEWEST = 2;
+  /** The first version in which residuals may grow. */
+  private static final int GROWING = 3;
+
   private static final String SCHEMA = "hificamsim-model";
   private static final Pattern NAME = Pattern.compile("[A-Za-z0-9][A-Za-z0-9:._-]{0,99}");
   private static final double MIN_RMSE = 1e-9;
@@ -37,7 +39,7 @@ final class ModelFormat {
   private ModelFormat() {}
 
   static HiFiDetection read(JsonObject json) {
-    int version = version(json, SCHEMA, LINES_ALONE, NEWEST);
+    int version = version(json, SCHEMA, LINES_ALONE, 2, GROWING);
     refuseCovariates(json);
     String name = name(json);
     FeatureAbstraction f = json.object("f", FeatureFormats::read);
@@ -50,24 +52,38 @@ final class ModelFormat {
         version > LINES_ALONE && json.has("fitted")
             ? Optional.of(json.object("fitted", ModelFormat::fittedOn))
             : Optional.empty();
-    return new HiFiDetection(name, f, g.model(), optics, threshold, g.rmse(), on, provenance(json));
+    return new HiFiDetection(
+        name, f, g.model(), optics, threshold, g.residuals(), on, provenance(json));
   }
 
   static ObjectNode json(HiFiDetection model) {
-    // The oldest version that can hold the model: what needs no newer one keeps its bytes.
-    boolean old = model.g() instanceof DetectorLine && model.fitted().isEmpty();
-    int version = old ? LINES_ALONE : NEWEST;
+    int version = oldest(model);
     ObjectNode json = MAPPER.createObjectNode().put("schema", SCHEMA).put("version", version);
     json.put("name", model.name());
     json.set("f", FeatureFormats.json(model.f()));
     ObjectNode g = json.putObject("g").setAll(DetectorFormats.json(model.g(), version));
-    model.rmse().ifPresent(rmse -> g.put("rmse", rmse));
+    model.residuals().ifPresent(one -> write(one, g));
     json.putPOJO("optics", model.optics());
     json.put("threshold", model.defaultThreshold());
     model.fitted().ifPresent(on -> json.putPOJO("fitted", on));
     ObjectNode units = json.putObject("units");
     LENGTHS.forEach(length -> units.put(length, "m"));
     return json.putPOJO("provenance", model.provenance().remarks());
+  }
+
+  /** The oldest version that can hold the model: what needs no newer one keeps its bytes. */
+  private static int oldest(HiFiDetection model) {
+    if (model.residuals().filter(Residuals::grow).isPresent()) {
+      return GROWING;
+    }
+    return model.g() instanceof DetectorLine && model.fitted().isEmpty() ? LINES_ALONE : 2;
+  }
+
+  private static void write(Residuals residuals, ObjectNode g) {
+    g.put("rmse", residuals.rmse());
+    if (residuals.grow()) {
+      g.putPOJO("scatter", residuals);
+    }
   }
 
   /** Earlier versions of the simulator had models whose confidence depends on conditions. */
@@ -83,18 +99,28 @@ final class ModelFormat {
   }
 
   /** A detector model, and how the confidences scatter about it where that is known. */
-  private record Fitted(DetectorModel model, OptionalDouble rmse) {}
+  private record Fitted(DetectorModel model, Optional<Residuals> residuals) {}
 
   private static Fitted fitted(JsonObject json, int version) {
     DetectorModel model =
         version == LINES_ALONE ? DetectorFormats.line(json) : DetectorFormats.read(json);
-    return new Fitted(model, rmse(json));
+    boolean grows = version >= GROWING && json.has("scatter");
+    return new Fitted(model, grows ? Optional.of(growing(json)) : residuals(json));
   }
 
-  static OptionalDouble rmse(JsonObject json) {
+  static Optional<Residuals> residuals(JsonObject json) {
     return json.has("rmse")
-        ? OptionalDouble.of(json.number("rmse", MIN_RMSE, STEEPEST))
-        : OptionalDouble.empty();
+        ? Optional.of(Residuals.of(json.number("rmse", MIN_RMSE, STEEPEST)))
+        : Optional.empty();
+  }
+
+  private static Residuals growing(JsonObject json) {
+    double rmse = json.number("rmse", MIN_RMSE, STEEPEST);
+    return json.object(
+        "scatter",
+        one ->
+            new Residuals(
+                rmse, one.number("least", MIN_RMSE, STEEPEST), one.number("growth", 0, STEEPEST)));
   }
 
   static Optics optics(JsonObject json) {

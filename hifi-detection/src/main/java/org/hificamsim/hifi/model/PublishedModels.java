@@ -5,8 +5,8 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.hificamsim.hifi.Provenance;
+import org.hificamsim.hifi.Residuals;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
@@ -43,7 +43,7 @@ public record PublishedModels(
    * scatter.
    */
   public record Line(
-      String detector, String f, DetectorLine g, OptionalDouble rmse, String source) {}
+      String detector, String f, DetectorLine g, Optional<Residuals> residuals, String source) {}
 
   /** The line to which the default threshold was fitted, and that threshold. */
   public record Reference(String detector, String f, double threshold) {}
@@ -118,7 +118,7 @@ public record PublishedModels(
         json.text("detector"),
         json.text("f"),
         DetectorFormats.line(json),
-        ModelFormat.rmse(json),
+        ModelFormat.residuals(json),
         json.text("source"));
   }
 }

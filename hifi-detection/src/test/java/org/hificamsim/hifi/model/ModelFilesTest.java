@@ -11,7 +11,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -19,6 +18,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
+import org.hificamsim.hifi.Residuals;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.feature.FeatureAbstraction;
 import org.hificamsim.hifi.feature.LinearAbstraction;
@@ -82,7 +82,7 @@ class ModelFilesTest {
             new DetectorLine(Math.PI, -third),
             new Optics(0.1 + 0.2, Math.nextDown(0.085)),
             Math.nextUp(0.0441),
-            OptionalDouble.empty(),
+            Optional.empty(),
             Optional.empty(),
             new Provenance(
                 Map.of("quotes \" and \\", "line\nbreak, tab\t, é, 狐, \uD83E\uDD8A, \u0000"))));
@@ -99,7 +99,7 @@ class ModelFilesTest {
             without.g(),
             without.optics(),
             0.05,
-            OptionalDouble.of(1.0 / 3),
+            Optional.of(Residuals.of(1.0 / 3)),
             Optional.empty(),
             without.provenance()));
   }
@@ -204,7 +204,7 @@ class ModelFilesTest {
         new DetectorLine(0.5, 0.03),
         new Optics(0.0224, 0.085),
         0.05,
-        OptionalDouble.empty(),
+        Optional.empty(),
         Optional.empty(),
         remarks);
   }

@@ -8,17 +8,18 @@ import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.hifi.DetectionModelContract;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
+import org.hificamsim.hifi.Residuals;
 import org.hificamsim.hifi.detector.DetectorLine;
 import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.detector.HillCurve;
@@ -99,8 +100,34 @@ class NewerModelFilesTest {
     Detection chance = Detection.by(DetectionRule.parse("chance:alpha=0.05"), "mine", model);
     double near = chance.chance(model.confidence(0.66, 1, 0, zoom));
     double far = chance.chance(model.confidence(0.66, 1e9, 0, zoom));
-    assertEquals(0.05, far, 1e-9, g.toString());
+    assertEquals(0, far, 1e-9, g + ": nothing is detected where nothing is to be seen");
     assertTrue(near > 0.9, g + ": " + near);
+  }
+
+  @Test
+  void aScatterThatGrowsNeedsVersion3AndComesBack() {
+    HiFiDetection one = model("mine", new DetectorLine(0.6, 0.02), Optional.empty());
+    HiFiDetection growing =
+        new HiFiDetection(
+            "mine",
+            one.f(),
+            one.g(),
+            one.optics(),
+            0.05,
+            Optional.of(new Residuals(0.05, 0.01, 1.0 / 3)),
+            Optional.empty(),
+            Provenance.UNKNOWN);
+    String text = text(growing);
+    assertTrue(text.contains("\"version\": 3") && text.contains("\"rmse\": 0.05"), text);
+    assertEquals(growing, ModelFiles.parse("mine", text.getBytes(StandardCharsets.UTF_8)));
+    Scatter scatter = growing.scatter().orElseThrow();
+    assertEquals(0.01 + 0.1 / 3, scatter.deviation(0.02 + 0.1), 1e-15);
+    String older = text.replace("\"version\": 3", "\"version\": 2");
+    InputException fault =
+        assertThrows(
+            InputException.class,
+            () -> ModelFiles.parse("m.json", older.getBytes(StandardCharsets.UTF_8)));
+    assertTrue(fault.getMessage().contains("scatter"), fault.getMessage());
   }
 
   @Test
@@ -165,7 +192,7 @@ class NewerModelFilesTest {
 
   static Stream<Arguments> faults() {
     return Stream.of(
-        arguments("\"version\": 2", "\"version\": 3", "3:14: version is 3, expected 1 or 2"),
+        arguments("\"version\": 2", X),
         arguments("\"version\": 2", "\"version\": 1", "'slope' is missing"),
         arguments("\"hill\"", "\"cubic\"", "6:17: type is 'cubic', expected one of line, satur"),
         arguments("\"half\": 0.04", "\"half\": 0", "half is 0, expected a number from 1.0E-12"),
@@ -211,7 +238,7 @@ class NewerModelFilesTest {
         g,
         new Optics(0.0224, 0.085),
         g.confidence(0.02),
-        OptionalDouble.of(0.05),
+        Optional.of(Residuals.of(0.05)),
         on,
         Provenance.UNKNOWN);
   }

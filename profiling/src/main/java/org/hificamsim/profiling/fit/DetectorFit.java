@@ -1,6 +1,7 @@
 package org.hificamsim.profiling.fit;
 
 import java.util.Arrays;
+import java.util.Comparator;
 import java.util.List;
 import org.apache.commons.math3.util.MathArrays;
 
@@ -10,10 +11,15 @@ import org.apache.commons.math3.util.MathArrays;
  * @param shapes every shape of g, the simplest first
  * @param chosen the one that is taken
  * @param scatter about the chosen one
+ * @param scatters about the chosen one, as they are drawn from: constant, growing
  * @param slope whether confidence rises at all
  */
 public record DetectorFit(
-    List<ShapeFit> shapes, ShapeFit chosen, ObjectScatter scatter, RisingSlope slope) {
+    List<ShapeFit> shapes,
+    ShapeFit chosen,
+    ObjectScatter scatter,
+    List<ScatterFit> scatters,
+    RisingSlope slope) {
   /**
    * Fits every shape of g and chooses one.
    *
@@ -46,12 +52,18 @@ public record DetectorFit(
         shapes,
         chosen,
         ObjectScatter.of(MathArrays.ebeSubtract(y, fitted), objects),
+        ScatterFit.both(chosen, y, unseen),
         RisingSlope.of(x, y, objects, settings.seed()));
   }
 
   /** One shape. */
   public ShapeFit shape(String name) {
     return named(shapes, name);
+  }
+
+  /** The scatter that is taken: of the least log loss, the constant one where both are equal. */
+  public ScatterFit drawnFrom() {
+    return scatters.stream().min(Comparator.comparingDouble(ScatterFit::logLoss)).orElseThrow();
   }
 
   private static ShapeFit named(List<ShapeFit> shapes, String name) {

@@ -6,13 +6,13 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
+import org.hificamsim.hifi.Residuals;
 import org.hificamsim.hifi.detector.DetectorModel;
 import org.hificamsim.hifi.model.ModelFiles;
 import org.hificamsim.hifi.model.PublishedModels;
@@ -88,21 +88,20 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
   /** The model, with a prefix and a colon before its name. */
   public HiFiDetection detection(String prefix) {
     DetectorModel g = chosen().g();
-    double rmse = chosen().unseen().rmse();
     return new HiFiDetection(
         prefix + ":" + name(),
         f.fit().f(),
         g,
         new Optics(result.camera().sensorWidth(), fittedOn().focalLength().most()),
         result.thresholds().getOrDefault(detector, PublishedModels.published().threshold(g)),
-        rmse > NO_SCATTER ? OptionalDouble.of(rmse) : OptionalDouble.empty(),
+        known(fit().drawnFrom().residuals()),
         Optional.of(fittedOn()),
         provenance());
   }
 
   /**
-   * The model as it is fitted without a group of {@link FitResult#unseen}; it has the threshold and
-   * the scatter of the model of all photos.
+   * The model as it is fitted without a group of {@link FitResult#unseen}; it has the threshold of
+   * the model of all photos.
    */
   public HiFiDetection without(int group) {
     HiFiDetection all = detection("without-" + group);
@@ -112,9 +111,13 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
         chosen().fits().get(group),
         all.optics(),
         all.defaultThreshold(),
-        all.rmse(),
+        known(fit().drawnFrom().unseen().get(group)),
         all.fitted(),
         all.provenance());
+  }
+
+  private static Optional<Residuals> known(Residuals residuals) {
+    return Optional.of(residuals).filter(one -> one.least() > NO_SCATTER);
   }
 
   /** Why there is no file of it. */

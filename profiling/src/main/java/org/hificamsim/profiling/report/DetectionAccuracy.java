@@ -1,8 +1,9 @@
 package org.hificamsim.profiling.report;
 
+import org.hificamsim.core.detection.DetectionRule.Chance;
 import org.hificamsim.core.detection.Scatter;
+import org.hificamsim.profiling.fit.DetectorFit;
 import org.hificamsim.profiling.fit.FitResult;
-import org.hificamsim.profiling.fit.ShapeFit;
 
 /**
  * Detect or not detect: whether a model puts a photo on the side of a threshold on which the
@@ -11,9 +12,6 @@ import org.hificamsim.profiling.fit.ShapeFit;
  * @param threshold confidence from which a photo counts as detected
  */
 record DetectionAccuracy(double threshold) {
-  /** The rate of false alarms that the threshold is for, as in {@code --detect chance}. */
-  static final double FALSE_ALARMS = 0.05;
-
   /**
    * By the detector's own threshold, else by the one that {@code --detect chance} would take: g at
    * 0, and the scatter about g.
@@ -24,9 +22,9 @@ record DetectionAccuracy(double threshold) {
   }
 
   private static DetectionAccuracy byChance(FitResult result, String detector) {
-    ShapeFit g = result.model(detector, FitResult.GROUND_TRUTH).chosen();
-    Scatter scatter = new Scatter(g.g().confidence(0), g.unseen().rmse());
-    return new DetectionAccuracy(scatter.threshold(FALSE_ALARMS));
+    DetectorFit fit = result.model(detector, FitResult.GROUND_TRUTH);
+    Scatter scatter = fit.drawnFrom().residuals().about(fit.chosen().g());
+    return new DetectionAccuracy(scatter.threshold(Chance.DEFAULT_ALPHA));
   }
 
   /** The share of the photos that are detected. */

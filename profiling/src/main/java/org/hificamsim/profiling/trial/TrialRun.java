@@ -10,6 +10,7 @@ import java.util.SplittableRandom;
 import java.util.function.Function;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.DetectionRule;
+import org.hificamsim.core.detection.DetectionRule.Chance;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.core.scenario.Scenario;
@@ -138,7 +139,7 @@ public final class TrialRun {
             coverage.expected().chanceOfMore(0),
             coverage.expected().meanK());
     return new SceneResult(
-        measured, simulated, reaching(scene, unseen.chance.get().threshold()), expected);
+        measured, simulated, reaching(scene, unseen.measuredByChance()), expected);
   }
 
   private long reaching(Scene scene, double confidence) {
@@ -165,6 +166,11 @@ public final class TrialRun {
 
     UnseenModel(HiFiDetection model) {
       this.model = model;
+    }
+
+    /** The measured confidence that is a detection by chance. */
+    double measuredByChance() {
+      return model.scatter().orElseThrow().threshold(Chance.DEFAULT_ALPHA);
     }
 
     /** Begins another scene. */

@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.detector.DetectorLine;
@@ -58,7 +57,7 @@ class SupportVectorsTest {
             new DetectorLine(0.5, 0.02),
             new Optics(0.0224, 0.085),
             0.05,
-            OptionalDouble.empty(),
+            Optional.empty(),
             Optional.empty(),
             Provenance.UNKNOWN);
     ModelFiles.write(model, folder.resolve("m.json"));

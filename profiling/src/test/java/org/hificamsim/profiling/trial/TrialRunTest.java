@@ -28,6 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** The simulator, asked about photos whose truth is known. */
 class TrialRunTest {
   private static final double THRESHOLD = 0.3;
+  private static final double ALPHA = 0.05;
 
   private static FitResult scattered;
 
@@ -80,15 +81,18 @@ class TrialRunTest {
     assertTrue(trials.balanced() < 1);
   }
 
-  /** By chance the share of the detected is right though no single draw is known. */
+  /**
+   * By chance the share of the detected is right though no single draw is known. Photos count false
+   * alarms, the simulator does not.
+   */
   @Test
   void chanceExpectsAsMuchAsIsMeasured() {
     Trials trials = trials(curve().scatter(0, 0.12).take(3));
     Covered expected = trials.byChance().orElseThrow();
-    assertEquals(trials.measuredByChance().once(), expected.once(), 0.05);
-    assertEquals(trials.measuredByChance().meanK(), expected.meanK(), 0.15);
+    double k = trials.measuredByChance().meanK();
+    assertEquals(k, expected.meanK() + ALPHA * (TrialRun.CAMERAS - expected.meanK()), 0.1);
     double mean = trials.photos().stream().mapToDouble(Trial::chance).average().orElseThrow();
-    assertEquals(trials.share(Trial::measuredByChance), mean, 0.04);
+    assertEquals(trials.share(Trial::measuredByChance), mean + ALPHA * (1 - mean), 0.02);
   }
 
   @Test
