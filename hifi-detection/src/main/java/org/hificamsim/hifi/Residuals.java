@@ -26,6 +26,6 @@ public record Residuals(@JsonIgnore double rmse, double least, double growth) {
 
   /** Their scatter about this g. */
   public Scatter about(DetectorModel g) {
-    return new Scatter(g.confidence(0), least, growth);
+    return new Scatter(g.confidence(0), rmse, least, growth);
   }
 }

@@ -67,13 +67,9 @@ public final class Detection {
   public static Detection by(DetectionRule rule, String name, DetectionModel model) {
     if (rule instanceof DetectionRule.Chance chance) {
       Scatter scatter = model.scatter().orElseThrow(() -> noScatter(model));
-      double measured = scatter.threshold(chance.alpha());
+      double threshold = scatter.threshold(chance.alpha());
       return new Detection(
-          name,
-          model,
-          rule,
-          scatter.value(measured, chance.withFalseAlarms(HALF)),
-          value -> chance.ofTarget(scatter.chance(value, measured)));
+          name, model, rule, scatter.half(threshold), value -> scatter.chance(value, threshold));
     }
     return rule instanceof DetectionRule.Probability
         ? new Detection(name, model, rule, HALF, DetectionModel::clamp)

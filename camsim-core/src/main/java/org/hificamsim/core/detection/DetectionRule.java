@@ -63,7 +63,7 @@ public sealed interface DetectionRule {
    * Scatter}, reaches the threshold of a rate of false alarms, and is not a false alarm: those
    * happen whether the target is there or not, and cover nothing.
    *
-   * @param alpha rate of false alarms, (0, 0.5]
+   * @param alpha tail of the scatter above the threshold, (0, 0.5]
    * @param memory steps, 1 or more
    * @param withPhantoms whether cameras report targets that are not there
    */
@@ -72,7 +72,6 @@ public sealed interface DetectionRule {
     public static final double DEFAULT_ALPHA = 0.05;
 
     private static final double MIN_ALPHA = 1e-9;
-    private static final double ROUNDING = 1e-12;
 
     private static Chance from(Options options) {
       return new Chance(
@@ -86,20 +85,6 @@ public sealed interface DetectionRule {
           options.choice(
                   "phantoms", Phantoms.OFF, "on: each camera, each step, a false alarm by alpha")
               == Phantoms.ON);
-    }
-
-    /**
-     * The chance of a detection that is of the target, in [0, 1].
-     *
-     * @param any the chance of a detection, false alarms included; NaN counts as none
-     */
-    public double ofTarget(double any) {
-      return any - alpha > ROUNDING ? (any - alpha) / (1 - alpha) : 0;
-    }
-
-    /** The chance of any detection where one of the target has this chance. */
-    double withFalseAlarms(double ofTarget) {
-      return alpha + ofTarget * (1 - alpha);
     }
 
     @Override

@@ -98,21 +98,27 @@ class DetectionRuleTest {
   @Test
   void itsThresholdIsDetectedHalfOfTheTime() {
     for (double growth : new double[] {0, 0.3, 2}) {
-      Detection detection = byChance("0.05", new Scatter(0.2, 0.1, growth));
+      Detection detection = byChance("0.05", new Scatter(0.2, 0.1, 0.08, growth));
       assertEquals(0.5, detection.chance(detection.threshold()), 1e-12, "growth " + growth);
     }
     assertEquals(
-        Double.POSITIVE_INFINITY, byChance("0.5", new Scatter(0.2, 0.1, 2)).threshold(), "never");
+        Double.POSITIVE_INFINITY,
+        byChance("0.5", new Scatter(0.2, 0.1, 0.1, 2)).threshold(),
+        "never");
   }
 
-  /** The scatter at 0.7 is 0.1 + 0.4 * 0.5 = 0.3; the threshold is that of the background. */
+  /** The scatter at 0.7 is 0.02 + 0.4 * 0.5 = 0.22; without a target it is 0.02. */
   @Test
-  void aScatterThatGrowsBlursWhatIsWellInSight() {
+  void aScatterThatGrowsHasFewerFalseAlarmsAndBlursWhatIsWellInSight() {
     double tau = 0.2 + 1.6448536269514722 * 0.1;
-    assertEquals(
-        (NormalDistribution.cdf((0.7 - tau) / 0.3) - 0.05) / 0.95,
-        byChance("0.05", new Scatter(0.2, 0.1, 0.4)).chance(0.7),
-        1e-12);
+    Scatter growing = new Scatter(0.2, 0.1, 0.02, 0.4);
+    assertEquals(0.05, new Scatter(0.2, 0.1).falseAlarms(tau), 1e-12);
+    double alarms = NormalDistribution.cdf((0.2 - tau) / 0.02);
+    assertEquals(alarms, growing.falseAlarms(tau), 1e-15);
+    assertTrue(alarms < 1e-12);
+    Detection detection = byChance("0.05", growing);
+    assertEquals(0, detection.chance(0.2), 0);
+    assertEquals(NormalDistribution.cdf((0.7 - tau) / 0.22), detection.chance(0.7), 1e-12);
   }
 
   @Test
@@ -144,7 +150,7 @@ class DetectionRuleTest {
     for (DetectionModel model :
         List.of(
             new Falling(Optional.of(new Scatter(0.2, 0.3))),
-            new Falling(Optional.of(new Scatter(0.2, 0.1, 0.5))),
+            new Falling(Optional.of(new Scatter(0.2, 0.1, 0.05, 0.5))),
             new Jump(Optional.of(new Scatter(0.2, 0.1))))) {
       Detection detection = Detection.by(DetectionRule.parse("chance"), "x", model);
       ChanceTable table = detection.chances(0.66, ZOOM);

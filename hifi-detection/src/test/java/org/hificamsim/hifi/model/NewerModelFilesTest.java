@@ -120,8 +120,8 @@ class NewerModelFilesTest {
     String text = text(growing);
     assertTrue(text.contains("\"version\": 3") && text.contains("\"rmse\": 0.05"), text);
     assertEquals(growing, ModelFiles.parse("mine", text.getBytes(StandardCharsets.UTF_8)));
-    Scatter scatter = growing.scatter().orElseThrow();
-    assertEquals(0.01 + 0.1 / 3, scatter.deviation(0.02 + 0.1), 1e-15);
+    assertEquals(
+        Optional.of(new Scatter(0.02, 0.05, 0.01, 1.0 / 3)), growing.scatter(), "all four numbers");
     String older = text.replace("\"version\": 3", "\"version\": 2");
     InputException fault =
         assertThrows(
@@ -192,7 +192,7 @@ class NewerModelFilesTest {
 
   static Stream<Arguments> faults() {
     return Stream.of(
-        arguments("\"version\": 2", X),
+        arguments("\"version\": 2", "\"version\": 4", "3:14: version is 4, expected 1 or 2 or 3"),
         arguments("\"version\": 2", "\"version\": 1", "'slope' is missing"),
         arguments("\"hill\"", "\"cubic\"", "6:17: type is 'cubic', expected one of line, satur"),
         arguments("\"half\": 0.04", "\"half\": 0", "half is 0, expected a number from 1.0E-12"),

@@ -63,7 +63,9 @@ public record DetectorFit(
 
   /** The scatter that is taken: of the least log loss, the constant one where both are equal. */
   public ScatterFit drawnFrom() {
-    return scatters.stream().min(Comparator.comparingDouble(ScatterFit::logLoss)).orElseThrow();
+    return scatters.stream()
+        .min(Comparator.comparingDouble(one -> one.calibration().logLoss()))
+        .orElseThrow();
   }
 
   private static ShapeFit named(List<ShapeFit> shapes, String name) {

@@ -1,7 +1,10 @@
 package org.hificamsim.profiling.fit;
 
+import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.function.DoubleUnaryOperator;
 import java.util.stream.IntStream;
 import org.apache.commons.math3.optim.MaxEval;
@@ -10,8 +13,8 @@ import org.apache.commons.math3.optim.univariate.BrentOptimizer;
 import org.apache.commons.math3.optim.univariate.SearchInterval;
 import org.apache.commons.math3.optim.univariate.UnivariateObjectiveFunction;
 import org.hificamsim.core.detection.DetectionRule.Chance;
+import org.hificamsim.core.detection.Scatter;
 import org.hificamsim.hifi.Residuals;
-import org.hificamsim.hifi.detector.DetectorModel;
 
 /**
  * How measured confidences scatter about a g that has not seen them, and what the chances that
@@ -20,17 +23,11 @@ import org.hificamsim.hifi.detector.DetectorModel;
  * @param name of the kind: {@code constant} or {@code growing}
  * @param residuals of all photos
  * @param unseen of all photos but those of each group
- * @param calibration of the chances that a measured confidence reaches the threshold of the default
- *     rate of false alarms, for photos that neither g nor the residuals have seen
- * @param logLoss of such chances, the mean over the thresholds of all kinds: each kind has another
- *     threshold, and only losses about the same events can be compared
+ * @param calibration of the chances of {@code --detect chance} with its default options, for photos
+ *     that neither g nor the residuals have seen; both kinds are asked about the same thresholds
  */
 public record ScatterFit(
-    String name,
-    Residuals residuals,
-    List<Residuals> unseen,
-    Calibration calibration,
-    double logLoss) {
+    String name, Residuals residuals, List<Residuals> unseen, Calibration calibration) {
   private static final double LEAST_RATIO = 1e-2;
   private static final double MOST_RATIO = 1e4;
   private static final int RATIOS = 60;
@@ -47,60 +44,45 @@ public record ScatterFit(
    * confidence, by maximum likelihood.
    */
   static List<ScatterFit> both(ShapeFit g, double[] y, Groups groups) {
-    Photos photos = Photos.of(g, y, groups);
-    List<Residuals> constant = photos.unseen((gained, errors) -> Residuals.of(rms(errors)));
-    List<Residuals> growing = photos.unseen(ScatterFit::mostLikely);
-    List<List<Residuals>> all = List.of(constant, growing);
-    return List.of(
-        photos.fit("constant", Residuals.of(rms(photos.errors)), constant, all),
-        photos.fit("growing", mostLikely(photos.gained, photos.errors), growing, all));
+    double[] gained = new double[y.length];
+    double[] errors = new double[y.length];
+    forEachRow(
+        groups,
+        (group, row) -> {
+          gained[row] = Math.max(0, g.predicted()[row] - g.fits().get(group).confidence(0));
+          errors[row] = y[row] - g.predicted()[row];
+        });
+    Map<String, Method> kinds = new LinkedHashMap<>();
+    kinds.put("constant", (any, e) -> Residuals.of(rms(e)));
+    kinds.put("growing", ScatterFit::mostLikely);
+    List<ScatterFit> both = new ArrayList<>();
+    kinds.forEach(
+        (name, method) -> {
+          List<Residuals> unseen =
+              IntStream.range(0, groups.count())
+                  .mapToObj(groups::others)
+                  .map(rows -> method.fit(Groups.at(rows, gained), Groups.at(rows, errors)))
+                  .toList();
+          both.add(
+              new ScatterFit(
+                  name, method.fit(gained, errors), unseen, calibration(g, y, groups, unseen)));
+        });
+    return both;
   }
 
-  /** The photos as a g that has not seen them predicts them. */
-  private record Photos(ShapeFit g, double[] y, Groups groups, double[] gained, double[] errors) {
-    static Photos of(ShapeFit g, double[] y, Groups groups) {
-      Photos photos = new Photos(g, y, groups, new double[y.length], new double[y.length]);
-      forEachRow(
-          groups,
-          (group, row) -> {
-            double background = g.fits().get(group).confidence(0);
-            photos.gained[row] = Math.max(0, g.predicted()[row] - background);
-            photos.errors[row] = y[row] - g.predicted()[row];
-          });
-      return photos;
-    }
-
-    List<Residuals> unseen(Method method) {
-      return IntStream.range(0, groups.count())
-          .mapToObj(groups::others)
-          .map(rows -> method.fit(Groups.at(rows, gained), Groups.at(rows, errors)))
-          .toList();
-    }
-
-    ScatterFit fit(
-        String name, Residuals residuals, List<Residuals> unseen, List<List<Residuals>> all) {
-      double loss =
-          all.stream()
-              .mapToDouble(one -> calibration(unseen, one).logLoss())
-              .average()
-              .orElseThrow();
-      return new ScatterFit(name, residuals, unseen, calibration(unseen, unseen), loss);
-    }
-
-    private Calibration calibration(List<Residuals> unseen, List<Residuals> ofThreshold) {
-      double[] chances = new double[y.length];
-      double[] detected = new double[y.length];
-      forEachRow(
-          groups,
-          (group, row) -> {
-            DetectorModel without = g.fits().get(group);
-            double threshold =
-                ofThreshold.get(group).about(without).threshold(Chance.DEFAULT_ALPHA);
-            chances[row] = unseen.get(group).about(without).chance(g.predicted()[row], threshold);
-            detected[row] = y[row] >= threshold ? 1 : 0;
-          });
-      return new Calibration(chances, detected);
-    }
+  private static Calibration calibration(
+      ShapeFit g, double[] y, Groups groups, List<Residuals> unseen) {
+    double[] chances = new double[y.length];
+    double[] detected = new double[y.length];
+    forEachRow(
+        groups,
+        (group, row) -> {
+          Scatter scatter = unseen.get(group).about(g.fits().get(group));
+          double threshold = scatter.threshold(Chance.DEFAULT_ALPHA);
+          chances[row] = scatter.chance(g.predicted()[row], threshold);
+          detected[row] = y[row] >= threshold ? 1 : 0;
+        });
+    return new Calibration(chances, detected);
   }
 
   private interface RowTask {
