@@ -101,6 +101,7 @@ final class CompareCommand implements Callable<Integer> {
     List<RunPlan> plans = new ArrayList<>();
     for (int i = 0; i < files.size(); i++) {
       for (RunPlan plan : plans(asked, scenarios.get(i), files.get(i), specs, catalogue)) {
+        scenarioOptions.warnAbout(files.get(i), plan.scenario(), plan.detection(), screen.err());
         zooms.forEach(policy -> plans.add(plan.withPolicy(policy)));
       }
     }

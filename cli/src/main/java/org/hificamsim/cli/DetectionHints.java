@@ -5,6 +5,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.detection.ZoomLevel;
 import org.hificamsim.core.scenario.CameraSpec;
@@ -15,15 +17,28 @@ import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.runs.ModelLens;
+import org.hificamsim.runs.NearestDistances;
 import org.hificamsim.runs.Reach;
 
 /** What a detection model makes of a scenario's cameras, in words. */
 final class DetectionHints {
   private static final int MAX_LEVELS = 10;
-  private static final double SMALL_PART = 0.5;
+  private static final double FEW = 0.1;
+  private static final List<String> OTHERS =
+      List.of("hifi:orb-lin", "hifi:orb-pinhole", "oodpcvs-2025:level=overview", "geometric");
   private static final double TOLERANCE = 1.1;
 
   private DetectionHints() {}
+
+  /** All warnings about a scenario as one detection sees it. */
+  static Stream<String> all(Scenario scenario, Detection used, Catalogue catalogue) {
+    return Stream.of(
+            smallReach(scenario, used, catalogue),
+            lens(scenario, used),
+            extrapolation(scenario, used),
+            overridden(scenario, used))
+        .flatMap(Optional::stream);
+  }
 
   /** How far a target is detected at each zoom level; by chance, half of the time. */
   static String reach(Scenario scenario, Detection detection) {
@@ -41,32 +56,57 @@ final class DetectionHints {
   }
 
   /**
-   * A warning where a target is detected in the near part of the field of view alone; none where a
-   * lens has no reach but that of the model.
+   * A warning where hardly any target comes near enough to a camera to be detected, and what would
+   * fit.
    */
-  static Optional<String> smallReach(Scenario scenario, Detection detection) {
-    List<Reach> all = Reach.of(scenario, detection);
-    return !detection.certain()
-            || all.isEmpty()
-            || all.stream().anyMatch(DetectionHints::isLarge)
-            || scenario.cameras().stream().anyMatch(DetectionHints::hasNoReach)
+  private static Optional<String> smallReach(Scenario scenario, Detection detection, Catalogue catalogue) {
+    double reach = Reach.farthest(scenario, detection);
+    NearestDistances nearest = NearestDistances.of(scenario, catalogue.movements());
+    return !(nearest.within(reach) < FEW)
         ? Optional.empty()
         : Optional.of(
-            "'%s' detects up to %s: under half of the reach at every zoom level; expected smaller radii, larger targets, a lower threshold or another model"
-                .formatted(detection.name(), reach(scenario, detection)));
+            "'%s' detects%s up to %s, and %s of the targets come so near to a camera in %s steps (half of them no nearer than %s m): hardly anything is covered; expected %s"
+                .formatted(
+                    detection.name(),
+                    detection.certain() ? "" : " half of the time",
+                    reach(scenario, detection),
+                    nearest.within(reach) == 0 ? "none" : "under " + Numbers.plain(100 * FEW) + " %",
+                    nearest.steps(),
+                    Numbers.plain(nearest.median()),
+                    fitting(scenario, nearest.median(), catalogue)));
   }
 
-  private static boolean hasNoReach(CameraSpec camera) {
-    return camera.optics().stream()
-        .anyMatch(optics -> optics.law().hasAngles() && optics.reach().isEmpty());
+  /** The first of some models that reaches half of the targets. */
+  private static String fitting(Scenario scenario, double distance, Catalogue catalogue) {
+    return OTHERS.stream()
+        .map(name -> Detection.of(catalogue.detection(name)))
+        .filter(one -> Reach.farthest(scenario, one) >= distance)
+        .findFirst()
+        .map(
+            one ->
+                "another model, such as %s, which reaches %s m"
+                    .formatted(one.name(), Numbers.plain(Reach.farthest(scenario, one))))
+        .orElse("longer focal lengths, larger radii or more cameras");
   }
 
-  private static boolean isLarge(Reach one) {
-    return one.detected() >= SMALL_PART * one.radius();
+  /**
+   * A warning where the scenario's threshold takes the place of that of a model that was asked for.
+   */
+  private static Optional<String> overridden(Scenario scenario, Detection used) {
+    double own = used.model().defaultThreshold();
+    return !used.certain()
+            || !used.name().equals(used.model().name())
+            || scenario.find(Scenario.DETECTION).isPresent()
+            || scenario.threshold().orElse(own) != used.threshold()
+            || own == used.threshold()
+        ? Optional.empty()
+        : Optional.of(
+            "its threshold %s is used for '%s', whose own is %s; expected --detection %s@%s where that one is meant"
+                .formatted(used.threshold(), used.model().name(), own, used.model().name(), own));
   }
 
   /** A warning where cameras cannot have both their viewing angle and their focal lengths. */
-  static Optional<String> lens(Scenario scenario, Detection detection) {
+  private static Optional<String> lens(Scenario scenario, Detection detection) {
     return ModelLens.of(detection, scenario).flatMap(lens -> contradiction(scenario, lens));
   }
 
@@ -117,7 +157,7 @@ final class DetectionHints {
    * A warning where sizes of targets, focal lengths or radii of fields of view lie outside what the
    * model was fitted on; none where that is not known.
    */
-  static Optional<String> extrapolation(Scenario scenario, Detection detection) {
+  private static Optional<String> extrapolation(Scenario scenario, Detection detection) {
     return detection.model() instanceof HiFiDetection model
         ? model.fitted().flatMap(on -> extrapolation(scenario, detection.name(), model, on))
         : Optional.empty();

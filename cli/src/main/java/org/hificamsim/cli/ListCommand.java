@@ -30,8 +30,8 @@ what they give at the same share, 3.2 % of the image. Models with one f then det
 targets, whatever their detector, and by their own scatter 33 to 45 % of pictures without a target
 would count as detections.
 chance: with --detect chance the detector counts, too. A target whose confidence is the second
-number is detected half of the time, one that fills nothing of the image never. See
-docs/detection.md.
+number is detected half of the time, one that fills nothing of the image never.
+See docs/detection.md.
 """;
 
   private static final DetectionRule BY_CHANCE = DetectionRule.parse("chance");

@@ -3,9 +3,7 @@ package org.hificamsim.cli;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Optional;
 import java.util.function.Consumer;
-import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
@@ -60,15 +58,9 @@ final class ScenarioOptions {
     return all;
   }
 
-  /**
-   * Warns where the cameras' viewing angles and focal lengths contradict each other, or a model is
-   * asked for what it was not fitted on.
-   */
-  void warnAboutLens(Path file, Scenario scenario, Detection detection, PrintWriter err) {
-    Stream.of(
-            DetectionHints.lens(scenario, detection),
-            DetectionHints.extrapolation(scenario, detection))
-        .flatMap(Optional::stream)
+  /** Warns of what is odd about a scenario as a detection sees it. */
+  void warnAbout(Path file, Scenario scenario, Detection used, PrintWriter err) {
+    DetectionHints.all(scenario, used, Catalogue.load())
         .forEach(line -> on(err).accept(file + ": " + line));
   }
 }

@@ -11,7 +11,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.concurrent.Callable;
-import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
@@ -82,22 +81,15 @@ final class ValidateCommand implements Callable<Integer> {
     scenario.ifPresent(
         one -> {
           try {
-            warnAboutDetection(file, one, DetectionSpec.of(asked, one, file, catalogue), warned);
+            Detection used = DetectionSpec.of(asked, one, file, catalogue);
+            DetectionHints.all(one, used, catalogue)
+                .forEach(line -> warned.add(file + ": " + line));
           } catch (InputException e) {
             errors.add(e.getMessage());
           }
         });
     scenario.ifPresent(one -> warnAboutFloorplan(file, one, warned));
     return new Checked(file, scenario, errors, warned);
-  }
-
-  private static void warnAboutDetection(
-      Path file, Scenario scenario, Detection used, List<String> warned) {
-    Stream.of(
-            DetectionHints.smallReach(scenario, used),
-            DetectionHints.lens(scenario, used),
-            DetectionHints.extrapolation(scenario, used))
-        .forEach(hint -> hint.ifPresent(line -> warned.add(file + ": " + line)));
   }
 
   /** A run needs no floorplan, unless it is recorded. */

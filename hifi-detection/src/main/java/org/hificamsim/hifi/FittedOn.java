@@ -11,9 +11,9 @@ import java.util.Arrays;
  * @param focalLength z, metres
  * @param objects how many different ones
  * @param betweenObjects standard deviation of what one object's confidences have in common, about
- *     g; 0 where that is not known from one object
+ *     g; 0 where that is not known
  * @param withinObjects standard deviation of one object's confidences about what they have in
- *     common
+ *     common; 0 where that is not known
  */
 public record FittedOn(
     @JsonProperty("q") Span size,

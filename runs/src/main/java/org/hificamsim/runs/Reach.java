@@ -31,6 +31,11 @@ public record Reach(double radius, double detected) {
         .toList();
   }
 
+  /** The farthest distance at which a target is detected at any zoom level, metres. */
+  public static double farthest(Scenario scenario, Detection detection) {
+    return of(scenario, detection).stream().mapToDouble(Reach::detected).max().orElse(0);
+  }
+
   /** The edge of the largest target that a scenario has at any time, metres. */
   public static double largestTarget(Scenario scenario) {
     return scenario

@@ -234,6 +234,13 @@ public final class ScenarioReader {
 
   /** The zoom list is what tells the dialect. */
   private Scenario withZooms(Scenario scenario, Attributes<Scenario> attributes) {
+    if (!hasZooms() && !attributes.has(Scenario.ORDER) && !all(OpticsSpec.ELEMENT).isEmpty()) {
+      warnings.accept(
+          root.place()
+              + ": a scenario with <optics> and neither <zoom> nor order runs in CamSim's order,"
+              + " targets move and then cameras look; expected order=\"coverage\" or"
+              + " order=\"camsim\"");
+    }
     Scenario ordered =
         hasZooms() && !attributes.has(Scenario.ORDER)
             ? scenario.with(Scenario.ORDER, StepOrder.COVERAGE)

@@ -70,7 +70,7 @@ public final class HiFiDetections {
         catalogue.optics(),
         catalogue.threshold(line.g()),
         line.residuals(),
-        Optional.empty(),
+        Optional.of(catalogue.fitted()),
         provenance);
   }
 

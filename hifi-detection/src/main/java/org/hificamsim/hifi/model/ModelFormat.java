@@ -142,7 +142,7 @@ final class ModelFormat {
         : Provenance.UNKNOWN;
   }
 
-  private static FittedOn fittedOn(JsonObject json) {
+  static FittedOn fittedOn(JsonObject json) {
     return new FittedOn(
         json.object("q", ModelFormat::span),
         json.object("d", ModelFormat::span),

@@ -5,6 +5,7 @@ import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
+import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.Provenance;
 import org.hificamsim.hifi.Residuals;
 import org.hificamsim.hifi.detector.DetectorLine;
@@ -20,6 +21,7 @@ import org.hificamsim.hifi.optics.Optics;
  *
  * @param optics the lab's camera (thesis 3.5)
  * @param reference which line the default thresholds start from
+ * @param fitted the ranges of the data that all were fitted to (Table 4.1)
  * @param literal the weights of Eq 6.1
  * @param features the feature abstractions f
  * @param lines the detector lines g
@@ -27,6 +29,7 @@ import org.hificamsim.hifi.optics.Optics;
 public record PublishedModels(
     Optics optics,
     Reference reference,
+    FittedOn fitted,
     LinearAbstraction literal,
     List<Feature> features,
     List<Line> lines) {
@@ -90,6 +93,7 @@ public record PublishedModels(
     return new PublishedModels(
         ModelFormat.optics(json),
         json.object("reference", PublishedModels::reference),
+        json.object("fitted", PublishedModels::fitted),
         json.object("literal", PublishedModels::literal),
         json.objects("features").stream().map(f -> f.whole(PublishedModels::feature)).toList(),
         json.objects("lines").stream().map(g -> g.whole(PublishedModels::line)).toList());
@@ -98,6 +102,11 @@ public record PublishedModels(
   private static Reference reference(JsonObject json) {
     ModelFormat.provenance(json);
     return new Reference(json.text("detector"), json.text("f"), ModelFormat.threshold(json));
+  }
+
+  private static FittedOn fitted(JsonObject json) {
+    ModelFormat.provenance(json);
+    return ModelFormat.fittedOn(json);
   }
 
   private static LinearAbstraction literal(JsonObject json) {
