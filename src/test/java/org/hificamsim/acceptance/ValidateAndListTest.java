@@ -23,9 +23,8 @@ class ValidateAndListTest {
   @TempDir Path folder;
 
   @Test
-  void
-      everyScenarioOfTheProjectIsValidWithoutAWarningButForWhatTheTutorialsAskOfTheDefaultModel()
-          throws IOException {
+  void everyScenarioOfTheProjectIsValidWithoutAWarningButForWhatTheTutorialsAskOfTheDefaultModel()
+      throws IOException {
     try (Stream<Path> files = Files.list(Cli.ROOT.resolve("scenarios"))) {
       for (Path file : files.filter(path -> path.toString().endsWith(".xml")).sorted().toList()) {
         Cli validate = Cli.run("validate", file);

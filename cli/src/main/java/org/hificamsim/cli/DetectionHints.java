@@ -59,7 +59,8 @@ final class DetectionHints {
    * A warning where hardly any target comes near enough to a camera to be detected, and what would
    * fit.
    */
-  private static Optional<String> smallReach(Scenario scenario, Detection detection, Catalogue catalogue) {
+  private static Optional<String> smallReach(
+      Scenario scenario, Detection detection, Catalogue catalogue) {
     double reach = Reach.farthest(scenario, detection);
     NearestDistances nearest = NearestDistances.of(scenario, catalogue.movements());
     return !(nearest.within(reach) < FEW)
@@ -70,7 +71,9 @@ final class DetectionHints {
                     detection.name(),
                     detection.certain() ? "" : " half of the time",
                     reach(scenario, detection),
-                    nearest.within(reach) == 0 ? "none" : "under " + Numbers.plain(100 * FEW) + " %",
+                    nearest.within(reach) == 0
+                        ? "none"
+                        : "under " + Numbers.plain(100 * FEW) + " %",
                     nearest.steps(),
                     Numbers.plain(nearest.median()),
                     fitting(scenario, nearest.median(), catalogue)));
