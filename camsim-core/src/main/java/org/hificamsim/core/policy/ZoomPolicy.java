@@ -70,6 +70,15 @@ public interface ZoomPolicy {
   }
 
   /**
+   * What a camera believes of where targets are, for listeners; called at the end of a step.
+   *
+   * @return whether it believes anything, the same at every call
+   */
+  default boolean believe(NetworkView network, int camera, BeliefListener listener) {
+    return false;
+  }
+
+  /**
    * The number of messages that the cameras have sent each other so far; one to all others counts
    * once.
    */

@@ -1,6 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
 import java.util.stream.IntStream;
+import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
@@ -97,6 +98,18 @@ final class Belief {
           && sight.chances(network, camera, x, y, tracks.size(track), chances)) {
         map.absorb(x, y, tracks.miss(track, chances[view]));
       }
+    }
+  }
+
+  /** Tells a listener what is believed. */
+  void tell(long now, BeliefListener listener) {
+    for (int i = 0; i < tracks.count(); i++) {
+      int track = tracks.at(i);
+      double spread = (now - tracks.seenAt(track)) * tracks.meanWay();
+      listener.followed(tracks.x(track), tracks.y(track), tracks.weight(track), spread);
+    }
+    for (int cell = 0; cell < free.length; cell++) {
+      listener.unseen(grid.x(cell, 0.5), grid.y(cell, 0.5), map.unseen()[cell]);
     }
   }
 

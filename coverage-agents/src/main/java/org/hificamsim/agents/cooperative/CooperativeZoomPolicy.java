@@ -2,6 +2,7 @@ package org.hificamsim.agents.cooperative;
 
 import java.util.Arrays;
 import java.util.SplittableRandom;
+import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -56,6 +57,26 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
     for (int camera = 0; camera < views.length; camera++) {
       views[camera] = network.online(camera) ? plan.view(camera) : views[camera];
     }
+  }
+
+  /** What each view would have added to those that all others chose. */
+  @Override
+  public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
+    Arrays.fill(counts, Double.NaN);
+    Arrays.fill(estimates, Double.NaN);
+    int chosen = plan.view(camera);
+    if (chosen != Plan.NONE) {
+      plan.change(camera, Plan.NONE);
+      System.arraycopy(plan.gains(network, camera), 0, estimates, 0, network.views(camera));
+      plan.change(camera, chosen);
+    }
+    return "gain";
+  }
+
+  @Override
+  public boolean believe(NetworkView network, int camera, BeliefListener listener) {
+    belief.tell(network.step(), listener);
+    return true;
   }
 
   private void look(NetworkView network) {

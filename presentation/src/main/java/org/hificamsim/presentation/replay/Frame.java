@@ -21,6 +21,8 @@ import org.hificamsim.core.metrics.StepCoverage;
  *     as {@code estimates}
  * @param seeing by camera, the view through which it sees, -1 while it moves blindly; empty where
  *     no camera needs time for a move
+ * @param belief what the first camera online believes, as {@link BeliefFrame} has it; empty where
+ *     cameras believe nothing
  */
 public record Frame(
     long step,
@@ -33,14 +35,16 @@ public record Frame(
     int[] coverage,
     double[][] estimates,
     double[][] counts,
-    @JsonInclude(JsonInclude.Include.NON_EMPTY) int[] seeing)
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) int[] seeing,
+    @JsonInclude(JsonInclude.Include.NON_EMPTY) double[] belief)
     implements CoveredTargets {
   /**
    * A frame to be filled.
    *
    * @param estimated whether it has room for estimates
+   * @param believed whether it has room for what is believed
    */
-  static Frame blank(Setup setup, long step, boolean estimated) {
+  static Frame blank(Setup setup, long step, boolean estimated, boolean believed) {
     int cameras = setup.cameras().size();
     int targets = setup.targets().size();
     return new Frame(
@@ -54,7 +58,8 @@ public record Frame(
         new int[targets],
         byView(setup, estimated ? cameras : 0),
         byView(setup, estimated ? cameras : 0),
-        new int[setup.slow().isEmpty() ? 0 : cameras]);
+        new int[setup.slow().isEmpty() ? 0 : cameras],
+        new double[believed ? BeliefFrame.length(setup) : 0]);
   }
 
   private static double[][] byView(Setup setup, int cameras) {
@@ -68,7 +73,9 @@ public record Frame(
   /** The same without what the agents know. */
   public Frame withoutEstimates() {
     double[][] none = {};
-    return new Frame(step, online, level, detected, present, x, y, coverage, none, none, seeing);
+    double[] nothing = {};
+    return new Frame(
+        step, online, level, detected, present, x, y, coverage, none, none, seeing, nothing);
   }
 
   /** The view through which a camera sees; -1 while it moves blindly. */

@@ -1,5 +1,8 @@
 package org.hificamsim.presentation.replay;
 
+import com.fasterxml.jackson.annotation.JsonInclude;
+import com.fasterxml.jackson.annotation.JsonSetter;
+import com.fasterxml.jackson.annotation.Nulls;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
@@ -17,6 +20,7 @@ import java.util.zip.InflaterInputStream;
  * @param frames how many there are
  * @param scale parts of a metre that positions are rounded to
  * @param estimateScale parts of a unit that estimates are rounded to
+ * @param beliefs how many numbers of {@link BeliefFrame} each frame has; 0 for none
  * @param data a {@link Series} for the frames' steps, then one for each {@link FrameColumn};
  *     deflated (zlib), in Base64
  */
@@ -30,13 +34,15 @@ public record PackedRun(
     int frames,
     double scale,
     double estimateScale,
+    @JsonInclude(JsonInclude.Include.NON_DEFAULT) @JsonSetter(nulls = Nulls.AS_EMPTY) int beliefs,
     String data) {
   /** Packs a recording, each frame rounded. */
   static PackedRun of(Setup setup, RecordedRun recording) {
     Scale place = Scale.of(setup.field());
     Scale estimate = Scale.of(largestEstimate(recording.frames()));
+    int beliefs = recording.frames().get(0).belief().length;
     List<FrameColumn> columns =
-        FrameColumn.of(setup, place, estimate, !recording.estimated().isEmpty());
+        FrameColumn.of(setup, place, estimate, !recording.estimated().isEmpty(), beliefs);
     return new PackedRun(
         recording.run(),
         recording.seed(),
@@ -47,6 +53,7 @@ public record PackedRun(
         recording.frames().size(),
         place.perUnit(),
         estimate.perUnit(),
+        beliefs,
         pack(recording.frames(), columns));
   }
 
@@ -63,12 +70,12 @@ public record PackedRun(
   RecordedRun unpack(Setup setup) throws IOException {
     boolean known = !estimated.isEmpty();
     List<FrameColumn> columns =
-        FrameColumn.of(setup, new Scale(scale), new Scale(estimateScale), known);
+        FrameColumn.of(setup, new Scale(scale), new Scale(estimateScale), known, beliefs);
     List<Frame> unpacked = new ArrayList<>(frames);
     try (InputStream in =
         new InflaterInputStream(new ByteArrayInputStream(Base64.getDecoder().decode(data)))) {
       for (long step : Series.read(in, frames)) {
-        unpacked.add(Frame.blank(setup, step, known));
+        unpacked.add(Frame.blank(setup, step, known, beliefs > 0));
       }
       for (FrameColumn column : columns) {
         long[] numbers = Series.read(in, frames);
@@ -111,9 +118,11 @@ public record PackedRun(
    */
   private record FrameColumn(ToLongFunction<Frame> pack, ObjLongConsumer<Frame> unpack) {
     private static final Scale COUNT = new Scale(1);
+    private static final Scale BELIEF = new Scale(BeliefFrame.PARTS);
 
     /** The columns of all frames, in the order in which they are stored. */
-    static List<FrameColumn> of(Setup setup, Scale place, Scale estimate, boolean estimated) {
+    static List<FrameColumn> of(
+        Setup setup, Scale place, Scale estimate, boolean estimated, int beliefs) {
       List<FrameColumn> columns = new ArrayList<>();
       for (int camera = 0; camera < setup.cameras().size(); camera++) {
         addCamera(columns, camera);
@@ -129,6 +138,9 @@ public record PackedRun(
       }
       for (int camera = 0; !setup.slow().isEmpty() && camera < setup.cameras().size(); camera++) {
         addSeeing(columns, camera);
+      }
+      for (int i = 0; i < beliefs; i++) {
+        addBelief(columns, i);
       }
       return columns;
     }
@@ -148,6 +160,12 @@ public record PackedRun(
 
     private static void addSeeing(List<FrameColumn> columns, int c) {
       columns.add(new FrameColumn(f -> f.seeing()[c], (f, v) -> f.seeing()[c] = (int) v));
+    }
+
+    private static void addBelief(List<FrameColumn> columns, int i) {
+      columns.add(
+          new FrameColumn(
+              f -> BELIEF.pack(f.belief()[i]), (f, v) -> f.belief()[i] = BELIEF.unpack(v)));
     }
 
     private static void addEstimate(List<FrameColumn> columns, int c, int l, Scale s) {

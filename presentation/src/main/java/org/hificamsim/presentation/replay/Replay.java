@@ -62,7 +62,7 @@ public record Replay(String format, int repeat, Setup setup, List<PackedRun> run
     if (!fit || !setup.cameras().stream().allMatch(camera -> camera.pose().consistent())) {
       throw broken(file, "setup", null);
     }
-    int most = ReplayRecorder.Limits.USUAL.frames(setup) + 2;
+    int most = ReplayRecorder.Limits.USUAL.frames(setup, false) + 2;
     for (PackedRun run : runs) {
       if (run.frames() < 1 || run.frames() > most || run.steps() < run.frames()) {
         throw broken(file, "frames of run " + run.run(), null);

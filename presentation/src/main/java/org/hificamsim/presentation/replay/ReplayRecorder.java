@@ -33,15 +33,16 @@ public final class ReplayRecorder {
     static final Limits USUAL = new Limits(20_000, 1 << 23, 4_400_000);
 
     /** The most frames of one run, 2 or more. */
-    int frames(Setup setup) {
-      return (int) Math.max(2, Math.min(frames, numbers / (1 + setup.numbersPerFrame())));
+    int frames(Setup setup, boolean believed) {
+      long perFrame = setup.numbersPerFrame() + (believed ? BeliefFrame.length(setup) : 0);
+      return (int) Math.max(2, Math.min(frames, numbers / (1 + perFrame)));
     }
   }
 
   private final Setup setup;
   private final Detection detection;
   private final int repeats;
-  private final int mostFrames;
+  private final Limits limits;
   private final int mostBytes; // 0 beside a large setup: one run is kept, of two frames
   private final Map<Integer, Tape> tapes = new ConcurrentSkipListMap<>();
 
@@ -56,7 +57,7 @@ public final class ReplayRecorder {
     this.setup = setup;
     this.detection = detection;
     this.repeats = repeats;
-    this.mostFrames = limits.frames(setup);
+    this.limits = limits;
     this.mostBytes = Math.max(0, limits.bytes() - ReplayJson.of(setup).length());
   }
 
@@ -100,6 +101,7 @@ public final class ReplayRecorder {
     private final List<Frame> frames = new ArrayList<>();
     private final List<Move> moves = new ArrayList<>();
     private Snapshots snapshots;
+    private int mostFrames;
     private Frame last;
     private long every = 1;
     private volatile PackedRun packed; // null before the run has ended
@@ -111,6 +113,7 @@ public final class ReplayRecorder {
     @Override
     public void started(NetworkView network, ZoomPolicy policy) {
       snapshots = new Snapshots(setup, detection, policy);
+      mostFrames = limits.frames(setup, snapshots.believed(network));
     }
 
     /** Targets may move before the run ends, so that the last frame is taken here too. */

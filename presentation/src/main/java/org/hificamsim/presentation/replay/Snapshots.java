@@ -41,7 +41,7 @@ public final class Snapshots {
 
   /** The network as it is now. */
   public Frame take(NetworkView network) {
-    Frame frame = Frame.blank(setup, network.step(), !estimated(network).isEmpty());
+    Frame frame = Frame.blank(setup, network.step(), !estimated(network).isEmpty(), believed(network));
     for (int camera = 0; camera < network.cameras(); camera++) {
       frame.online()[camera] = network.online(camera);
       frame.level()[camera] = network.view(camera);
@@ -59,7 +59,25 @@ public final class Snapshots {
     for (int camera = 0; camera < frame.estimates().length; camera++) {
       policy.estimates(network, camera, frame.estimates()[camera], frame.counts()[camera]);
     }
+    if (frame.belief().length > 0) {
+      BeliefFrame belief = believes(network);
+      System.arraycopy(belief.numbers(), 0, frame.belief(), 0, frame.belief().length);
+    }
     return frame;
+  }
+
+  /** Whether cameras believe anything of where targets are. */
+  public boolean believed(NetworkView network) {
+    return policy.believe(network, 0, new BeliefFrame(setup));
+  }
+
+  private BeliefFrame believes(NetworkView network) {
+    BeliefFrame belief = new BeliefFrame(setup);
+    IntStream.range(0, network.cameras())
+        .filter(network::online)
+        .findFirst()
+        .ifPresent(camera -> policy.believe(network, camera, belief));
+    return belief;
   }
 
   /** Has the next call of {@link #moves} say of every camera where it is. */

@@ -2,6 +2,7 @@ package org.hificamsim.presentation.view;
 
 import java.util.Map;
 import java.util.SplittableRandom;
+import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
@@ -49,6 +50,11 @@ final class HeldViews implements ZoomPolicy {
   @Override
   public String estimates(NetworkView network, int camera, double[] estimates, double[] counts) {
     return policy.estimates(network, camera, estimates, counts);
+  }
+
+  @Override
+  public boolean believe(NetworkView network, int camera, BeliefListener listener) {
+    return policy.believe(network, camera, listener);
   }
 
   @Override

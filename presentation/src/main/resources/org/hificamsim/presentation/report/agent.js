@@ -3,10 +3,11 @@ import { el, say } from './dom.js';
 import { PoseForm } from './pose-form.js';
 import { ViewTable } from './view-table.js';
 import { viewOf } from './views.js';
-import { decimals, metres } from './numbers.js';
+import { decimals, metres, signed } from './numbers.js';
 
 const MEANING = {
   Q: 'Q of the state the camera is in. ',
+  gain: 'Gain: what a view adds to those that all others chose, over the steps to come, where targets are believed. ',
   'mean reward': 'Reward: targets detected at that level. ',
 };
 
@@ -18,7 +19,7 @@ export class AgentPanel {
     this.run = run;
     this.camera = 0;
     this.form = edit && new PoseForm(edit);
-    this.counted = Boolean(run.estimated) && run.estimated !== 'Q';
+    this.counted = Boolean(run.estimated) && !['Q', 'gain'].includes(run.estimated);
     this.title = el('h2', {}, '');
     this.facts = el('p', {class: 'facts'});
     this.edit = edit;
@@ -108,7 +109,16 @@ export class AgentPanel {
     const {policy, targetSize, onAxis} = this.run.setup;
     const range = `"detects at" is for a target of ${decimals(targetSize, 3)} m${onAxis ? ' straight ahead' : ''}.${this.lens()}`;
     if (!this.run.estimated) return `${policy} keeps no estimates of its levels. ${range}`;
-    return (MEANING[this.run.estimated] || '') + range;
+    return (MEANING[this.run.estimated] || '') + this.best() + range;
+  }
+
+  /** The three views of most gain, the best first. */
+  best() {
+    const {run, camera, frame} = this;
+    if (run.estimated !== 'gain') return '';
+    const gains = run.estimates[camera].map((list, view) => [list[frame], view]).filter(([gain]) => Number.isFinite(gain));
+    const three = gains.sort((one, other) => other[0] - one[0]).slice(0, 3).map(([gain, view]) => `${viewName(run.pose(camera, frame), view)}: ${decimals(gain, 3)}`);
+    return three.length ? `Most: ${three.join('; ')}. ` : '';
   }
 
   /** The focal length by level and the mount height, as the settings have them. */
@@ -119,6 +129,11 @@ export class AgentPanel {
     return focal + (height ? ` Mounted ${decimals(height, 3)} m over the targets.` : '');
   }
 }
+
+const viewName = (pose, view) => {
+  const {zoom, pan} = viewOf(pose, view);
+  return `level ${zoom}${pose.pans ? `, ${signed(pan)}` : ''}`;
+};
 
 function levelRow(level, estimated, counted) {
   const row = {radius: el('td'), range: el('td'), bar: el('i', {class: 'bar'}), value: el('span'), count: el('td')};

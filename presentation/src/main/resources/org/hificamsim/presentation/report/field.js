@@ -42,11 +42,13 @@ export class FieldView {
   options() {
     const known = this.run.setup.cameras.some(({pose}) => pose.lenses?.some(({density}) => density));
     const box = (name, label) => el('label', {}, el('input', {type: 'checkbox', name, onchange: event => this.set(name, event.target.checked)}), ` ${label}`);
+    this.beliefs = box('believes', 'what cameras believe: where targets are that were seen (circles), and where others are expected (shaded)');
+    this.beliefs.hidden = true;
     const floor = () => el('input', {type: 'range', name: 'floor', data: {keys: 'own'}, min: 0, max: 100, step: 5, value: 100 * this.opacity,
       oninput: event => this.set('opacity', event.target.value / 100)});
     return el('div', {class: 'field-options', role: 'group', 'aria-label': 'what the field shows'},
       ...(this.heat ? [el('label', {}, 'heat map ', this.heat.select), this.heat.key] : []), box('trails', 'last steps'), box('tracks', 'whole paths'),
-      known ? box('zones', 'pixel density of the chosen camera (EN 62676-4, px/m)') : null, this.floor.length ? el('label', {}, 'floorplan ', floor()) : null);
+      known ? box('zones', 'pixel density of the chosen camera (EN 62676-4, px/m)') : null, this.floor.length ? el('label', {}, 'floorplan ', floor()) : null, this.beliefs);
   }
 
   /** Buttons by which to look closer. */
@@ -141,6 +143,7 @@ export class FieldView {
   }
 
   show(frame) {
+    this.beliefs.hidden = !this.run.belief.length;
     this.set('frame', frame);
     if (this.pointer) this.hover();
   }
@@ -163,7 +166,7 @@ export class FieldView {
   scene() {
     const {run, frame, map, colours, selected, opacity} = this;
     const scene = {
-      run, frame, map, colours, selected, opacity, host, unit: this.surface.unit ?? 1, zoned: this.zones ? selected : -1, heat: this.heat?.shown,
+      run, frame, map, colours, selected, opacity, host, unit: this.surface.unit ?? 1, zoned: this.zones ? selected : -1, heat: this.heat?.shown, belief: this.believes && run.belief[frame],
       floor: this.floor.filter(({image}) => image.complete), trails: this.trails, tracks: this.tracks && (context => this.paintTracks(context, scene)),
     };
     return scene;

@@ -42,6 +42,8 @@ export const optional = perUnit => code => {
   return (zigzag % 2 ? -(zigzag + 1) / 2 : zigzag / 2) / perUnit;
 };
 
+const transposed = series => series[0].map((first, frame) => series.map(list => list[frame]));
+
 /** The run that the record PackedRun holds. */
 export async function unpack(setup, packed) {
   const run = new Run(setup, packed.estimated);
@@ -66,6 +68,7 @@ export async function unpack(setup, packed) {
     }));
   }
   run.seeing.forEach((list, i) => (run.seeing[i] = next(plain)));
+  run.belief = packed.beliefs ? transposed(Array.from({length: packed.beliefs}, () => next(scaled(1000)))) : [];
   packed.moves.forEach(move => run.move(move));
   Object.assign(run, {every: packed.every, steps: packed.steps, seed: packed.seed, number: packed.run});
   for (run.count = 0; run.count < packed.frames; run.count++) run.measure(run.count);

@@ -30,6 +30,7 @@ export class Run {
     this.seeing = setup.slow ? lists(cameras) : []; // the view through which a camera sees, -1 while it moves blindly
     this.estimates = setup.cameras.map(camera => lists(viewCount(camera.pose)));
     this.counts = setup.cameras.map(camera => lists(viewCount(camera.pose)));
+    this.belief = []; // by frame, as the record BeliefFrame; nothing where cameras believe nothing
     this.poses = setup.cameras.map(camera => [{step: -1, pose: camera.pose}]);
     this.kMin = [];
     this.highest = 0;
@@ -49,6 +50,7 @@ export class Run {
     for (const name of ['estimates', 'counts']) {
       this[name].forEach((views, camera) => views.forEach((list, view) => list.push(frame[name][camera]?.[view] ?? NaN)));
     }
+    if (frame.belief) this.belief[this.count] = frame.belief;
     moves.forEach(move => this.move(move));
     this.steps = frame.step + 1;
     this.measure(this.count++);
@@ -80,6 +82,7 @@ export class Run {
     const rest = (this.count - 1) % 2;
     const half = list => list.filter((value, i) => i % 2 === rest);
     this.step = half(this.step);
+    this.belief = Array.from({length: this.step.length}, (none, i) => this.belief[2 * i + rest]);
     for (const name of ['online', 'level', 'detected', 'present', 'x', 'y', 'coverage', 'covered', 'seeing']) this[name] = this[name].map(half);
     for (const name of ['estimates', 'counts']) this[name] = this[name].map(levels => levels.map(half));
     for (const name of ['kMin', 'targets', 'sum']) this[name] = half(this[name]);

@@ -21,7 +21,7 @@ export const HEAT = 0.8;
 export const NEVER = COVER[0].colour;
 
 /** All layers, the lowest first. */
-export const LAYERS = [floor, grid, heat, zones, views, shadows, obstacles, tracks, trails, cameras, targets, scaleBar];
+export const LAYERS = [floor, grid, heat, beliefs, zones, views, shadows, obstacles, tracks, trails, cameras, targets, scaleBar];
 
 /** The layers of a heat map's picture: what belongs to one step is left out. */
 export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleBar];
@@ -32,7 +32,7 @@ export const MAP_LAYERS = [floor, grid, heat, obstacles, tracks, cameras, scaleB
  * `run`: what is shown, with `setup`, `most` (targets at the same time) and lists by camera or target and by frame; `frame`;
  * `map`: from `fit`; `unit`: pixels of a pixel, which grow with the text; `colours`: by their names in the style sheet;
  * `selected`: the chosen camera and `zoned`: the one whose pixel densities are shown, -1 for none;
- * `heat`: the record ShownFigure with `columns`, `rows` and `values`, or nothing; `floor`: a list of {area, image}, `opacity` of these; `trails`: whether targets have their last steps behind them; `tracks(context)` or nothing;
+ * `heat`: the record ShownFigure with `columns`, `rows` and `values`, or nothing; `floor`: a list of {area, image}, `opacity` of these; `trails`: whether targets have their last steps behind them; `tracks(context)` or nothing; `belief`: as the record BeliefFrame, or nothing;
  * `host`: what each canvas does in its own way: `pattern(side, paint)`, a style for filling, `cells(columns, rows, colourOf)`, an image,
  * and `through(context, mask, style)`, which fills what `mask(canvas)` covers and leaves covered.
  */
@@ -174,6 +174,38 @@ function heat(context, {heat, map, run, unit, host}) {
   context.imageSmoothingEnabled = false;
   heat.image ??= host.cells(columns, rows, cell => (values[cell] > 0 ? scaleColour(share(values[cell])) : null));
   context.drawImage(heat.image, left, bottom - height, width, height);
+}
+
+const PARTS = 20; // of the field along each side
+
+/** What a camera believes: shaded where targets are expected that nobody sees; a circle in which a target is that was seen, paler the less sure. */
+function beliefs(context, {belief, run, map, colours, unit}) {
+  if (!belief) return;
+  const {minX, maxX, minY, maxY} = run.setup.field;
+  const [width, height] = [(map.scale * (maxX - minX)) / PARTS, (map.scale * (maxY - minY)) / PARTS];
+  const first = 4 * run.setup.targets.length;
+  let most = 1e-9;
+  for (let i = first; i < belief.length; i++) most = Math.max(most, belief[i]);
+  context.fillStyle = context.strokeStyle = colours.accent;
+  for (let i = first; i < belief.length; i++) {
+    let [row, column] = [Math.floor((i - first) / PARTS), (i - first) % PARTS];
+    context.globalAlpha = (0.5 * belief[i]) / most;
+    context.fillRect(map.x(minX) + column * width, map.y(minY) - (row + 1) * height, width, height);
+  }
+  context.lineWidth = 1.5 * unit;
+  for (let i = 0; i < first; i += 4) {
+    let [px, py, radius] = [map.x(belief[i]), map.y(belief[i + 1]), 7 * unit + map.scale * belief[i + 3]];
+    if (!(belief[i + 2] > 0)) continue;
+    context.globalAlpha = 0.25 + 0.75 * belief[i + 2];
+    context.beginPath();
+    context.moveTo(px + radius, py);
+    context.arc(px, py, radius, 0, 2 * Math.PI);
+    context.moveTo(px - 4 * unit, py);
+    context.lineTo(px + 4 * unit, py);
+    context.moveTo(px, py - 4 * unit);
+    context.lineTo(px, py + 4 * unit);
+    context.stroke();
+  }
 }
 
 /** The pixel density zones of a camera, each with its name where it ends. */

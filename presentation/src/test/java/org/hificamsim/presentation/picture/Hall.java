@@ -69,6 +69,7 @@ final class Hall {
         new int[x.length],
         new double[0][],
         new double[0][],
-        seeing);
+        seeing,
+        new double[0]);
   }
 }

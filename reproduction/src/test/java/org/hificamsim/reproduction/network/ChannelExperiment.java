@@ -56,7 +56,7 @@ public final class ChannelExperiment {
   private record Sweep(String title, String key, List<Double> values) {
     ChannelModel channel(double value) {
       String number = key.equals("loss") ? "%s" : "%.0f";
-      return ChannelModel.parse(key + "=" + number.formatted(Locale.ROOT, value));
+      return ChannelModel.parse(key + "=" + String.format(Locale.ROOT, number, value));
     }
 
     /** Where a value is drawn: bits as powers of two. */
@@ -147,7 +147,7 @@ public final class ChannelExperiment {
         dropped += channel.isPerfect() ? 0 : run.value(Metric.MESSAGES_DROPPED) / sums;
       }
     }
-    return new Outcome(policy, key, value, Estimate.mean(shares), bits, dropped);
+    return new Outcome(policy, key, value, Estimate.mean(shares).within(0, 1), bits, dropped);
   }
 
   private Scenario scenario(Path file) {
@@ -203,6 +203,7 @@ public final class ChannelExperiment {
   private Outcome auctions(String key, double value, ChannelModel channel) {
     double[] shares = new double[seeds];
     double bits = 0;
+    double dropped = 0;
     NetworkSettings settings = NetworkSettings.DEFAULT.withAll(ScheduleKind.ACTIVE, 0);
     for (Path file : files) {
       PrintWriter nowhere =
@@ -226,9 +227,10 @@ public final class ChannelExperiment {
         shares[seed] += (double) ownership.owned / Math.max(1, ownership.seen) / files.size();
         long sums = (long) seeds * files.size() * steps * scenario.cameras().size();
         bits += (double) run.traffic().bits() / sums;
+        dropped += channel.isPerfect() ? 0 : run.traffic().dropped() / sums;
       }
     }
-    return new Outcome(AUCTIONS, key, value, Estimate.mean(shares), bits, 0);
+    return new Outcome(AUCTIONS, key, value, Estimate.mean(shares).within(0, 1), bits, dropped);
   }
 
   private static void table(OutputFolder folder, List<Outcome> outcomes) throws IOException {

@@ -1,0 +1,23 @@
+package org.hificamsim.core.policy;
+
+/** Is told what a camera believes of where targets are; see {@link ZoomPolicy#believe}. */
+public interface BeliefListener {
+  /**
+   * A target that is followed.
+   *
+   * @param x metres, where it should be now
+   * @param y metres
+   * @param weight how likely it is there, [0, 1]
+   * @param spread how far it may have gone elsewhere since it was last seen, metres
+   */
+  void followed(double x, double y, double weight, double spread);
+
+  /**
+   * A part of the field that nobody looks at.
+   *
+   * @param x of its centre, metres
+   * @param y metres
+   * @param expected number of targets in it
+   */
+  void unseen(double x, double y, double expected);
+}
