@@ -8,6 +8,7 @@ import gc
 import json
 import mmap
 import os
+import shutil
 import signal
 import struct
 import subprocess
@@ -177,8 +178,13 @@ class ProcessBackend:
         self._errors = tempfile.TemporaryFile()
         folder = "/dev/shm" if os.access("/dev/shm", os.W_OK) else None
         descriptor, file = tempfile.mkstemp(prefix="hificamsim-", dir=folder)
+        room = shutil.disk_usage(file).free
+        inherited = f"/proc/self/fd/{descriptor}"
+        nameless = os.path.exists(inherited)
+        if nameless:
+            os.unlink(file)  # who inherits it can open it: nothing is left even if this process is killed now
         try:
-            self._worker = self._start(file)
+            self._worker = self._start(inherited if nameless else file, room, descriptor)
             self._closer = weakref.finalize(self, _end, self._worker, self._process)
             self.description = json.loads(self._ask(b"o", json.dumps(settings).encode()))
             self.memory = memoryview(mmap.mmap(descriptor, self.description["bytes"]))
@@ -187,12 +193,14 @@ class ProcessBackend:
             raise
         finally:
             os.close(descriptor)
-            os.unlink(file)  # both sides have mapped it: nothing is left whatever happens
+            if not nameless:
+                os.unlink(file)  # both sides have mapped it
 
-    def _start(self, file: str) -> subprocess.Popen[bytes]:
+    def _start(self, file: str, room: int, descriptor: int) -> subprocess.Popen[bytes]:
         command = [java.executable(), *java.options(), "-cp", os.pathsep.join(java.class_path())]
         return subprocess.Popen(
-            [*command, "org.hificamsim.python.Server", file],
+            [*command, "org.hificamsim.python.Server", file, str(room)],
+            pass_fds=(descriptor,),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=self._errors,

@@ -50,6 +50,7 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
             agent: spaces.observation(self.worlds) for agent in self.possible_agents
         }
         self.action_spaces = {agent: self._space(i) for i, agent in enumerate(self.possible_agents)}
+        self._counts = np.array([spaces.counts(self.action_spaces[one]) for one in self.possible_agents])
         self.state_space = spaces.state(self.worlds)
         self._false = dict.fromkeys(self.possible_agents, False)
         self._true = dict.fromkeys(self.possible_agents, True)
@@ -79,11 +80,8 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         if not self.agents:
             return {}, {}, {}, {}, {}
         worlds = self.worlds
-        try:
-            told = [actions[agent] for agent in self.agents]
-        except KeyError as e:
-            raise InputError(f"no action for camera {e.args[0]}, expected one for every agent") from None
-        worlds.actions[0] = np.asarray(told).reshape(worlds.actions.shape[1:])
+        told = spaces.told(self._listed(actions), self._counts, self._whose)
+        worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
         worlds.step()
         self._episode.append(worlds.actions.tobytes())
         rewards = dict(zip(self.agents, worlds.rewards[0].tolist()))
@@ -93,6 +91,19 @@ class CameraEnv(ParallelEnv):  # type: ignore[misc]
         if over:
             self.agents = []
         return result
+
+    def _listed(self, actions: dict[str, Any]) -> list[Any]:
+        try:
+            listed = [actions[agent] for agent in self.agents]
+        except KeyError as e:
+            raise InputError(f"no action for camera {e.args[0]}, expected one for every agent") from None
+        if len(actions) > len(listed):
+            other = next(agent for agent in actions if agent not in self.agents)
+            raise InputError(f"an action for {other!r}, expected none but for {', '.join(self.agents)}")
+        return listed
+
+    def _whose(self, index: tuple[int, ...]) -> str:
+        return f"camera {self.possible_agents[index[0]]}"
 
     def _observations(self) -> dict[str, Array]:
         return dict(zip(self.possible_agents, self.worlds.observations[0].copy()))

@@ -43,6 +43,8 @@ class Results:
 def read_results(folder: str | os.PathLike[str]) -> Results:
     """Reads a folder that ``run``, ``compare`` or another command wrote."""
     base = pathlib.Path(folder)
+    if (base / ".hificamsim" / "commit").exists():
+        raise InputError(f"{base} is half written by a command that was killed, expected it whole: hificamsim report {base}")
     tables = sorted(file for ending in ("*.csv", "*.csv.gz", "*.parquet") for file in base.glob(ending))
     if not tables:
         raise InputError(f"{base} has no tables, expected a folder of results")

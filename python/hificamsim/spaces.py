@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import gymnasium
 import numpy as np
 
+from .errors import InputError
 from .worlds import Array, Worlds
 
 
@@ -34,6 +36,33 @@ def joint_action(worlds: Worlds) -> gymnasium.spaces.MultiDiscrete:
     if len(worlds.choices) > 1:
         return gymnasium.spaces.MultiDiscrete(worlds.choices * len(worlds.cameras))
     return gymnasium.spaces.MultiDiscrete(worlds.views)
+
+
+def counts(of: gymnasium.spaces.Space[Any]) -> Array:
+    """Of how many each number of an action of a space is one."""
+    return np.asarray(of.n if isinstance(of, gymnasium.spaces.Discrete) else of.nvec)  # type: ignore[attr-defined]
+
+
+def told(actions: Any, counts: Array, name: Callable[[tuple[int, ...]], str]) -> Array:
+    """Actions of the shape of ``counts``, each a whole number from 0 to below its count.
+
+    :param name: says whose the action at an index is
+    """
+    try:
+        values = np.asarray(actions)
+    except ValueError:
+        values = np.empty(0, object)  # not even rows of one length
+    if values.shape != counts.shape:
+        raise InputError(f"actions have shape {values.shape}, expected {counts.shape}")
+    if values.dtype.kind in "iu" and not ((values < 0) | (values >= counts)).any():
+        return values
+    for index, value in np.ndenumerate(np.asarray(actions, object)):
+        whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+        if not whole or not 0 <= value < counts[index]:
+            raise InputError(
+                f"action {value} of {name(index)}, expected a whole number from 0 to {counts[index] - 1}"
+            )
+    raise InputError(f"actions are of type {values.dtype}, expected whole numbers")
 
 
 def mask(worlds: Worlds, camera: int, of: Array) -> Array | tuple[Array, ...]:

@@ -60,6 +60,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         self._observations = self.worlds.observations.reshape(self.observation_space.shape)
         self._finals = self.worlds.finals.reshape(self.observation_space.shape)
         self._masks = self.worlds.masks.reshape(self.num_envs, -1)
+        self._counts = spaces.counts(self.action_space)
         self._never = np.zeros(self.num_envs, np.bool_)
 
     def reset(
@@ -72,7 +73,8 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
     def step(self, actions: Any) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
         """Every network goes on by a step."""
         worlds = self.worlds
-        worlds.actions[...] = np.asarray(actions).reshape(worlds.actions.shape)
+        told = spaces.told(actions, self._counts, self._whose)
+        worlds.actions[...] = told.reshape(worlds.actions.shape)
         worlds.step()
         ends = self._spread(worlds.ends).astype(np.bool_)
         infos = self._infos()
@@ -80,6 +82,11 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
             self._add_finals(infos, ends)
         never = self._never.copy() if self.copy else self._never
         return self._own(self._observations), self._rewards(), never, ends, infos
+
+    def _whose(self, index: tuple[int, ...]) -> str:
+        each = self.worlds.actions.shape[2]
+        place = int(np.ravel_multi_index(index, self._counts.shape)) // each
+        return f"camera {self.worlds.cameras[place % self._each]} in world {place // self._each}"
 
     def _rewards(self) -> Array:
         if self.per == "camera":
@@ -143,6 +150,7 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
         self.width = width
         self.observation_space = spaces.observation(self.worlds, len(self.worlds.cameras))
         self.action_space = spaces.joint_action(self.worlds)
+        self._counts = spaces.counts(self.action_space)
 
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
@@ -155,10 +163,14 @@ class NetworkEnv(gymnasium.Env[Any, Any]):
     def step(self, action: Any) -> tuple[Array, float, bool, bool, dict[str, Any]]:
         """All cameras act, and a step goes by."""
         worlds = self.worlds
-        worlds.actions[0] = np.asarray(action).reshape(worlds.actions.shape[1:])
+        told = spaces.told(action, self._counts, self._whose)
+        worlds.actions[0] = told.reshape(worlds.actions.shape[1:])
         worlds.step()
         reward = float(worlds.rewards[0].mean())
         return worlds.observations[0].copy(), reward, False, bool(worlds.ends[0]), self._info()
+
+    def _whose(self, index: tuple[int, ...]) -> str:
+        return f"camera {self.worlds.cameras[index[0] // self.worlds.actions.shape[2]]}"
 
     def _info(self) -> dict[str, Any]:
         measured = dict(zip(MEASURES, self.worlds.measures[0].tolist()))

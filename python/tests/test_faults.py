@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -12,6 +14,7 @@ import textwrap
 import time
 from collections.abc import Callable
 
+import numpy as np
 import pytest
 
 import hificamsim
@@ -69,7 +72,7 @@ def test_a_scenario_that_is_none_or_wrong(tmp_path: pathlib.Path, backend: str) 
 def test_an_action_that_is_none_is_refused_and_nothing_moves(backend: str) -> None:
     env = hificamsim.parallel_env("cluster-random", backend=backend)
     env.reset(seed=1)
-    with pytest.raises(hificamsim.InputError, match="action 7 of camera Cam_03 in world 0, expected 0 to 4"):
+    with pytest.raises(hificamsim.InputError, match="action 7 of camera Cam_03, expected a whole number from 0 to 4"):
         env.step({agent: 7 if agent == "Cam_03" else 0 for agent in env.agents})
     with pytest.raises(hificamsim.InputError, match="no action for camera Cam_14"):
         env.step(dict.fromkeys(env.agents[:-1], 0))
@@ -79,6 +82,58 @@ def test_an_action_that_is_none_is_refused_and_nothing_moves(backend: str) -> No
     assert env.step(told)[1] == fresh.step(told)[1]
     env.close()
     fresh.close()
+
+
+@pytest.mark.parametrize(
+    ("action", "line"),
+    [
+        (-1, "action -1 of camera Cam_03, expected a whole number from 0 to 4"),
+        (99, "action 99 of camera Cam_03"),
+        (2**40, "action 1099511627776 of camera Cam_03"),
+        (1.5, "action 1.5 of camera Cam_03"),
+        (float("nan"), "action nan of camera Cam_03"),
+        (True, "action True of camera Cam_03"),
+        ("2", "action 2 of camera Cam_03"),
+        (None, "action None of camera Cam_03"),
+        ([1, 2], "actions have shape"),
+    ],
+)
+def test_an_action_outside_the_space_is_refused(action: object, line: str, backend: str) -> None:
+    with contextlib.closing(hificamsim.parallel_env("cluster-random", backend=backend)) as env:
+        env.reset(seed=1)
+        before = env.worlds.observations.copy()
+        actions = {agent: action if agent == "Cam_03" else 0 for agent in env.agents}
+        with pytest.raises(ValueError, match=re.escape(line)) as fault:
+            env.step(actions)
+        assert "\n" not in str(fault.value)
+        with pytest.raises(ValueError, match="an action for 'nobody', expected none but for Cam_01"):
+            env.step({**dict.fromkeys(env.agents, 0), "nobody": 0})
+        assert (env.worlds.observations == before).all(), "no world has moved"
+        env.step(dict.fromkeys(env.agents, np.int64(1)))
+
+
+@pytest.mark.parametrize("per", ["world", "camera"])
+def test_actions_of_many_worlds_are_checked_by_one_look(per: str, backend: str) -> None:
+    with contextlib.closing(hificamsim.vector_env("cluster-random", 3, per=per, backend=backend)) as envs:
+        envs.reset(seed=1)
+        cameras = len(envs.worlds.cameras)
+        good = np.zeros(envs.action_space.shape, np.int64)
+        bad = good.copy()
+        bad.reshape(-1)[cameras + 2] = 5
+        with pytest.raises(ValueError, match="action 5 of camera .* in world 1, expected a whole number from 0 to 4"):
+            envs.step(bad)
+        for wrong in (good.astype(float), good[:-1], good.reshape(-1, 1), [[0], [0, 1]], np.nan):
+            with pytest.raises(ValueError, match="expected"):
+                envs.step(wrong)
+        envs.step(good)
+
+
+def test_too_many_worlds_name_the_limit_and_leave_nothing(backend: str) -> None:
+    began = time.monotonic()
+    with pytest.raises(hificamsim.InputError, match="1000000000 worlds take more than 2 GB of shared memory"):
+        hificamsim.vector_env("campus", 10**9, backend=backend)
+    assert time.monotonic() - began < 30
+    assert not list(pathlib.Path("/dev/shm").glob("hificamsim-*"))
 
 
 def test_two_environments_in_one_process_do_not_touch_each_other() -> None:

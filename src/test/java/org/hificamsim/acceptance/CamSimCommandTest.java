@@ -205,8 +205,8 @@ class CamSimCommandTest {
         "--extra-out DIR/summary.csv | the default of -f and --extra-out are one file",
         "--coverage-out DIR/o.csv | -o and --coverage-out are one file",
         "-f DIR/c/steps.csv --coverage-out DIR/c | -f and --coverage-out are one file",
-        "-f DIR/in.xml | the scenario and -f are one file",
-        "--for-camsim DIR/in.xml | the scenario and --for-camsim are one file",
+        "-f DIR/in.xml | what the command reads and -f are one file",
+        "--for-camsim DIR/in.xml | what the command reads and --for-camsim are one file",
       })
   void twoOutputsAndTheScenarioAreSeparateFiles(String options, String expected)
       throws IOException {
@@ -226,7 +226,7 @@ class CamSimCommandTest {
     Path link = Files.createSymbolicLink(folder.resolve("link.csv"), scenario);
     Cli run = camsim("-t 5 -f " + link, scenario);
     assertEquals(2, run.exit(), run.err());
-    assertTrue(run.err().contains("error: the scenario and -f are one file"), run.err());
+    assertTrue(run.err().contains("error: what the command reads and -f are one file"), run.err());
     assertEquals(-1, Files.mismatch(SCENARIO, scenario));
   }
 

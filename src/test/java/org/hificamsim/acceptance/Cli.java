@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -35,6 +36,17 @@ record Cli(int exit, String out, String err) {
     String[] args = Arrays.stream(words).map(Object::toString).toArray(String[]::new);
     int exit = Main.execute(new PrintWriter(out, true), new PrintWriter(err, true), args);
     return new Cli(exit, out.toString(), err.toString());
+  }
+
+  /** The names of the files in a folder, in order, without the record that commands keep of it. */
+  static List<String> names(Path folder) throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> !name.equals(".hificamsim.sha256"))
+          .sorted()
+          .toList();
+    }
   }
 
   /** A scenario of the project. */

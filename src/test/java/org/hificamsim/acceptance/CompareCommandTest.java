@@ -274,8 +274,8 @@ class CompareCommandTest {
   }
 
   private static void assertSameFiles(Path expected, Path actual) throws IOException {
-    List<String> names = names(expected);
-    assertEquals(names, names(actual));
+    List<String> names = Cli.names(expected);
+    assertEquals(names, Cli.names(actual));
     assertTrue(names.contains("results.csv") && names.contains("steps.csv.gz"), names.toString());
     for (String name : names) {
       if (!List.of("manifest.json", "report.html", "ro-crate-metadata.json").contains(name)) {
@@ -284,12 +284,6 @@ class CompareCommandTest {
             Files.readAllBytes(actual.resolve(name)),
             name);
       }
-    }
-  }
-
-  private static List<String> names(Path out) throws IOException {
-    try (Stream<Path> files = Files.list(out)) {
-      return files.map(file -> file.getFileName().toString()).sorted().toList();
     }
   }
 }

@@ -221,9 +221,9 @@ class HeatMapTest {
     String text = Files.readString(svg);
     assertTrue(text.contains("heat map of 2 runs of 120 steps"), "heading");
     assertTrue(text.contains("steps with 2 or more cameras"), "legend");
-    done("report", run, "--heatmap", "covered-k", "--tracks", "--png", png);
+    done("report", run, "--heatmap", "covered-k", "--tracks", "--png", png, "--force");
     assertArrayEquals(first, Files.readAllBytes(png));
-    done("report", run, "--heatmap", "covered-k", "--png", png);
+    done("report", run, "--heatmap", "covered-k", "--png", png, "--force");
     assertFalse(Arrays.equals(first, Files.readAllBytes(png)), "without tracks");
   }
 

@@ -175,8 +175,8 @@ class LadderCommandTest {
   void writesTheSameBytesOnTwoThreads() throws IOException {
     Path again = folder.resolve("again");
     assertEquals(0, Cli.run(words(again, 2)).exit());
-    assertEquals(names(out), names(again));
-    for (String name : names(out)) {
+    assertEquals(Cli.names(out), Cli.names(again));
+    for (String name : Cli.names(out)) {
       if (!NOT_REPRODUCIBLE.contains(name)) {
         assertArrayEquals(
             Files.readAllBytes(out.resolve(name)), Files.readAllBytes(again.resolve(name)), name);
@@ -301,12 +301,6 @@ class LadderCommandTest {
           .toList();
     } catch (IOException e) {
       throw new UncheckedIOException(e);
-    }
-  }
-
-  private static List<String> names(Path path) throws IOException {
-    try (Stream<Path> files = Files.list(path)) {
-      return files.map(file -> file.getFileName().toString()).sorted().toList();
     }
   }
 

@@ -1,6 +1,7 @@
 package org.hificamsim.acceptance;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.File;
@@ -14,7 +15,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.IntFunction;
@@ -169,6 +173,122 @@ class OutputSafetyTest {
     assertEquals("mine", Files.readString(target));
   }
 
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "import DIR/street.xml --format fcd --out DIR | street.xml",
+        "import DIR/t.csv --format csv --out DIR | t.xml",
+        "import DIR/t.csv --format csv --out DIR --walls DIR/t.tracks | t.tracks",
+        "import DIR/t.csv --format csv --out DIR --name plan --floorplan DIR/plan.png | plan.png",
+        "profile lab --scale 0.05 --objects 1 --out DIR | dataset.csv",
+        "generate DIR/mine.xml | mine.xml",
+        "run SCENARIO --steps 3 --out DIR | steps.csv",
+        "run SCENARIO --steps 3 --out DIR | summary.json",
+        "run SCENARIO --steps 3 --out DIR | scenario-ring-random.xml",
+        "run SCENARIO --steps 3 --record --out DIR | report.html",
+        "compare SCENARIO --steps 3 --repeat 1 --out DIR | results.csv",
+        "compare SCENARIO --steps 3 --repeat 1 --out DIR | settings.json",
+        "compare SCENARIO --steps 3 --repeat 1 --shard 1/2 --out DIR | runs.jsonl",
+        "plot RUN --out DIR/mine.svg | mine.svg",
+        "report RUN --out DIR/mine.html | mine.html",
+        "report RUN --png DIR/mine.png | mine.png",
+        "report RUN --gif DIR/mine.gif --out DIR/b.html | mine.gif",
+        "camsim SCENARIO -t 3 -o DIR/o.csv --extra-out DIR/mine.csv | mine.csv",
+        "camsim SCENARIO -t 3 -o DIR/o.csv --coverage-out DIR | summary.json",
+        "camsim SCENARIO --for-camsim DIR/mine.xml | mine.xml"
+      })
+  void whatIsNotOursIsNeverReplaced(String command, String mine) throws IOException {
+    Path run = folder.resolve("run");
+    if (command.contains("RUN")) {
+      Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", run);
+    }
+    Path dir = Files.createDirectory(folder.resolve("dir"));
+    Files.writeString(dir.resolve("t.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,1\n");
+    Files.writeString(dir.resolve(mine), "mine");
+    Map<String, String> before = contents(dir);
+    Object[] words =
+        Arrays.stream(command.split(" "))
+            .map(word -> word.replace("DIR", dir.toString()))
+            .map(word -> word.replace("SCENARIO", SCENARIO.toString()))
+            .map(word -> word.replace("RUN", run.toString()))
+            .toArray();
+    Cli refused = Cli.run(words);
+    assertEquals(2, refused.exit(), refused.err());
+    List<String> errors = refused.err().lines().filter(line -> line.startsWith("error")).toList();
+    assertEquals(1, errors.size(), refused.err());
+    assertTrue(errors.get(0).contains(mine) && errors.get(0).contains("expected"), errors.get(0));
+    Map<String, String> after = contents(dir);
+    after.remove(".compare.journal"); // of finished runs: --resume has them
+    assertEquals(before, after);
+  }
+
+  private static Map<String, String> contents(Path folder) throws IOException {
+    Map<String, String> contents = new TreeMap<>();
+    for (String name : Cli.names(folder)) {
+      contents.put(name, Files.readString(folder.resolve(name)));
+    }
+    return contents;
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "generate DIR/mine.xml --force",
+        "plot RUN --out DIR/mine.svg --force",
+        "report RUN --out DIR/mine.html --force",
+        "report RUN --png DIR/mine.png --force",
+        "camsim CAMSIM -t 3 -o DIR/o.csv --extra-out DIR/mine.csv --force",
+        "camsim CAMSIM -t 3 -o DIR/mine.csv",
+        "camsim CAMSIM --for-camsim DIR/mine.xml --force"
+      })
+  void aFileThatAnOptionNamesIsReplacedByForce(String command) throws IOException {
+    Path run = folder.resolve("run");
+    Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", run);
+    Path mine = null;
+    List<Object> words = new ArrayList<>();
+    for (String word : command.split(" ")) {
+      String path = word.replace("DIR", folder.toString()).replace("RUN", run.toString());
+      words.add(path.replace("CAMSIM", Cli.scenario("tutorial-camsim").toString()));
+      mine = word.contains("mine") ? Path.of(path) : mine;
+    }
+    Files.writeString(mine, "mine");
+    Cli done = Cli.run(words.toArray());
+    assertEquals(0, done.exit(), done.err());
+    assertFalse(Arrays.equals("mine".getBytes(), Files.readAllBytes(mine)));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "report RUN --out RUN/steps.csv --force",
+        "plot RUN --out RUN/steps.csv.svg --force",
+        "camsim DIR/in.xml -o DIR/in.xml",
+        "camsim DIR/in.xml --for-camsim DIR/in.xml --force",
+        "camsim DIR/in.xml -o DIR/o.csv --detection RUN/detection-hifi-orb-lin.json --extra-out"
+            + " RUN/detection-hifi-orb-lin.json --force",
+        "run DIR/in.xml --steps 3 --detection RUN/detection-hifi-orb-lin.json --out RUN"
+      })
+  void anInputIsNotReplacedEvenIfOursOrByForce(String command) throws IOException {
+    Path run = folder.resolve("run");
+    Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", run);
+    Files.copy(run.resolve("steps.csv"), run.resolve("steps.csv.svg"));
+    Files.copy(Cli.scenario("tutorial-camsim"), folder.resolve("in.xml"));
+    Map<String, String> before = contents(run);
+    before.remove("steps.csv.svg");
+    Object[] words =
+        command.replace("DIR", folder.toString()).replace("RUN", run.toString()).split(" ");
+    Cli refused = Cli.run(words);
+    if (!command.contains("steps.csv.svg")) { // which is in the folder, and no result
+      assertEquals(2, refused.exit(), refused.err());
+    }
+    Map<String, String> after = contents(run);
+    after.remove("steps.csv.svg");
+    assertEquals(before, after);
+    assertEquals(-1, Files.mismatch(Cli.scenario("tutorial-camsim"), folder.resolve("in.xml")));
+  }
+
   @Test
   void hiddenFilesOfOthersAreKept() throws IOException {
     Files.writeString(folder.resolve(".holiday-video-2147483647.part"), "mine");
@@ -236,7 +356,7 @@ class OutputSafetyTest {
     try (Stream<Path> files = Files.list(folder)) {
       return files
           .map(file -> file.getFileName().toString())
-          .filter(name -> !name.startsWith("summary.csv"))
+          .filter(name -> !name.startsWith("summary.csv") && !name.equals(".hificamsim.sha256"))
           .sorted()
           .toList();
     }

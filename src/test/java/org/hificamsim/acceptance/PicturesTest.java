@@ -77,7 +77,7 @@ class PicturesTest {
     assertEquals(1600, ImageIO.read(png.toFile()).getWidth());
     assertFalse(Files.exists(run.resolve("report.html")));
     Path page = folder.resolve("page.html");
-    Cli.run("report", run, "--png", png, "--out", page);
+    Cli.run("report", run, "--png", png, "--force", "--out", page);
     assertTrue(Files.exists(page));
   }
 

@@ -48,7 +48,7 @@ class ShardCommandTest {
 
   @Test
   void aPartMakesNoResultFiles() throws IOException {
-    assertEquals(List.of("manifest.json", "runs.jsonl", "shard.json"), names(thirds.get(0)));
+    assertEquals(List.of("manifest.json", "runs.jsonl", "shard.json"), Cli.names(thirds.get(0)));
   }
 
   @Test
@@ -164,21 +164,15 @@ class ShardCommandTest {
   }
 
   private static void assertSameFiles(Path merged) throws IOException {
-    assertEquals(names(whole), names(merged));
-    assertTrue(names(whole).contains("results.csv"));
-    for (String name : names(whole)) {
+    assertEquals(Cli.names(whole), Cli.names(merged));
+    assertTrue(Cli.names(whole).contains("results.csv"));
+    for (String name : Cli.names(whole)) {
       if (!List.of("manifest.json", "report.html", "ro-crate-metadata.json").contains(name)) {
         assertArrayEquals(
             Files.readAllBytes(whole.resolve(name)),
             Files.readAllBytes(merged.resolve(name)),
             name);
       }
-    }
-  }
-
-  private static List<String> names(Path out) throws IOException {
-    try (Stream<Path> files = Files.list(out)) {
-      return files.map(file -> file.getFileName().toString()).sorted().toList();
     }
   }
 }

@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.function.BiConsumer;
 import org.hificamsim.catalogue.Catalogue;
+import org.hificamsim.core.Place;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.report.Report;
 import org.hificamsim.runs.Estimate;
@@ -81,15 +82,22 @@ final class BatchRun {
 
   private <R> R whole(RunEngine engine, List<RunPlan> plans, List<RunPlan> all, Files<R> files)
       throws IOException {
-    try (OutputFolder folder = new OutputFolder(options.out());
+    try (OutputFolder folder = screen.folder(options.out());
         Journal journal = Journal.open(folder, Journal.NAME, options.resume())) {
+      folder.claim(
+          List.of(
+              ResultFolder.SETTINGS,
+              ResultFolder.MANIFEST,
+              ResultFolder.CRATE,
+              ResultFolder.REPORT));
       List<CaseResult> results = results(plans, all, engine, journal);
       R written = files.write(folder, results);
       InputFiles.write(folder, all);
       manifest(folder, all.stream().mapToLong(plan -> (long) plan.repeats() * plan.steps()).sum());
-      ResultFolder.commit(folder, List.of(ResultFolder.REPORT, ResultFolder.CRATE));
-      Report.write(folder.path(), folder.path().resolve(ResultFolder.REPORT));
-      CrateFile.write(folder.path(), folder.written(), List.of(ResultFolder.REPORT), all);
+      folder.write(
+          ResultFolder.REPORT, Report.html(folder.drafts(), ResultFolder.name(folder.path())));
+      CrateFile.write(folder, all);
+      ResultFolder.commit(folder, List.of());
       journal.finish(); // until here, --resume has all runs
       return written;
     }
@@ -99,6 +107,7 @@ final class BatchRun {
       List<RunPlan> plans, List<RunPlan> all, RunEngine engine, Journal journal)
       throws IOException {
     warnOfFewSeeds(plans.get(0).repeats());
+    warnOfDamage(journal);
     List<CaseResult> results;
     try (Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
       RunEngine journalled = new JournalledEngine(engine, journal, progress);
@@ -110,9 +119,10 @@ final class BatchRun {
 
   private void part(Shard shard, RunEngine engine, List<RunPlan> all) throws IOException {
     List<RunTask> tasks = shard.tasks(all);
-    try (OutputFolder folder = new OutputFolder(options.out());
+    try (OutputFolder folder = screen.folder(options.out());
         Journal journal = ShardFolder.open(folder, shard, all, options.resume());
         Progress progress = progress(tasks.size())) {
+      warnOfDamage(journal);
       new JournalledEngine(engine, journal, progress).run(all, tasks, (task, run) -> {});
       manifest(folder, tasks.stream().mapToLong(task -> all.get(task.plan()).steps()).sum());
       folder.commit(List.of());
@@ -129,6 +139,13 @@ final class BatchRun {
                   + " other seeds may tell otherwise%n",
               seeds, Estimate.ENOUGH_SEEDS);
     }
+  }
+
+  private void warnOfDamage(Journal journal) {
+    journal
+        .damage()
+        .map(damage -> "warning: " + Place.printable(damage) + "; its run is computed again")
+        .ifPresent(screen.err()::println);
   }
 
   /** Says so where a policy's claim to be the best is not proven for every step. */

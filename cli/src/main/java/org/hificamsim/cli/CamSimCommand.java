@@ -15,7 +15,6 @@ import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.NetworkSettings;
 import org.hificamsim.network.StandingObjects;
 import org.hificamsim.network.files.CamSimFiles;
-import org.hificamsim.network.files.SeparateFiles;
 import org.hificamsim.network.statistics.StepFigures;
 import org.hificamsim.runs.DetectionSpec;
 import org.hificamsim.runs.RunPlan;
@@ -97,6 +96,8 @@ final class CamSimCommand implements Callable<Integer> {
       })
   private Optional<Path> forCamSim;
 
+  @Mixin private Destination destination;
+
   @Mixin private Screen screen;
 
   @Mixin
@@ -111,11 +112,11 @@ final class CamSimCommand implements Callable<Integer> {
   }
 
   private int write(Path to) throws IOException {
-    new SeparateFiles().with("the scenario", file).with("--for-camsim", to);
+    OutputFile target = destination.inFolder("--for-camsim", to);
     Catalogue catalogue = Catalogue.load();
     Scenario scenario =
         StandingObjects.of(plan(catalogue, options.settings(screen.err())).scenario());
-    OutputFile.inFolder("--for-camsim", to).write(ScenarioWriter.write(scenario));
+    target.write(ScenarioWriter.write(scenario));
     screen.out().println(to);
     return 0;
   }
@@ -126,7 +127,7 @@ final class CamSimCommand implements Callable<Integer> {
     NetworkSettings camSims = options.settings(screen.err());
     RunPlan plan = plan(catalogue, camSims);
     NetworkRun run = NetworkRun.of(plan, camSims, catalogue);
-    CamSimFiles.Places places = new CamSimFiles.Places(file, output, summary, extra, coverage);
+    CamSimFiles.Places places = places();
     try (CamSimFiles files = new CamSimFiles(places, plan, run);
         Progress progress = screen.progress(plan.scenario().name(), " steps", plan.steps())) {
       run.listen((view, measured) -> progress.advance()).run(plan.steps());
@@ -134,6 +135,15 @@ final class CamSimCommand implements Callable<Integer> {
       print(plan, run.sums());
     }
     return 0;
+  }
+
+  private CamSimFiles.Places places() throws IOException {
+    destination.requireNoInput("-o", output);
+    destination.requireNoInput("-f", summary.orElse(output));
+    if (extra.isPresent()) {
+      destination.file("--extra-out", extra.get());
+    }
+    return new CamSimFiles.Places(file, output, summary, extra, coverage, destination.force());
   }
 
   /** Checks every option before anything is written. */

@@ -26,10 +26,11 @@ import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.MeasurementsFile;
 import org.hificamsim.profiling.measure.OwnConfidences;
 import org.hificamsim.profiling.measure.PipReading;
-import org.hificamsim.profiling.report.FitReport;
+import org.hificamsim.profiling.report.FitFolder;
 import org.hificamsim.profiling.trial.TrialRun;
 import org.hificamsim.profiling.trial.Trials;
 import org.hificamsim.runs.Setting;
+import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -109,20 +110,18 @@ final class FitCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     FitSettings settings = settings();
     int count = threads.count();
+    Destination.claim(spec, folder, List.of(FitFolder.REPORT, Trials.FILE));
     PhotoCamera camera = PhotoCamera.of(folder);
     List<Measurement> measurements = measurements(camera);
     FitResult result = new Fitting(settings).fit(camera, measurements, count);
-    int models = FittedModel.writeAll(result, folder.resolve("models"), name);
     List<Trials> trials = TrialRun.all(result, count);
-    Trials.write(folder, trials);
-    FitReport.write(
-        result,
-        trials,
-        confidences == null ? PipReading.ofDataset(folder) : PipReading.RECTANGLE,
-        folder.toAbsolutePath().normalize().getFileName().toString(),
-        folder);
-    print(result, trials, models);
+    print(result, trials, write(result, trials));
     return 0;
+  }
+
+  private int write(FitResult result, List<Trials> trials) throws IOException {
+    PipReading pip = confidences == null ? PipReading.ofDataset(folder) : PipReading.RECTANGLE;
+    return FitFolder.write(folder, result, trials, pip, ResultFolder.name(folder), name);
   }
 
   private List<Measurement> measurements(PhotoCamera camera) {
@@ -146,7 +145,7 @@ final class FitCommand implements Callable<Integer> {
         .forEach(model -> out.println(row(column, model)));
     Recommendation.all(result).forEach(one -> out.println(one.sentence()));
     trials.forEach(one -> out.println(one.sentence()));
-    out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve("models"));
+    out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve(FittedModel.FOLDER));
     out.printf("report: %s%n", folder.resolve("report.html"));
     if (models == 0) {
       throw new InputException(

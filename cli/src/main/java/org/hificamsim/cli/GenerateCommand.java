@@ -6,7 +6,6 @@ import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioWriter;
 import org.hificamsim.runs.Setting;
@@ -61,6 +60,8 @@ final class GenerateCommand implements Callable<Integer> {
       description = "With --lenses: walls, which leave gaps, so that nobody is enclosed.")
   private int walls;
 
+  @Mixin private Destination destination;
+
   @Spec private CommandSpec spec;
 
   @Mixin private final SettingOptions settings = SettingOptions.of(Setting.SEED, Setting.OBJECTIVE);
@@ -73,8 +74,8 @@ final class GenerateCommand implements Callable<Integer> {
     if (Files.isDirectory(absolute) || absolute.getFileName() == null) {
       throw new InputException("'" + file + "' is a folder, expected the name of a file");
     }
-    OutputFolder.made(absolute.getParent());
-    new OutputFile(absolute).write(ScenarioWriter.write(scenario));
+    OutputFile.inFolder("SCENARIO.xml", absolute, destination.force())
+        .write(ScenarioWriter.write(scenario));
     spec.commandLine()
         .getOut()
         .printf("%s: %s cameras, %s targets%n", file, field.cameras(), field.targets());

@@ -6,6 +6,7 @@ import java.io.PrintWriter;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
 import org.hificamsim.core.Place;
@@ -54,13 +55,14 @@ final class ImportCommand implements Callable<Integer> {
     TrackFormat reader = TrackFormat.registry().create(format);
     LocalProjection projection = recording.projection();
     String name = site.name(file);
+    Destination.claim(spec, out, names(name));
     List<Obstacle> walls = site.walls(recording.unitOf(format), projection);
     SiteSettings around = site.settings(name, file, walls);
     TrackSettings settings = recording.settings();
     try (TracksImport tracks =
             new TracksImport(
                 reader, recording.recording(file), recording.homography(), projection);
-        OutputFolder folder = new OutputFolder(out)) {
+        OutputFolder folder = Destination.folder(spec, out)) {
       ImportSummary found = tracks.write(settings, new Obstacles(walls), folder, name + ".tracks");
       TrackedSite made = new TrackedSite(around, found);
       write(folder, name, made);
@@ -68,6 +70,15 @@ final class ImportCommand implements Callable<Integer> {
       tell(name, found, made, walls, projection);
     }
     return 0;
+  }
+
+  /** What is written. */
+  private List<String> names(String name) {
+    List<String> names = new ArrayList<>(List.of(name + ".xml", name + ".tracks"));
+    if (site.floorplan() != null) {
+      names.add(site.floorplanName(name));
+    }
+    return names;
   }
 
   private void write(OutputFolder folder, String name, TrackedSite made) throws IOException {

@@ -1,10 +1,8 @@
 package org.hificamsim.cli;
 
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
-import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.lab.LabSettings;
 import org.hificamsim.profiling.lab.Laboratory;
 import org.hificamsim.profiling.lab.Texture;
@@ -117,9 +115,6 @@ final class LabCommand implements Callable<Integer> {
   public Integer call() {
     LabSettings settings = settings();
     int count = threads.count();
-    if (Files.exists(out) && !Files.isDirectory(out)) {
-      throw new InputException("--out '" + out + "' is a file, expected a folder");
-    }
     Laboratory laboratory = new Laboratory(settings);
     Laboratory.PhotoCount photos;
     try (Progress progress = screen.progress("", " photos", laboratory.shots())) {

@@ -1,5 +1,6 @@
 package org.hificamsim.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -79,7 +80,7 @@ final class MeasureCommand implements Callable<Integer> {
   @Mixin private Screen screen;
 
   @Override
-  public Integer call() {
+  public Integer call() throws IOException {
     MeasureSettings settings = settings();
     int count = threads.count();
     PrintWriter err = screen.errors();
@@ -93,7 +94,7 @@ final class MeasureCommand implements Callable<Integer> {
     return 0;
   }
 
-  private void measure(Dataset dataset, MeasureSettings settings, int count) {
+  private void measure(Dataset dataset, MeasureSettings settings, int count) throws IOException {
     for (String picture : pictures) {
       if (dataset.samples().stream().noneMatch(sample -> sample.image().equals(picture))) {
         throw new InputException(

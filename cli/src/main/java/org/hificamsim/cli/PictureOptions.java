@@ -3,12 +3,13 @@ package org.hificamsim.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
-import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.presentation.picture.Animation;
 import org.hificamsim.presentation.picture.HeatPicture;
 import org.hificamsim.presentation.picture.Look;
@@ -136,8 +137,21 @@ final class PictureOptions {
     }
   }
 
+  /** Checks that what is asked for may be written. */
+  void claim(Destination destination) throws IOException {
+    Map<String, Path> files = new LinkedHashMap<>();
+    files.put("--png", png);
+    files.put("--svg", svg);
+    files.put("--gif", gif);
+    for (Map.Entry<String, Path> file : files.entrySet()) {
+      if (file.getValue() != null) {
+        destination.file(file.getKey(), file.getValue());
+      }
+    }
+  }
+
   /** Draws what is asked for, telling each file on {@code out}. */
-  void write(Path folder, PrintWriter out) throws IOException {
+  void write(Path folder, Destination destination, PrintWriter out) throws IOException {
     Numbers.inRange("--per-second", perSecond, 1, MAX_PER_SECOND);
     if (width != null) {
       Numbers.inRange("--width", width, MIN_WIDTH, gif == null ? MAX_WIDTH : MAX_GIF_WIDTH);
@@ -147,16 +161,16 @@ final class PictureOptions {
     Animation animation = animation(run);
     if (png != null) {
       int pixels = width == null ? PNG_WIDTH : width;
-      OutputFile.of("--png", png).write(stream -> FigureFile.png(stream, still, pixels));
+      destination.file("--png", png).write(stream -> FigureFile.png(stream, still, pixels));
       out.println(png);
     }
     if (svg != null) {
-      OutputFile.of("--svg", svg).write(stream -> FigureFile.svg(stream, still));
+      destination.file("--svg", svg).write(stream -> FigureFile.svg(stream, still));
       out.println(svg);
     }
     if (gif != null) {
       int pixels = width == null ? GIF_WIDTH : width;
-      OutputFile.of("--gif", gif).write(stream -> animation.write(stream, pixels, perSecond));
+      destination.file("--gif", gif).write(stream -> animation.write(stream, pixels, perSecond));
       out.printf(
           "%s (%s pictures, one for %s)%n",
           gif,

@@ -11,6 +11,7 @@ import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.figures.KMinPanel;
 import org.hificamsim.presentation.figures.OverTime;
 import org.hificamsim.presentation.plot.Figure;
@@ -18,6 +19,7 @@ import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.StepRow;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -30,6 +32,8 @@ final class PlotCommand implements Callable<Integer> {
   @Option(names = "--out", paramLabel = "FILE.png|FILE.svg", description = "The picture.")
   private Path out;
 
+  @Mixin private Destination destination;
+
   @Override
   public Integer call() throws IOException {
     String name = out.toString().toLowerCase(Locale.ROOT);
@@ -37,16 +41,14 @@ final class PlotCommand implements Callable<Integer> {
     if (!svg && !name.endsWith(".png")) {
       throw new InputException("--out is '" + out + "', expected a name that ends in .png or .svg");
     }
+    OutputFile file = destination.inFolder("--out", out);
     List<RunCurve> runs = new ArrayList<>();
     for (Path folder : folders) {
       runs.add(RunCurve.read(folder));
     }
     Figure figure = figure(runs);
-    OutputFile.inFolder("--out", out)
-        .write(
-            svg
-                ? stream -> FigureFile.svg(stream, figure)
-                : stream -> FigureFile.png(stream, figure));
+    file.write(
+        svg ? stream -> FigureFile.svg(stream, figure) : stream -> FigureFile.png(stream, figure));
     return 0;
   }
 
@@ -94,6 +96,7 @@ final class PlotCommand implements Callable<Integer> {
      * @throws InputException when one is missing or is not what a run writes
      */
     static RunCurve read(Path folder) throws IOException {
+      OutputFolder.settle(folder);
       JsonNode summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
       int repeats = summary.path("repeat").asInt();
       int steps = summary.path("steps").asInt();

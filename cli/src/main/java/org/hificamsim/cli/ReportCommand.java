@@ -2,7 +2,10 @@ package org.hificamsim.cli;
 
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.report.Report;
 import org.hificamsim.runs.output.ResultFolder;
 import picocli.CommandLine.Command;
@@ -29,6 +32,8 @@ final class ReportCommand implements Callable<Integer> {
       description = "The page; default: DIR/" + ResultFolder.REPORT + ".")
   private Path out;
 
+  @Mixin private Destination destination;
+
   @Mixin private PictureOptions pictures;
 
   @Spec private CommandSpec spec;
@@ -36,15 +41,31 @@ final class ReportCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     pictures.check(spec.commandLine().getParseResult());
+    pictures.claim(destination);
+    OutputFile page = out == null ? null : destination.file("--out", out);
+    OutputFolder.settle(folder);
     if (pictures.asked()) {
-      pictures.write(folder, spec.commandLine().getOut());
-      if (out == null) {
-        return 0;
-      }
+      pictures.write(folder, destination, spec.commandLine().getOut());
     }
-    Path page = out != null ? out : folder.resolve(ResultFolder.REPORT);
-    Report.write(folder, page);
-    spec.commandLine().getOut().println(page);
+    if (page != null) {
+      page.write(html());
+      spec.commandLine().getOut().println(out);
+    } else if (!pictures.asked()) {
+      writeBesideResults();
+    }
     return 0;
+  }
+
+  private String html() throws IOException {
+    return Report.html(folder, ResultFolder.name(folder));
+  }
+
+  private void writeBesideResults() throws IOException {
+    String html = html();
+    try (OutputFolder results = new OutputFolder(folder)) {
+      results.write(ResultFolder.REPORT, html);
+      results.commit(List.of());
+    }
+    spec.commandLine().getOut().println(folder.resolve(ResultFolder.REPORT));
   }
 }

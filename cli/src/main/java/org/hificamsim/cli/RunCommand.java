@@ -17,6 +17,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.core.engine.Workers;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.policy.AimingZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.World;
@@ -33,7 +34,6 @@ import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatMap;
 import org.hificamsim.runs.heat.HeatRecorder;
 import org.hificamsim.runs.heat.HeatTable;
-import org.hificamsim.runs.output.CrateFile;
 import org.hificamsim.runs.output.Detail;
 import org.hificamsim.runs.output.ResultFolder;
 import org.hificamsim.runs.output.RunFolder;
@@ -121,7 +121,8 @@ final class RunCommand implements Callable<Integer> {
     ReplayRecorder replay = record ? replay(plan, catalogue) : null;
     ScoreOverTime scores = new ScoreOverTime(plan.steps());
     Path folder = out.orElseGet(() -> Path.of("out", plan.scenario().name()));
-    try (RunFolder output = new RunFolder(folder, plan.detection(), detail(plan), tables);
+    try (RunFolder output =
+            new RunFolder(screen.folder(folder), plan.detection(), detail(plan), tables);
         Workers workers = Workers.of(threads.count())) {
       List<RunResult> results =
           execute(
@@ -143,12 +144,12 @@ final class RunCommand implements Callable<Integer> {
         output.add(all -> HeatTable.write(all, map));
       }
       output.inputs(plan);
-      output.commit(plan, results);
+      output.finish(plan, results);
       if (replay != null) {
-        report(folder);
+        output.add(files -> files.write(ResultFolder.REPORT, page(files, folder)));
       }
-      List<String> beside = record ? List.of(ResultFolder.REPORT) : List.of();
-      CrateFile.write(folder, output.written(), beside, List.of(plan));
+      output.crate(plan);
+      output.commit();
       if (json) {
         screen.out().print(Files.readString(folder.resolve(ResultFolder.SUMMARY)));
       } else {
@@ -195,10 +196,13 @@ final class RunCommand implements Callable<Integer> {
     return record ? Detail.full(plan.scenario()) : Detail.STEPS;
   }
 
-  private void report(Path folder) throws IOException {
-    Path page = folder.resolve(ResultFolder.REPORT);
-    Report.write(folder, page);
-    double megabytes = Files.size(page) / 1e6;
+  private String page(OutputFolder files, Path folder) throws IOException {
+    String html = Report.html(files.drafts(), ResultFolder.name(folder));
+    warnOfSize(folder.resolve(ResultFolder.REPORT), html.length() / 1e6);
+    return html;
+  }
+
+  private void warnOfSize(Path page, double megabytes) {
     if (megabytes >= MAX_MEGABYTES) {
       screen
           .err()

@@ -2,7 +2,9 @@ package org.hificamsim.cli;
 
 import java.io.PrintWriter;
 import java.io.Writer;
+import java.nio.file.Path;
 import java.util.List;
+import org.hificamsim.core.file.OutputFolder;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -46,6 +48,11 @@ final class Screen {
         err(),
         quiet ? Progress.Telling.NOTHING : Progress.Telling.asLaunched(),
         System::nanoTime);
+  }
+
+  /** A folder to write into; what the command reads is kept as it is. */
+  OutputFolder folder(Path path) {
+    return Destination.folder(command, path);
   }
 
   /** The words of the command line. */

@@ -31,20 +31,29 @@ public final class Server {
   private final DataInputStream in;
   private final DataOutputStream out;
   private final String file;
+  private final long room;
   private Session session;
 
-  private Server(InputStream in, OutputStream out, String file) {
+  private Server(InputStream in, OutputStream out, String file, long room) {
     this.in = new DataInputStream(in);
     this.out = new DataOutputStream(new BufferedOutputStream(out));
     this.file = file;
+    this.room = room;
   }
 
-  /** Serves one session. The argument is the file to be mapped, which exists. */
+  /**
+   * Serves one session, and ends with the process that started it, whatever it is at. The arguments
+   * are the file to be mapped, which exists, and how many bytes there are for it.
+   */
   public static void main(String[] args) throws IOException {
     OutputStream out = new FileOutputStream(FileDescriptor.out);
     System.setOut(
         new PrintStream(System.err, true, StandardCharsets.UTF_8)); // a user's part may print
-    new Server(new FileInputStream(FileDescriptor.in), out, args[0]).serve();
+    ProcessHandle.current()
+        .parent()
+        .ifPresent(python -> python.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+    long room = Long.parseLong(args[1]);
+    new Server(new FileInputStream(FileDescriptor.in), out, args[0], room).serve();
     System.exit(0);
   }
 
@@ -98,6 +107,11 @@ public final class Server {
   }
 
   private ByteBuffer map(int bytes) {
+    if (bytes > room) {
+      throw new InputException(
+          "the worlds take %s MB of shared memory, expected at most the %s MB that are free: fewer worlds, or backend 'jvm'"
+              .formatted((bytes >> 20) + 1, room >> 20));
+    }
     try (RandomAccessFile shared = new RandomAccessFile(file, "rw")) {
       shared.setLength(bytes);
       return shared.getChannel().map(FileChannel.MapMode.READ_WRITE, 0, bytes);

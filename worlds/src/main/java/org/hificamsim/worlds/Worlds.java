@@ -84,11 +84,12 @@ public final class Worlds implements AutoCloseable {
     check("threads", threads);
     this.settings = settings;
     this.seed = seed;
+    OneWorld first = new OneWorld(settings, seed, null);
+    NetworkView network = first.network();
+    block = Block.of(count, first, settings);
+    memory = source.apply(block.bytes()); // before the worlds: there may be too many
     worlds = new OneWorld[count];
-    Arrays.setAll(worlds, i -> new OneWorld(settings, seed + i, worlds[0]));
-    NetworkView network = worlds[0].network();
-    block = Block.of(count, worlds[0], settings);
-    memory = source.apply(block.bytes());
+    Arrays.setAll(worlds, i -> i == 0 ? first : new OneWorld(settings, seed + i, first));
     actions = block.part(memory, "actions").asIntBuffer();
     observations = block.part(memory, "observations").asFloatBuffer();
     finals = block.part(memory, "finals").asFloatBuffer();

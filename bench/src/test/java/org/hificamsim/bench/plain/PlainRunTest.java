@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.util.List;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.RunExecutor;
@@ -47,9 +48,14 @@ class PlainRunTest {
     Detection detection = new Detection(catalogue.detection("camsim-range"), 0.3);
     RunPlan plan = new RunPlan(scenario, detection, policy, STEPS, 0, 1);
     try (RunFolder output =
-        new RunFolder(folder, detection, Detail.STEPS, TableFormats.named(TableFormats.CSV))) {
+        new RunFolder(
+            new OutputFolder(folder),
+            detection,
+            Detail.STEPS,
+            TableFormats.named(TableFormats.CSV))) {
       var results = new RunExecutor(catalogue).execute(plan, run -> List.of(output.listener(run)));
-      output.commit(plan, results);
+      output.finish(plan, results);
+      output.commit();
     }
     return folder.resolve("steps.csv");
   }

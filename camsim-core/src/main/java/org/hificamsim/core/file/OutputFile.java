@@ -9,6 +9,7 @@ import java.io.OutputStreamWriter;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
@@ -24,19 +25,29 @@ public final class OutputFile implements Closeable {
 
   private final Path path;
   private final Path draft;
+  private final boolean replaces;
 
-  /** A file in a folder that exists; nothing is written before it is opened. */
+  /**
+   * A file in a folder that exists, in place of another; nothing is written before it is opened.
+   */
   public OutputFile(Path path) {
+    this(path, true);
+  }
+
+  private OutputFile(Path path, boolean replaces) {
     this.path = path.toAbsolutePath();
+    this.replaces = replaces;
     this.draft = this.path.resolveSibling(".hificamsim-" + UUID.randomUUID() + ".part");
   }
 
   /**
    * A file that an option names.
    *
-   * @throws InputException when the path is a folder, or its folder is missing or not writable
+   * @param replaces whether it may be there
+   * @throws InputException when it is there and may not be, the path is a folder, or its folder is
+   *     missing or not writable
    */
-  public static OutputFile of(String option, Path path) {
+  public static OutputFile of(String option, Path path, boolean replaces) {
     Path folder = path.toAbsolutePath().getParent();
     if (Files.isDirectory(path) || folder == null) {
       throw new InputException(option + " '" + path + "' is a folder, expected a file");
@@ -45,20 +56,31 @@ public final class OutputFile implements Closeable {
       throw new InputException(
           option + " '" + path + "' cannot be made, expected a folder that exists and is writable");
     }
-    return new OutputFile(path);
+    OutputFile file = new OutputFile(path, replaces);
+    file.requireFree(option + " ");
+    return file;
   }
 
   /**
    * A file that an option names, in a folder that is made where it is missing.
    *
-   * @throws InputException when the path is a folder, or its folder cannot be made or written
+   * @param replaces whether it may be there
+   * @throws InputException when it is there and may not be, the path is a folder, or its folder
+   *     cannot be made or written
    */
-  public static OutputFile inFolder(String option, Path path) {
+  public static OutputFile inFolder(String option, Path path, boolean replaces) {
     Path folder = path.toAbsolutePath().getParent();
     if (folder != null) {
       OutputFolder.made(folder);
     }
-    return of(option, path);
+    return of(option, path, replaces);
+  }
+
+  private void requireFree(String option) {
+    if (!replaces && Files.exists(path, LinkOption.NOFOLLOW_LINKS)) {
+      throw new InputException(
+          "%s'%s' exists, expected a new file, or --force to replace it".formatted(option, path));
+    }
   }
 
   /** What fills a file. */
@@ -96,6 +118,7 @@ public final class OutputFile implements Closeable {
 
   /** Moves the file into place. */
   public synchronized void commit() throws IOException {
+    requireFree("");
     move(draft, path);
     Unfinished.remove(this);
   }

@@ -7,6 +7,7 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.channels.FileChannel;
 import java.nio.channels.OverlappingFileLockException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
@@ -15,45 +16,97 @@ import java.nio.file.LinkOption;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import java.util.zip.GZIPOutputStream;
 import org.hificamsim.core.InputException;
 
 /**
- * A folder that receives a set of files at once, from one process at a time. They are written in a
- * hidden folder inside it, and {@link #commit} moves them out. Closed without that, it leaves the
- * folder as it was.
+ * A folder that receives a set of files at once, from one process at a time.
+ *
+ * <p>They are written in a hidden folder inside it. {@link #commit} makes the {@link FileRecord} of
+ * the folder as it will be, in one move: from then on the new files are the folder's, and whoever
+ * opens it next moves what a killed process left to move. Until then, it stays as it was. Files
+ * that no command wrote, or that were changed since, are neither replaced nor removed.
  */
 public final class OutputFolder implements Closeable {
   private static final String DRAFTS = ".hificamsim";
   private static final String LOCK = "lock";
+  private static final String DECIDED = "commit";
 
   private final Path folder;
   private final Path drafts;
+  private final Runnable act;
   private final FileChannel lock;
-  private final Set<String> names = new LinkedHashSet<>();
+  private FileRecord record;
+  private final Set<Path> kept = new HashSet<>();
+  private final Map<String, String> names = new LinkedHashMap<>();
   private final Set<String> written = new LinkedHashSet<>();
 
   /**
-   * Makes the folder where it is missing.
+   * Makes the folder where it is missing, and ends what a killed process has left to do.
    *
    * @throws InputException when the path is a file, cannot be made, or is in use
    */
   public OutputFolder(Path folder) {
+    this(folder, () -> {});
+  }
+
+  /**
+   * @param act called before each change of what is on the disk
+   */
+  OutputFolder(Path folder, Runnable act) {
     this.folder = made(folder);
     this.drafts = folder.resolve(DRAFTS);
+    this.act = act;
     try {
       lock = locked();
-      Unfinished.add(this);
-      deleteDrafts(); // of a process that was killed
     } catch (FileAlreadyExistsException | NoSuchFileException e) {
       throw inUse(e);
     } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      throw unusable(e);
     }
+    try {
+      Unfinished.add(this);
+      if (isDecided(folder)) {
+        moveAll();
+      }
+      deleteDrafts(); // of a process that was killed
+      record = FileRecord.of(folder);
+    } catch (IOException e) {
+      release();
+      throw unusable(e);
+    } catch (RuntimeException | Error e) {
+      release();
+      throw e;
+    }
+  }
+
+  /**
+   * Ends what a killed process has left to do in a folder that is to be read.
+   *
+   * @throws InputException when that cannot be done, so that the folder is a mixture
+   */
+  public static void settle(Path folder) throws IOException {
+    if (isDecided(folder)) {
+      new OutputFolder(folder).close();
+    }
+  }
+
+  /** Whether commands have written into a folder, or are about to. */
+  public static boolean isOne(Path folder) {
+    return Files.exists(folder.resolve(DRAFTS)) || Files.exists(folder.resolve(FileRecord.NAME));
+  }
+
+  private static boolean isDecided(Path folder) {
+    return Files.exists(folder.resolve(DRAFTS).resolve(DECIDED), LinkOption.NOFOLLOW_LINKS);
   }
 
   /**
@@ -120,9 +173,53 @@ public final class OutputFolder implements Closeable {
         "folder '" + folder + "' is in use by another run, expected a folder of its own", cause);
   }
 
+  private InputException unusable(IOException e) {
+    return new InputException(
+        "'%s' cannot be used (%s), expected a folder of our own or nothing"
+            .formatted(drafts, e.getMessage()),
+        e);
+  }
+
   /** Where the files appear. */
   public Path path() {
     return folder;
+  }
+
+  /** Where the files are until a commit, if their names have no slash. */
+  public Path drafts() {
+    return drafts;
+  }
+
+  /** Neither replaces nor removes files that the command reads. */
+  public void keep(Collection<Path> inputs) {
+    inputs.forEach(input -> kept.add(SeparateFiles.real(input)));
+  }
+
+  /**
+   * Checks that files may be written, before the work that they are made of.
+   *
+   * @throws InputException when one is an input, or was not written by a command
+   */
+  public void claim(Collection<String> files) throws IOException {
+    for (String name : files) {
+      claim(name);
+    }
+  }
+
+  private void claim(String name) throws IOException {
+    Path file = folder.resolve(name);
+    if (!FileRecord.isBelow(name)) {
+      throw new InputException("'" + name + "' is no file's name, expected one without a path");
+    }
+    if (kept.contains(SeparateFiles.real(file))) {
+      throw new InputException(
+          "'" + file + "' is an input of this command, expected another folder for its output");
+    }
+    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS) && !record.isUnchanged(folder, name)) {
+      throw new InputException(
+          "'%s' would be replaced, and was not written by hificamsim or was changed since: expected another folder, or the file moved away"
+              .formatted(file));
+    }
   }
 
   /** A writer (UTF-8), compressed if the name ends in {@code .gz}; to be closed before a commit. */
@@ -133,24 +230,87 @@ public final class OutputFolder implements Closeable {
 
   /** A stream for a file of this name; the caller closes it before {@link #commit}. */
   public synchronized OutputStream stream(String name) throws IOException {
-    names.add(name);
-    return OutputFile.stream(drafts.resolve(name));
+    claim(name);
+    if (names.put(name, "") != null) {
+      Files.deleteIfExists(draft(name)); // of the same command
+    }
+    return OutputFile.stream(draft(name));
+  }
+
+  /** Writes a whole file. */
+  public void write(String name, byte[] content) throws IOException {
+    try (OutputStream out = stream(name)) {
+      out.write(content);
+    }
+  }
+
+  /** Writes a whole file of text. */
+  public void write(String name, String content) throws IOException {
+    write(name, content.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private Path draft(String name) {
+    return drafts.resolve(name.replace("/", "%2F"));
+  }
+
+  /** The SHA-256 of each file that is to be committed, by its name. */
+  public synchronized Map<String, String> hashes() throws IOException {
+    for (Map.Entry<String, String> file : names.entrySet()) {
+      if (file.getValue().isEmpty()) {
+        file.setValue(Sha256.of(draft(file.getKey())));
+      }
+    }
+    return new TreeMap<>(names);
   }
 
   /**
-   * Moves every file opened into place, and removes what an earlier run left under {@code stale}.
+   * Moves every file opened into place, and removes what an earlier command left under {@code
+   * stale}.
    */
-  public synchronized void commit(List<String> stale) throws IOException {
-    for (String name : names) {
-      OutputFile.move(drafts.resolve(name), folder.resolve(name));
-    }
+  public synchronized void commit(Collection<String> stale) throws IOException {
+    claim(names.keySet());
+    FileRecord next = record.copy();
     for (String name : stale) {
-      if (!names.contains(name)) {
-        Files.deleteIfExists(folder.resolve(name));
+      if (!kept.contains(SeparateFiles.real(folder.resolve(name)))) {
+        next.remove(name);
       }
     }
-    written.addAll(names);
+    hashes().forEach(next::put);
+    decide(next);
+    moveAll();
+    record = next;
+    written.addAll(names.keySet());
     names.clear();
+  }
+
+  /** From here on the folder is the new one, and before it was the old one. */
+  private void decide(FileRecord next) throws IOException {
+    Path draft = drafts.resolve(DECIDED + ".part");
+    act.run();
+    Files.writeString(draft, next.text());
+    act.run();
+    OutputFile.move(draft, drafts.resolve(DECIDED));
+  }
+
+  /** Makes the folder what was decided; as often as it takes. */
+  private void moveAll() throws IOException {
+    FileRecord next = FileRecord.read(drafts.resolve(DECIDED));
+    for (String name : next.names()) {
+      if (Files.exists(draft(name), LinkOption.NOFOLLOW_LINKS)) {
+        Files.createDirectories(folder.resolve(name).getParent());
+        act.run();
+        OutputFile.move(draft(name), folder.resolve(name));
+      }
+    }
+    FileRecord before = FileRecord.of(folder);
+    for (String name : before.names()) {
+      if (!next.names().contains(name) && before.isUnchanged(folder, name)) {
+        act.run();
+        Files.delete(folder.resolve(name));
+      }
+    }
+    act.run();
+    OutputFile.move(drafts.resolve(DECIDED), folder.resolve(FileRecord.NAME));
   }
 
   /** The files that commits have moved into place. */
@@ -163,7 +323,9 @@ public final class OutputFolder implements Closeable {
   public synchronized void close() throws IOException {
     if (lock.isOpen()) {
       try (lock) {
-        deleteDrafts();
+        if (!isDecided(folder)) {
+          deleteDrafts();
+        }
         Files.delete(drafts.resolve(LOCK));
         Files.delete(drafts);
       } catch (DirectoryNotEmptyException e) {
@@ -174,9 +336,20 @@ public final class OutputFolder implements Closeable {
     }
   }
 
+  /** Lets others use the folder, and leaves it as it is, as a killed process does. */
+  void release() {
+    Unfinished.remove(this);
+    try {
+      lock.close();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
   private void deleteDrafts() throws IOException {
     try (Stream<Path> files = Files.list(drafts)) {
       for (Path file : files.filter(file -> !file.endsWith(LOCK)).toList()) {
+        act.run();
         Files.delete(file);
       }
     }

@@ -79,7 +79,8 @@ class OutputFileTest {
   @Test
   void aPlaceThatCannotBeAFileIsToldWithItsOption() {
     for (Path path : Set.of(folder, folder.resolve("missing/file"))) {
-      InputException e = assertThrows(InputException.class, () -> OutputFile.of("--out", path));
+      InputException e =
+          assertThrows(InputException.class, () -> OutputFile.of("--out", path, true));
       assertTrue(e.getMessage().startsWith("--out '" + path + "' "), e.getMessage());
     }
     assertFalse(Files.exists(folder.resolve("missing")));
@@ -87,8 +88,8 @@ class OutputFileTest {
 
   @Test
   void aFileInAFolderThatExistsMayBeNamed() throws IOException {
-    OutputFile.of("--out", folder.resolve("place")).write("ours");
-    OutputFile.of("--out", folder.resolve("place")).write("later");
+    OutputFile.of("--out", folder.resolve("place"), false).write("ours");
+    OutputFile.of("--out", folder.resolve("place"), true).write("later");
     assertEquals("later", Files.readString(folder.resolve("place")));
   }
 
@@ -104,5 +105,23 @@ class OutputFileTest {
     try (Stream<Path> files = Files.list(folder)) {
       return files.map(file -> file.getFileName().toString()).sorted().toList();
     }
+  }
+
+  @Test
+  void aFileThatIsThereIsReplacedOnlyWhereThatIsAsked() throws IOException {
+    Path place = Files.writeString(folder.resolve("place"), "mine");
+    Path link = Files.createSymbolicLink(folder.resolve("link"), folder.resolve("nowhere"));
+    for (Path there : List.of(place, link)) {
+      InputException e =
+          assertThrows(InputException.class, () -> OutputFile.of("--out", there, false));
+      assertEquals(
+          "--out '" + there + "' exists, expected a new file, or --force to replace it",
+          e.getMessage());
+    }
+    OutputFile later = OutputFile.of("--out", folder.resolve("later"), false);
+    Files.writeString(folder.resolve("later"), "mine");
+    assertThrows(InputException.class, () -> later.write("ours"));
+    assertEquals("mine", Files.readString(folder.resolve("later")));
+    assertEquals("mine", Files.readString(place));
   }
 }

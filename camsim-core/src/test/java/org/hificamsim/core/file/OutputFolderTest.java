@@ -8,7 +8,9 @@ import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.junit.jupiter.api.BeforeEach;
@@ -22,12 +24,21 @@ class OutputFolderTest {
   @BeforeEach
   void makeItWithAnEarlierFile() throws IOException {
     folder = Files.createDirectory(above.resolve("folder"));
-    Files.writeString(folder.resolve("a"), "earlier");
+    earlier("a");
+  }
+
+  private void earlier(String... names) throws IOException {
+    try (OutputFolder output = new OutputFolder(folder)) {
+      for (String name : names) {
+        output.write(name, "earlier");
+      }
+      output.commit(List.of());
+    }
   }
 
   @Test
   void allFilesAppearAtTheCommitAndStaleOnesGo() throws IOException {
-    Files.writeString(folder.resolve("stale"), "earlier");
+    earlier("stale");
     try (OutputFolder output = new OutputFolder(folder)) {
       write(output, "a");
       write(output, "b");
@@ -129,6 +140,125 @@ class OutputFolderTest {
     assertTrue(Files.notExists(target));
   }
 
+  @Test
+  void whatNoCommandWroteIsNeitherReplacedNorRemoved() throws IOException {
+    earlier("changed", "stale");
+    Files.writeString(folder.resolve("changed"), "mine");
+    Files.writeString(folder.resolve("stale"), "mine");
+    Files.writeString(folder.resolve("own"), "mine");
+    Files.createSymbolicLink(folder.resolve("link"), above.resolve("nowhere"));
+    try (OutputFolder output = new OutputFolder(folder)) {
+      for (String name : List.of("changed", "own", "link")) {
+        String told = assertThrows(InputException.class, () -> write(output, name)).getMessage();
+        assertTrue(told.startsWith("'" + folder.resolve(name) + "' would be replaced"), told);
+      }
+      write(output, "late");
+      Files.writeString(folder.resolve("late"), "mine");
+      assertThrows(InputException.class, () -> output.commit(List.of()));
+      Files.delete(folder.resolve("late"));
+      output.commit(List.of("stale", "own", "a"));
+    }
+    assertEquals(List.of("changed", "late", "link", "own", "stale"), names());
+    assertEquals("mine", Files.readString(folder.resolve("stale")));
+  }
+
+  @Test
+  void whatTheCommandReadsIsKeptEvenIfACommandWroteIt() throws IOException {
+    Path link = Files.createSymbolicLink(above.resolve("link"), folder.resolve("a"));
+    try (OutputFolder output = new OutputFolder(folder)) {
+      output.keep(List.of(link));
+      assertThrows(InputException.class, () -> output.claim(List.of("a")));
+      write(output, "b");
+      output.commit(List.of("a"));
+    }
+    assertEquals(List.of("a", "b"), names());
+  }
+
+  @Test
+  void namesStayBelowTheFolder() throws IOException {
+    try (OutputFolder output = new OutputFolder(folder)) {
+      for (String name : List.of("../a", "/a", "b/../../a", "a\nb", "", "a/")) {
+        assertThrows(InputException.class, () -> write(output, name), name);
+      }
+      write(output, "below/b");
+      output.commit(List.of());
+    }
+    assertEquals("later", Files.readString(folder.resolve("below/b")));
+  }
+
+  /** What a killed process leaves is no exception: it does nothing more. */
+  private static final class Killed extends Error {
+    private static final long serialVersionUID = 1;
+  }
+
+  @Test
+  void killedAtAnyStepTheFolderIsTheOldOneOrTheNewOne() throws IOException {
+    Set<String> seen = new HashSet<>();
+    boolean killed = true;
+    for (int acts = 0; killed; acts++) {
+      earlier("a", "b", "stale");
+      killed = killedAfter(acts);
+      OutputFolder.settle(folder);
+      String content = contents();
+      assertTrue(
+          Set.of("a=earlier b=earlier stale=earlier ", "a=later b=later ").contains(content));
+      seen.add(content);
+    }
+    assertEquals(2, seen.size());
+  }
+
+  private boolean killedAfter(int acts) throws IOException {
+    int[] left = {acts};
+    OutputFolder output = null;
+    try {
+      output =
+          new OutputFolder(
+              folder,
+              () -> {
+                if (left[0]-- == 0) {
+                  throw new Killed();
+                }
+              });
+      write(output, "a");
+      write(output, "b");
+      output.commit(List.of("stale"));
+      output.close();
+      return false;
+    } catch (Killed e) {
+      if (output != null) {
+        output.release();
+      }
+      return true;
+    }
+  }
+
+  private String contents() throws IOException {
+    StringBuilder all = new StringBuilder();
+    for (String name : names()) {
+      all.append(name + "=" + Files.readString(folder.resolve(name)) + " ");
+    }
+    return all.toString();
+  }
+
+  @Test
+  void anUnfinishedCommitIsEndedByTheNextCommandAndTheOneAfterKilledThere() throws IOException {
+    earlier("a", "b", "stale");
+    assertTrue(killedAfter(3));
+    assertTrue(Files.exists(folder.resolve(".hificamsim/commit")));
+    assertTrue(killedAfter(0)); // while it ends what the other has left
+    earlier("c");
+    assertEquals("a=later b=later c=earlier ", contents());
+  }
+
+  @Test
+  void whatIsNotOursInItsDraftsIsRefusedInOneLine() throws IOException {
+    Path below = Files.createDirectories(folder.resolve(".hificamsim/steps.csv/below"));
+    String told = assertThrows(InputException.class, () -> new OutputFolder(folder)).getMessage();
+    assertTrue(told.matches("'.*' cannot be used \\(.*\\), expected .*"), told);
+    assertTrue(Files.exists(below));
+    assertThrows(InputException.class, () -> new OutputFolder(folder)); // and no lock is left
+  }
+
   private static void write(OutputFolder output, String name) throws IOException {
     try (Writer out = output.open(name)) {
       out.write("later");
@@ -137,7 +267,11 @@ class OutputFolderTest {
 
   private List<String> names() throws IOException {
     try (Stream<Path> files = Files.list(folder)) {
-      return files.map(file -> file.getFileName().toString()).sorted().toList();
+      return files
+          .map(file -> file.getFileName().toString())
+          .filter(name -> !name.startsWith(".hificamsim"))
+          .sorted()
+          .toList();
     }
   }
 }

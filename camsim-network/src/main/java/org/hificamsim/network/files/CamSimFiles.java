@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.SeparateFiles;
 import org.hificamsim.network.Network;
 import org.hificamsim.network.NetworkRun;
 import org.hificamsim.network.statistics.OverlapTable;
@@ -27,13 +28,15 @@ public final class CamSimFiles implements Closeable {
    * @param summary CamSim's summary; beside the output unless given
    * @param extra the table of what CamSim's columns are taken for
    * @param coverage the folder of the run's k-coverage
+   * @param force whether the table may be there; CamSim's own files are replaced
    */
   public record Places(
       Path scenario,
       Path output,
       Optional<Path> summary,
       Optional<Path> extra,
-      Optional<Path> coverage) {}
+      Optional<Path> coverage,
+      boolean force) {}
 
   private static final List<String> COVERAGE =
       List.of(RunTables.STEPS.file(), ResultFolder.SUMMARY, ResultFolder.MANIFEST);
@@ -59,10 +62,12 @@ public final class CamSimFiles implements Closeable {
     summary = new SummaryRows(appended);
     Network network = run.network();
     try {
-      StepTable steps = opened(StepTable.camSim(file("-o", places.output()).open()));
+      StepTable steps = opened(StepTable.camSim(file("-o", places.output(), true).open()));
       run.listen((view, measured) -> steps.camSim(network.figures()));
       if (places.extra().isPresent()) {
-        StepTable extra = opened(StepTable.extra(file("--extra-out", places.extra().get()).open()));
+        StepTable extra =
+            opened(
+                StepTable.extra(file("--extra-out", places.extra().get(), places.force()).open()));
         OverlapTable overlap = OverlapTable.exact(run.world().cameras());
         run.listen((view, measured) -> extra.extra(network.figures(), overlap.sum()));
       }
@@ -123,8 +128,8 @@ public final class CamSimFiles implements Closeable {
     }
   }
 
-  private OutputFile file(String option, Path path) throws IOException {
-    OutputFile file = OutputFile.of(option, path);
+  private OutputFile file(String option, Path path, boolean replaces) {
+    OutputFile file = OutputFile.of(option, path, replaces);
     files.add(file);
     opened.add(file);
     return file;

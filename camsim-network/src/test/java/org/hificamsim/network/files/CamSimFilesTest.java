@@ -47,7 +47,8 @@ class CamSimFilesTest {
             steps.resolve("o.csv"),
             Optional.empty(),
             Optional.of(extra.resolve("x.csv")),
-            Optional.empty());
+            Optional.empty(),
+            false);
     Scenario scenario = new TestScenario().camera(0, 0).target(1, 0).scenario();
     Detection detection = Detection.of(new CamSimVisibilityDetection());
     RunPlan plan = new RunPlan(scenario, detection, "zoom-out", 1, 0, 1);

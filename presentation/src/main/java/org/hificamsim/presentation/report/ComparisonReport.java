@@ -67,7 +67,7 @@ final class ComparisonReport {
    * @throws org.hificamsim.core.InputException when a table is missing, broken, or of another
    *     comparison than the rest
    */
-  static Page of(Path folder) throws IOException {
+  static Page of(Path folder, String name) throws IOException {
     ComparisonReport report = new ComparisonReport(folder);
     report.addTables();
     if (ComparisonFiles.SUMMARY.isIn(folder)) {
@@ -77,7 +77,6 @@ final class ComparisonReport {
     ResultFolder files = new ResultFolder(folder);
     report.data.put("command", files.command());
     report.data.put("version", files.version());
-    String name = folder.toAbsolutePath().normalize().getFileName().toString();
     report.data.put("title", name);
     return new Page(
         name,

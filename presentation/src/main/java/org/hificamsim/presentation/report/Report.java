@@ -4,30 +4,26 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.file.OutputFile;
 
 /** Makes the page of a folder that a command has written. */
 public final class Report {
   private Report() {}
 
   /**
-   * Writes the page.
+   * The page.
    *
-   * @param out where to, beside nothing that it needs
+   * @param name of the folder
    * @throws InputException when the folder does not hold what a page is made of
    */
-  public static void write(Path folder, Path out) throws IOException {
+  public static String html(Path folder, String name) throws IOException {
     if (!Files.isDirectory(folder)) {
       throw new InputException(
           "no folder '"
               + folder
               + "', expected one that 'hificamsim run --record' or 'hificamsim compare' wrote");
     }
-    String html = page(folder).html();
-    OutputFile.of("--out", out).write(html);
-  }
-
-  private static Page page(Path folder) throws IOException {
-    return ComparisonReport.suits(folder) ? ComparisonReport.of(folder) : RunReport.of(folder);
+    Page page =
+        ComparisonReport.suits(folder) ? ComparisonReport.of(folder, name) : RunReport.of(folder);
+    return page.html();
   }
 }

@@ -2,7 +2,6 @@ package org.hificamsim.profiling.detector;
 
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -15,7 +14,7 @@ import javax.imageio.ImageReadParam;
 import javax.imageio.ImageReader;
 import javax.imageio.stream.ImageInputStream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.opencv.Mats;
 import org.opencv.core.CvException;
 import org.opencv.core.Mat;
@@ -111,16 +110,14 @@ public final class Photograph implements AutoCloseable {
     }
   }
 
-  /** Writes a picture whole or not at all, in the format that the file's name ends in. */
-  public static void write(Path file, Mat picture) {
-    String name = file.toString();
+  /** Adds a picture to a folder's files, in the format that its name ends in. */
+  public static void write(OutputFolder folder, String name, Mat picture) {
     try (Mats mats = new Mats()) {
       MatOfByte bytes = mats.own(new MatOfByte());
       if (!Imgcodecs.imencode(name.substring(name.lastIndexOf('.')), picture, bytes)) {
         throw new IllegalStateException("OpenCV cannot encode " + name);
       }
-      Files.createDirectories(file.toAbsolutePath().getParent());
-      new OutputFile(file).write(out -> out.write(bytes.toArray()));
+      folder.write(name, bytes.toArray());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -1,13 +1,12 @@
 package org.hificamsim.profiling.fit;
 
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.hifi.FittedOn;
 import org.hificamsim.hifi.FittedOn.Span;
 import org.hificamsim.hifi.HiFiDetection;
@@ -25,6 +24,9 @@ import org.hificamsim.profiling.measure.Measurement;
  * @param on what g was fitted on: f's own predictions or measured PIP
  */
 public record FittedModel(FitResult result, String detector, FeatureResult f, String on) {
+  /** Where model files are, in the folder of a data set. */
+  public static final String FOLDER = "models";
+
   private static final double NO_SCATTER = 1e-9;
 
   /** Every combination, by detector. */
@@ -45,24 +47,23 @@ public record FittedModel(FitResult result, String detector, FeatureResult f, St
   /**
    * Writes every combination as a model file that {@code run --detection} takes: {@code
    * <detector>-<f>.json} with the g on f's own predictions, {@code <detector>-<f>-gt.json} with the
-   * g on measured PIP. What is refused has no file, and loses the one of an earlier fit.
+   * g on measured PIP. What is refused has no file.
    *
    * @param prefix of the models' names, before a colon
    * @return how many were written
    */
-  public static int writeAll(FitResult result, Path folder, String prefix) throws IOException {
-    Files.createDirectories(folder);
-    int written = 0;
-    for (FittedModel model : all(result)) {
-      Path file = folder.resolve(model.name() + ".json");
-      if (model.fit().refused()) {
-        Files.deleteIfExists(file);
-      } else {
-        ModelFiles.write(model.detection(prefix), file);
-        written++;
-      }
+  public static int writeAll(FitResult result, OutputFolder folder, String prefix)
+      throws IOException {
+    List<FittedModel> good = all(result).stream().filter(model -> !model.fit().refused()).toList();
+    for (FittedModel model : good) {
+      folder.write(model.file(), ModelFiles.bytes(model.detection(prefix)));
     }
-    return written;
+    return good.size();
+  }
+
+  /** Its file in the folder of a data set. */
+  public String file() {
+    return FOLDER + "/" + name() + ".json";
   }
 
   /** {@code <detector>-<f>}, with {@code -gt} behind it where g was fitted on measured PIP. */

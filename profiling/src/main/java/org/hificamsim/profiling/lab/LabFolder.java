@@ -8,9 +8,8 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.ObjectWriter;
 import java.io.IOException;
 import java.io.UncheckedIOException;
-import java.nio.file.Path;
 import java.util.List;
-import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.PhotoCamera;
 import org.hificamsim.profiling.dataset.TableLayout;
@@ -18,8 +17,8 @@ import org.hificamsim.profiling.detector.Photograph;
 import org.opencv.core.Mat;
 import org.opencv.core.Rect;
 
-/** Writes a rendered experiment as a data set, each file whole or not at all. */
-record LabFolder(Path folder) {
+/** Writes a rendered experiment as a data set, all files or none. */
+record LabFolder(OutputFolder folder) {
   private static final TableLayout<Row> TABLE =
       new TableLayout<Row>()
           .with("image", row -> image(row.shot))
@@ -60,28 +59,29 @@ record LabFolder(Path folder) {
   }
 
   void writeTemplate(LabObject object, Mat picture) {
-    Photograph.write(folder.resolve("templates/" + object.name() + ".png"), picture);
+    Photograph.write(folder, "templates/" + object.name() + ".png", picture);
   }
 
   void write(Shot shot, Photographer.Photo photo) {
-    Photograph.write(folder.resolve(image(shot)), photo.image());
-    Photograph.write(folder.resolve(mask(shot)), photo.mask());
+    Photograph.write(folder, image(shot), photo.image());
+    Photograph.write(folder, mask(shot), photo.mask());
   }
 
-  /** Writes the table last: a folder with a {@code dataset.csv} is complete. */
+  /** Writes the tables, and moves everything into place. */
   void finish(LabSettings settings, Sensor sensor, List<Row> rows, Laboratory.PhotoCount photos) {
     try {
       json(
           Dataset.CAMERA,
           new PhotoCamera(Sensor.WIDTH, Sensor.HEIGHT, sensor.width(), sensor.height()));
       json("lab.json", new Rendered(settings, photos));
-      new OutputFile(folder.resolve(Dataset.TABLE)).write(TABLE.csv(rows));
+      folder.write(Dataset.TABLE, TABLE.csv(rows));
+      folder.commit(List.of());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
   private void json(String name, Object value) throws IOException {
-    new OutputFile(folder.resolve(name)).write(JSON.writeValueAsString(value) + "\n");
+    folder.write(name, JSON.writeValueAsString(value) + "\n");
   }
 }

@@ -1,12 +1,16 @@
 package org.hificamsim.profiling.lab;
 
+import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.SplittableRandom;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
+import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.opencv.Mats;
 import org.hificamsim.profiling.opencv.OpenCv;
 import org.opencv.core.Core;
@@ -42,12 +46,14 @@ public final class Laboratory {
   public PhotoCount render(Path folder, int threads, Runnable progress) {
     OpenCv.load();
     SplittableRandom random = new SplittableRandom(settings.seed());
-    try (Mats mats = new Mats();
+    try (OutputFolder out = new OutputFolder(folder);
+        Mats mats = new Mats();
         Surfaces surfaces = settings.texture().surfaces();
         Room room = Room.furnished(surfaces, settings.scene().clutter(), random.split())) {
       Photographer photographer =
           new Photographer(settings, room, textures(surfaces, mats, random));
-      LabFolder files = new LabFolder(folder);
+      out.claim(List.of(Dataset.TABLE, Dataset.CAMERA));
+      LabFolder files = new LabFolder(out);
       Parallel.map(
           settings.photographed(), threads, object -> template(files, photographer, object));
       List<LabFolder.Row> rows =
@@ -63,6 +69,8 @@ public final class Laboratory {
       PhotoCount outcome = new PhotoCount(taken.size(), rows.size() - taken.size());
       files.finish(settings, Sensor.scaled(settings.scale()), taken, outcome);
       return outcome;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
     }
   }
 

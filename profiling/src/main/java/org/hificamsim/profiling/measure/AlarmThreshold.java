@@ -7,7 +7,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.profiling.dataset.TableLayout;
 
@@ -51,8 +51,8 @@ public record AlarmThreshold(String detector, double threshold, double falseAlar
         with.stream().filter(v -> v >= threshold).count() / (double) with.size());
   }
 
-  static void write(Path folder, List<AlarmThreshold> thresholds) throws IOException {
-    new OutputFile(folder.resolve(FILE)).write(LAYOUT.csv(thresholds));
+  static void write(OutputFolder folder, List<AlarmThreshold> thresholds) throws IOException {
+    folder.write(FILE, LAYOUT.csv(thresholds));
   }
 
   /** Thresholds by detector; none where a folder has no such table. */

@@ -1,7 +1,9 @@
 package org.hificamsim.profiling.measure;
 
+import java.io.IOException;
 import java.util.Collection;
 import java.util.List;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
 import org.hificamsim.profiling.detector.Detectors;
@@ -25,22 +27,25 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
   public static final String FOLDER = "matches";
 
   /** Draws some images' matches, one picture for each feature detector; returns how many. */
-  public int draw(Collection<String> images) {
+  public int draw(Collection<String> images) throws IOException {
     OpenCv.load();
     List<FeatureDetector> detectors = Detectors.features(settings.detectors());
     int drawn = 0;
-    try (Templates templates = new Templates(dataset.templates(), detectors, 1)) {
+    try (OutputFolder folder = new OutputFolder(dataset.folder());
+        Templates templates = new Templates(dataset.templates(), detectors, 1)) {
       for (LabelledPhoto sample : dataset.samples()) {
         if (images.contains(sample.image())) {
-          detectors.forEach(detector -> draw(sample, detector, templates));
+          detectors.forEach(detector -> draw(sample, detector, templates, folder));
           drawn += detectors.size();
         }
       }
+      folder.commit(List.of());
     }
     return drawn;
   }
 
-  private void draw(LabelledPhoto sample, FeatureDetector detector, Templates templates) {
+  private void draw(
+      LabelledPhoto sample, FeatureDetector detector, Templates templates, OutputFolder folder) {
     Features template = templates.of(sample.object(), detector);
     try (Photograph photo = new Photograph(sample.file());
         Photograph close = new Photograph(dataset.templates().get(sample.object()));
@@ -49,7 +54,8 @@ public record MatchPictures(Dataset dataset, MeasureSettings settings) {
         Mats mats = new Mats()) {
       String stem = sample.image().replaceAll("[/\\\\]", "_").replaceFirst("\\.[^.]*$", "");
       Photograph.write(
-          dataset.folder().resolve(FOLDER).resolve(detector.word() + "-" + stem + ".jpg"),
+          folder,
+          FOLDER + "/" + detector.word() + "-" + stem + ".jpg",
           picture(mats, close.grey(), template, photo.grey(), features));
     }
   }

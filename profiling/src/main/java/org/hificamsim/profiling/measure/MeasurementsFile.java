@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
-import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.data.CsvRow;
 import org.hificamsim.data.CsvRows;
@@ -47,9 +47,10 @@ public final class MeasurementsFile {
     return layout;
   }
 
-  /** Writes the table whole or not at all. */
-  static void write(Path file, PipReading pip, List<Measurement> rows) throws IOException {
-    new OutputFile(file).write(layout(pip, rows.get(0).confidences().keySet()).csv(rows));
+  /** Adds the table to a folder's files. */
+  static void write(OutputFolder folder, PipReading pip, List<Measurement> rows)
+      throws IOException {
+    folder.write(NAME, layout(pip, rows.get(0).confidences().keySet()).csv(rows));
   }
 
   /**

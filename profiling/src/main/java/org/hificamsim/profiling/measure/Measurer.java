@@ -7,6 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.parallel.Parallel;
 import org.hificamsim.profiling.dataset.Dataset;
 import org.hificamsim.profiling.dataset.LabelledPhoto;
@@ -60,7 +61,9 @@ public final class Measurer {
   private Outcome measure(
       Templates templates, DetectorPool detectors, int threads, MeasureProgress watcher)
       throws IOException {
-    try (MeasurementJournal done = new MeasurementJournal(dataset, settings)) {
+    try (OutputFolder folder = new OutputFolder(dataset.folder());
+        MeasurementJournal done = new MeasurementJournal(dataset, settings)) {
+      folder.claim(List.of(MeasurementsFile.NAME));
       int resumed = done.count();
       watcher.resume(resumed);
       List<Measurement> rows =
@@ -80,9 +83,10 @@ public final class Measurer {
           .warnings(rows)
           .forEach(line -> warnings.add(dataset.folder().resolve(Dataset.TABLE) + ": " + line));
       if (!dataset.negatives().isEmpty()) {
-        warnings.addAll(writeThresholds(rows, detectors, threads, watcher));
+        warnings.addAll(writeThresholds(rows, detectors, threads, watcher, folder));
       }
-      write(rows);
+      write(rows, folder);
+      folder.commit(List.of());
       done.finish();
       return new Outcome(resumed, threads, warnings);
     }
@@ -103,18 +107,22 @@ public final class Measurer {
         confidences);
   }
 
-  private void write(List<Measurement> rows) throws IOException {
+  private void write(List<Measurement> rows, OutputFolder folder) throws IOException {
     int[] heights = dataset.samples().stream().mapToInt(s -> s.patch().height()).toArray();
     List<Measurement> all = rows;
     for (String detector : Detectors.boxes(settings.detectors())) {
       all = Recall.with(all, heights, detector);
     }
-    MeasurementsFile.write(dataset.folder().resolve(MeasurementsFile.NAME), settings.pip(), all);
+    MeasurementsFile.write(folder, settings.pip(), all);
   }
 
   /** Returns a warning where too few photos without the objects say anything. */
   private List<String> writeThresholds(
-      List<Measurement> rows, DetectorPool detectors, int threads, MeasureProgress watcher)
+      List<Measurement> rows,
+      DetectorPool detectors,
+      int threads,
+      MeasureProgress watcher,
+      OutputFolder folder)
       throws IOException {
     FalseAlarms alarms = new FalseAlarms(dataset, detectors);
     List<AlarmThreshold> thresholds = new ArrayList<>();
@@ -124,7 +132,7 @@ public final class Measurer {
       List<Double> with = rows.stream().map(row -> row.confidence(detector)).toList();
       thresholds.add(AlarmThreshold.of(detector, without.get(detector), with, rate));
     }
-    AlarmThreshold.write(dataset.folder(), thresholds);
+    AlarmThreshold.write(folder, thresholds);
     if (alarms.looks() * rate >= 1) {
       return List.of();
     }

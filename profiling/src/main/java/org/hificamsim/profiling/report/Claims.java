@@ -1,7 +1,6 @@
 package org.hificamsim.profiling.report;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -10,7 +9,7 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 import org.apache.commons.math3.stat.StatUtils;
-import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.FitResult;
 
@@ -74,8 +73,8 @@ final class Claims {
   }
 
   /** Writes them as a table. */
-  void write(Path folder) throws IOException {
-    new OutputFile(folder.resolve(FILE)).write(COLUMNS.csv(all()));
+  void write(OutputFolder folder) throws IOException {
+    folder.write(FILE, COLUMNS.csv(all()));
   }
 
   private Claim feature(String f) {

@@ -1,10 +1,9 @@
 package org.hificamsim.profiling.report;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.measure.PipReading;
@@ -20,7 +19,7 @@ public final class FitReport {
 
   private final FitResult result;
   private final List<Trials> trials;
-  private final Path folder;
+  private final OutputFolder folder;
   private final HtmlPage page;
   private final ReportFigures figures;
   private final ThesisTables tables;
@@ -28,7 +27,7 @@ public final class FitReport {
   private final HeldOut heldOut;
 
   private FitReport(
-      FitResult result, List<Trials> trials, PipReading pip, Path folder, String title) {
+      FitResult result, List<Trials> trials, PipReading pip, OutputFolder folder, String title) {
     this.trials = trials;
     this.heldOut = HeldOut.of(pip);
     this.result = result;
@@ -46,7 +45,7 @@ public final class FitReport {
    * @param pip how its PIP was counted
    */
   public static void write(
-      FitResult result, List<Trials> trials, PipReading pip, String name, Path folder)
+      FitResult result, List<Trials> trials, PipReading pip, String name, OutputFolder folder)
       throws IOException {
     new FitReport(result, trials, pip, folder, "Detection models fitted to " + name).write();
   }
@@ -69,7 +68,7 @@ public final class FitReport {
     combinations();
     camSim();
     ball();
-    new OutputFile(folder.resolve("report.html")).write(page.text());
+    folder.write(FitFolder.REPORT, page.text());
   }
 
   private void advice() {
@@ -217,6 +216,6 @@ public final class FitReport {
   }
 
   private void picture(String file, byte[] png) throws IOException {
-    new OutputFile(folder.resolve(file)).write(out -> out.write(png));
+    folder.write(file, png);
   }
 }

@@ -1,13 +1,12 @@
 package org.hificamsim.profiling.trial;
 
 import java.io.IOException;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
-import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.profiling.dataset.TableLayout;
 import org.hificamsim.profiling.fit.Counted;
 import org.hificamsim.profiling.fit.FittedModel;
@@ -132,12 +131,12 @@ public record Trials(
           .with("chance", row -> Double.isNaN(row.trial.chance()) ? "" : row.trial.chance());
 
   /** Writes every photo into a folder's {@code simulation.csv}. */
-  public static void write(Path folder, List<Trials> all) throws IOException {
-    new OutputFile(folder.resolve(FILE))
-        .write(
-            COLUMNS.csv(
-                all.stream()
-                    .flatMap(one -> one.photos.stream().map(trial -> new Row(one, trial)))
-                    .toList()));
+  public static void write(OutputFolder folder, List<Trials> all) throws IOException {
+    folder.write(
+        FILE,
+        COLUMNS.csv(
+            all.stream()
+                .flatMap(one -> one.photos.stream().map(trial -> new Row(one, trial)))
+                .toList()));
   }
 }

@@ -19,6 +19,7 @@ import java.util.stream.Stream;
 import org.apache.commons.math3.stat.regression.SimpleRegression;
 import org.hificamsim.core.Reference;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.data.CsvReader;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.hifi.model.ModelFiles;
@@ -29,13 +30,13 @@ import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
 import org.hificamsim.profiling.fit.FitSettings.SupportVectorSettings;
 import org.hificamsim.profiling.fit.FitSettings.SymbolicSettings;
-import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Fitting;
 import org.hificamsim.profiling.fit.Photos;
 import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.PipReading;
 import org.hificamsim.profiling.trial.TrialRun;
+import org.hificamsim.profiling.trial.Trials;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -57,8 +58,12 @@ class FitReportTest {
   @BeforeAll
   static void fitAndWrite() throws IOException {
     result = new Fitting(SETTINGS).fit(new PhotoCamera(0.0224, 0.015, 1296, 864), photos(), 2);
-    assertEquals(36, FittedModel.writeAll(result, folder.resolve("models"), "mine"));
-    FitReport.write(result, TrialRun.all(result, 2), PipReading.SILHOUETTE, "test & trial", folder);
+    assertEquals(36, write(result, "test & trial", folder));
+  }
+
+  private static int write(FitResult result, String title, Path folder) throws IOException {
+    List<Trials> trials = TrialRun.all(result, 2);
+    return FitFolder.write(folder, result, trials, PipReading.SILHOUETTE, title, "mine");
   }
 
   @Test
@@ -190,7 +195,7 @@ class FitReportTest {
         new Photos().detector("hog", p -> 0.9 * p / (p + 0.01)).scatter(0.02, 0.02).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
     Path page = Files.createDirectories(folder.resolve("hog"));
-    FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "people", page);
+    write(own, "people", page);
     String text = Files.readString(page.resolve("report.html"));
     assertTrue(text.contains("Take hog-pinhole"), text.substring(0, 1500));
     assertFalse(text.contains("0 of 0"), "a count of nothing");
@@ -213,11 +218,13 @@ class FitReportTest {
     List<Measurement> rows = few().detector("noise", p -> 0.2).scatter(0.02, 0.05).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
     Path page = Files.createDirectories(folder.resolve("noise"));
-    Path earlier = Files.createDirectories(page.resolve("models")).resolve("noise-lin.json");
-    Files.writeString(earlier, "of an earlier fit");
-    assertEquals(0, FittedModel.writeAll(own, page.resolve("models"), "mine"));
-    assertFalse(Files.exists(earlier), "a refused model keeps no file");
-    FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "noise", page);
+    try (OutputFolder earlier = new OutputFolder(page)) {
+      earlier.write("models/noise-lin.json", "of an earlier fit");
+      earlier.commit(List.of());
+    }
+    assertEquals(0, write(own, "noise", page));
+    Path refused = page.resolve("models/noise-lin.json");
+    assertFalse(Files.exists(refused), "a refused model keeps no file");
     String text = Files.readString(page.resolve("report.html"));
     assertTrue(text.contains("No model of noise is one"), text.substring(0, 1500));
   }
@@ -228,9 +235,8 @@ class FitReportTest {
         new Photos().objects(1).lenses(0.05).detector("orb", p -> 0.1 + 0.5 * p).take(1);
     FitResult own = new Fitting(SETTINGS).fit(Photos.CAMERA, rows, 2);
     Path page = Files.createDirectories(folder.resolve("one"));
-    FitReport.write(own, TrialRun.all(own, 2), PipReading.SILHOUETTE, "one", page);
+    assertTrue(write(own, "one", page) >= 8);
     assertTrue(Files.readString(page.resolve("report.html")).contains("10 photos of 1 object."));
-    assertTrue(FittedModel.writeAll(own, page.resolve("models"), "mine") >= 8);
     assertTrue(Files.exists(page.resolve("models/orb-pinhole.json")));
   }
 

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
 import org.hificamsim.core.detection.ZoomLevel;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FitSettings;
@@ -95,12 +96,19 @@ class TrialRunTest {
     assertEquals(trials.share(Trial::measuredByChance), mean + ALPHA * (1 - mean), 0.02);
   }
 
+  private void write(List<Trials> trials) throws IOException {
+    try (OutputFolder files = new OutputFolder(folder)) {
+      Trials.write(files, trials);
+      files.commit(List.of());
+    }
+  }
+
   @Test
   void everyPhotoIsARowAndAsManyThreadsAsThereAreChangeNothing() throws IOException {
     List<Trials> trials = TrialRun.all(scattered, 1);
-    Trials.write(folder, trials);
+    write(trials);
     String one = Files.readString(folder.resolve(Trials.FILE));
-    Trials.write(folder, TrialRun.all(scattered, 2));
+    write(TrialRun.all(scattered, 2));
     assertEquals(one, Files.readString(folder.resolve(Trials.FILE)));
     assertEquals(1 + scattered.measurements().size(), one.lines().count());
     assertTrue(

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -16,9 +17,9 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 
 /**
- * Finished runs in a file, one line of JSON each, appended as they finish. A process killed while
- * it writes leaves a line without its end, which the next one drops; damaged lines are passed over.
- * Those runs are done again.
+ * Finished runs in a file, one line of JSON with a checksum each, appended as they finish. A
+ * process killed while it writes leaves a line without its end, which the next one drops; damaged
+ * lines are counted. Those runs are done again.
  */
 public final class Journal implements Closeable {
   /** The file's name in the folder of a comparison. */
@@ -32,6 +33,8 @@ public final class Journal implements Closeable {
   private final Path file;
   private final FileChannel channel;
   private final Map<String, Line> lines = new HashMap<>();
+  private final List<Integer> damaged = new ArrayList<>();
+  private int count;
 
   private Journal(Path file, FileChannel channel) {
     this.file = file;
@@ -88,10 +91,22 @@ public final class Journal implements Closeable {
   }
 
   private void index(long start, long end) throws IOException {
-    if (end - start <= MAX_LINE) {
-      Line line = new Line(start, (int) (end - start));
-      JournalLine.parse(bytes(line)).ifPresent(run -> lines.put(run.key(), line));
-    }
+    count++;
+    Line line = new Line(start, (int) Math.min(MAX_LINE, end - start));
+    Optional<JournalLine> run = JournalLine.parse(bytes(line));
+    run.ifPresentOrElse(one -> lines.put(one.key(), line), () -> damaged.add(count));
+  }
+
+  /** Says which lines are damaged; empty where none is. */
+  public Optional<String> damage() {
+    return damaged.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            "%s:%s: the line is damaged%s"
+                .formatted(
+                    file,
+                    damaged.get(0),
+                    damaged.size() == 1 ? "" : ", and " + (damaged.size() - 1) + " more are"));
   }
 
   private byte[] bytes(Line line) throws IOException {

@@ -9,9 +9,11 @@ import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.IntBuffer;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Optional;
 import java.util.zip.DeflaterOutputStream;
 import java.util.zip.InflaterInputStream;
+import org.hificamsim.core.file.Sha256;
 import org.hificamsim.runs.RunResult;
 
 /**
@@ -22,6 +24,10 @@ import org.hificamsim.runs.RunResult;
 record JournalLine(String key, FinishedRun run) {
   /** The line's JSON; k_min is a count and the values, compressed. */
   private record Entry(String key, RunResult result, byte[] kMin) {}
+
+  private static final String START = "{\"sum\":\"";
+  private static final String END = "\",";
+  private static final int SUM = 16; // hexadecimal digits, the first of a SHA-256
 
   private static final ObjectMapper MAPPER =
       new ObjectMapper()
@@ -40,8 +46,13 @@ record JournalLine(String key, FinishedRun run) {
 
   /** The run in a line; empty where it is damaged. */
   static Optional<JournalLine> parse(byte[] line) {
+    int head = START.length() + SUM + END.length();
+    byte[] rest = Arrays.copyOfRange(line, Math.min(head, line.length), line.length);
+    if (!Arrays.equals(head(rest), 0, head, line, 0, Math.min(head, line.length))) {
+      return Optional.empty();
+    }
     try {
-      Entry entry = MAPPER.readValue(line, Entry.class);
+      Entry entry = MAPPER.readValue(joined(new byte[] {'{'}, rest), Entry.class);
       return entry == null
           ? Optional.empty()
           : Optional.of(
@@ -54,7 +65,23 @@ record JournalLine(String key, FinishedRun run) {
   /** The line with its end. */
   byte[] line() throws IOException {
     Entry entry = new Entry(key, run.result(), pack(run.kMin()));
-    return (MAPPER.writeValueAsString(entry) + "\n").getBytes(StandardCharsets.UTF_8);
+    byte[] text = MAPPER.writeValueAsBytes(entry);
+    byte[] rest = Arrays.copyOfRange(text, 1, text.length);
+    return joined(head(rest), rest, new byte[] {'\n'});
+  }
+
+  /** What stands before the rest of a line: its checksum, as the JSON's first property. */
+  private static byte[] head(byte[] rest) {
+    String sum = Sha256.of(rest).substring(0, SUM);
+    return (START + sum + END).getBytes(StandardCharsets.UTF_8);
+  }
+
+  private static byte[] joined(byte[]... parts) {
+    ByteArrayOutputStream all = new ByteArrayOutputStream();
+    for (byte[] part : parts) {
+      all.writeBytes(part);
+    }
+    return all.toByteArray();
   }
 
   private static byte[] pack(int[] values) throws IOException {

@@ -107,11 +107,22 @@ public final class MergedShards implements RunEngine {
     }
   }
 
+  private static void requireUndamaged(Journal runs, ShardFolder shard) {
+    runs.damage()
+        .ifPresent(
+            damage -> {
+              throw new InputException(
+                  "%s, expected what --shard wrote; --shard %s --resume computes it again"
+                      .formatted(damage, shard.shard()));
+            });
+  }
+
   private static void requireComplete(ShardFolder shard, List<RunPlan> plans) throws IOException {
     List<RunTask> tasks = shard.shard().tasks(plans);
     List<String> keys = RunKey.of(plans).stream().map(RunKey::text).toList();
     long there = 0;
     try (Journal runs = shard.runs()) {
+      requireUndamaged(runs, shard);
       for (RunTask task : tasks) {
         boolean has = runs.has(keys.get(task.plan()), plans.get(task.plan()).seed(task.repeat()));
         there += has ? 1 : 0;

@@ -5,12 +5,14 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.Writer;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.output.ResultFolder;
 
 /**
  * Where a shard's runs are kept: {@code shard.json} says which part of which comparison, {@code
@@ -38,6 +40,7 @@ public record ShardFolder(Path path, Content content) {
    */
   static Optional<ShardFolder> read(Path path) throws IOException {
     Path file = path.resolve(NAME);
+    OutputFolder.settle(path);
     if (!Files.isRegularFile(file)) {
       return Optional.empty();
     }
@@ -68,7 +71,12 @@ public record ShardFolder(Path path, Content content) {
     Optional<ShardFolder> found = read(folder.path());
     if (found.isPresent()) {
       found.get().requireFor(shard, plans, resume);
+    } else if (Files.exists(folder.path().resolve(RUNS), LinkOption.NOFOLLOW_LINKS)) {
+      throw new InputException(
+          "'%s' would be replaced, and no --shard wrote it: expected another folder"
+              .formatted(folder.path().resolve(RUNS)));
     }
+    folder.claim(List.of(NAME, ResultFolder.MANIFEST));
     Journal journal = Journal.open(folder, RUNS, resume);
     try (Writer out = folder.open(NAME)) {
       out.write(MAPPER.writeValueAsString(content(shard, plans)) + "\n");

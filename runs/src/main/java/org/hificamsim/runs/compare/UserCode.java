@@ -4,29 +4,28 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.FileSystem;
-import java.nio.file.FileSystems;
+import java.nio.file.FileVisitResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.ServiceLoader;
-import java.util.Set;
-import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectionModel;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Sha256;
 import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.world.Movement;
 
 /**
  * The models, policies and movements that users' jars and folders on the class path bring, each
- * known by the content of its jar or folder: the class files, and what lies beside them. Libraries
- * that they call in turn are not looked at.
+ * known by the content of its whole jar or folder. Libraries that they call in turn are not looked
+ * at.
  */
 final class UserCode {
-  private static final String CLASS = ".class";
-
   private UserCode() {}
 
   /** All that are on this class path, by their classes' names. */
@@ -53,35 +52,51 @@ final class UserCode {
     }
   }
 
-  /** The same for a folder and for a jar of its files. */
+  /** Of a whole jar, or of all files of a folder but results and what is hidden. */
   static String digest(Path place) {
+    return Files.isDirectory(place) ? digestBelow(place) : digestOf(place);
+  }
+
+  private static String digestBelow(Path root) {
+    StringBuilder content = new StringBuilder();
+    List<Path> files = new ArrayList<>();
     try {
-      if (Files.isDirectory(place)) {
-        return digestBelow(place);
-      }
-      try (FileSystem jar = FileSystems.newFileSystem(place)) {
-        return digestBelow(jar.getPath("/"));
-      }
+      Files.walkFileTree(root, new Contents(root, files));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+    for (Path file : files.stream().sorted().toList()) {
+      content.append(root.relativize(file)).append(' ').append(digestOf(file)).append('\n');
+    }
+    return Sha256.of(content.toString().getBytes(StandardCharsets.UTF_8));
   }
 
-  private static String digestBelow(Path root) throws IOException {
-    try (Stream<Path> walk = Files.walk(root)) {
-      List<Path> files = walk.filter(Files::isRegularFile).toList();
-      Set<Path> packages =
-          files.stream()
-              .filter(file -> file.toString().endsWith(CLASS))
-              .map(Path::getParent)
-              .collect(Collectors.toSet());
-      String content =
-          files.stream()
-              .filter(file -> packages.contains(file.getParent()))
-              .map(file -> root.relativize(file) + " " + digestOf(file))
-              .sorted()
-              .collect(Collectors.joining("\n"));
-      return Sha256.of(content.getBytes(StandardCharsets.UTF_8));
+  /** Collects files, without those of folders that commands write into. */
+  private static final class Contents extends SimpleFileVisitor<Path> {
+    private final Path root;
+    private final List<Path> files;
+
+    Contents(Path root, List<Path> files) {
+      this.root = root;
+      this.files = files;
+    }
+
+    @Override
+    public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
+      boolean skipped = !folder.equals(root) && (isHidden(folder) || OutputFolder.isOne(folder));
+      return skipped ? FileVisitResult.SKIP_SUBTREE : FileVisitResult.CONTINUE;
+    }
+
+    @Override
+    public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+      if (attributes.isRegularFile() && !isHidden(file)) {
+        files.add(file);
+      }
+      return FileVisitResult.CONTINUE;
+    }
+
+    private static boolean isHidden(Path file) {
+      return file.getFileName().toString().startsWith(".");
     }
   }
 

@@ -8,18 +8,14 @@ import java.io.IOException;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.LongStream;
-import java.util.stream.Stream;
 import org.hificamsim.core.detection.Detection;
-import org.hificamsim.core.file.OutputFile;
-import org.hificamsim.core.file.Sha256;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.hifi.HiFiDetection;
 import org.hificamsim.runs.RunPlan;
 
@@ -57,23 +53,14 @@ public final class CrateFile {
   }
 
   /**
-   * Writes the file.
+   * Adds the file to those of a folder that are to be committed, {@code manifest.json} among them.
    *
-   * @param written files, {@code manifest.json} among them
-   * @param beside files that were written otherwise
    * @param plans that were run
    */
-  public static void write(
-      Path folder, List<String> written, List<String> beside, List<RunPlan> plans)
-      throws IOException {
-    Map<String, String> hashes = new TreeMap<>();
-    for (String name : Stream.concat(written.stream(), beside.stream()).toList()) {
-      hashes.put(name, Sha256.of(folder.resolve(name)));
-    }
-    CrateFile file = new CrateFile(new ResultFolder(folder));
-    file.describe(hashes, plans);
-    OutputFile.of("--out", folder.resolve(ResultFolder.CRATE))
-        .write(file.crate.toPrettyString() + "\n");
+  public static void write(OutputFolder folder, List<RunPlan> plans) throws IOException {
+    CrateFile file = new CrateFile(new ResultFolder(folder.drafts()));
+    file.describe(folder.hashes(), plans);
+    folder.write(ResultFolder.CRATE, file.crate.toPrettyString() + "\n");
   }
 
   private void describe(Map<String, String> hashes, List<RunPlan> plans) throws IOException {

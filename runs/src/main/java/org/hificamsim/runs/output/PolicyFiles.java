@@ -1,9 +1,12 @@
 package org.hificamsim.runs.output;
 
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
+import java.util.stream.Stream;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.policy.ZoomPolicy;
@@ -13,9 +16,14 @@ import org.hificamsim.core.registry.Registry;
 public final class PolicyFiles {
   private final Registry<ZoomPolicy> policies = Catalogue.load().policies();
 
-  /** Those of a policy; none of one that is not known here. */
+  /** Those of a policy, and what its options name; none of one that is not known here. */
   public List<Path> of(String policy) {
-    return policies.knows(policy) ? policies.create(policy).files() : List.of();
+    if (!policies.knows(policy)) {
+      return List.of();
+    }
+    Stream<Path> named =
+        Arrays.stream(policy.split("[:,=]")).map(File::new).filter(File::isFile).map(File::toPath);
+    return Stream.concat(policies.create(policy).files().stream(), named).distinct().toList();
   }
 
   /**

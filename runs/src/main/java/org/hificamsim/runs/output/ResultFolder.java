@@ -8,7 +8,9 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFolder;
 
@@ -60,6 +62,11 @@ public record ResultFolder(Path path) {
     throw new InputException(file + ": not a JSON object, expected what 'hificamsim' writes");
   }
 
+  /** What a folder is called on pages. */
+  public static String name(Path folder) {
+    return folder.toAbsolutePath().normalize().getFileName().toString();
+  }
+
   /** The command line that made the folder, each word quoted as a shell needs it. */
   public String command() throws IOException {
     List<String> words = new ArrayList<>(List.of("./hificamsim"));
@@ -78,7 +85,7 @@ public record ResultFolder(Path path) {
    * @param others files that not every command writes, and no crate may name
    */
   public static void commit(OutputFolder folder, List<String> others) throws IOException {
-    List<String> earlier = new ArrayList<>(others);
+    Set<String> earlier = new HashSet<>(others);
     earlier.addAll(new ResultFolder(folder.path()).written());
     folder.commit(earlier);
   }

@@ -3,7 +3,6 @@ package org.hificamsim.runs.output;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.nio.file.Path;
 import java.time.Instant;
 import java.util.List;
 import java.util.stream.Stream;
@@ -29,6 +28,9 @@ public final class RunFolder implements Closeable {
                   ResultFolder.REPORT))
           .toList();
 
+  /** What every run writes, which has to be free before it begins. */
+  private static final List<String> ALWAYS = List.of(ResultFolder.SUMMARY, ResultFolder.MANIFEST);
+
   private final SourceCommit commit = SourceCommit.asked();
   private final OutputFolder folder;
   private final Table<StepCursor> stepTable;
@@ -41,18 +43,20 @@ public final class RunFolder implements Closeable {
   /**
    * Starts the tables.
    *
+   * @param folder closed with this
    * @param detection of the run: by chance, tables have more columns
    * @param detail what is written of each step
    * @param format of the tables with a row for each step
    */
-  public RunFolder(Path path, Detection detection, Detail detail, TableFormat format)
+  public RunFolder(OutputFolder folder, Detection detection, Detail detail, TableFormat format)
       throws IOException {
+    this.folder = folder;
     boolean record = detail != Detail.STEPS;
     stepTable = RunTables.steps(!detection.certain());
     cameraTable = detail == Detail.VIEWS ? RunTables.VIEWS : RunTables.ZOOMS;
     targetTable = detection.certain() ? RunTables.TARGETS : RunTables.TARGETS_BY_CHANCE;
-    folder = new OutputFolder(path);
     try {
+      folder.claim(ALWAYS);
       zooms = record ? format.create(cameraTable, folder) : null;
       targets = record ? format.create(targetTable, folder) : null;
       steps = format.create(stepTable, folder);
@@ -112,20 +116,24 @@ public final class RunFolder implements Closeable {
     InputFiles.write(folder, List.of(plan));
   }
 
-  /** The files that are in their place. */
-  public List<String> written() {
-    return folder.written();
-  }
-
   /** Adds {@code replay.json}, which the caller fills and closes. */
   public OutputStream replay() throws IOException {
     return folder.stream(ResultFolder.REPLAY);
   }
 
-  /** Adds {@code summary.json} and moves all files into place. */
-  public void commit(RunPlan plan, List<RunResult> results) throws IOException {
+  /** Ends the tables and adds {@code summary.json}. */
+  public void finish(RunPlan plan, List<RunResult> results) throws IOException {
     closeTables();
     SummaryFile.write(folder, plan, results);
+  }
+
+  /** Adds {@code ro-crate-metadata.json} for the other files, which are finished. */
+  public void crate(RunPlan plan) throws IOException {
+    CrateFile.write(folder, List.of(plan));
+  }
+
+  /** Moves all files into place. */
+  public void commit() throws IOException {
     ResultFolder.commit(folder, NOT_ALWAYS);
   }
 

@@ -8,6 +8,7 @@ import java.util.Optional;
 import org.hificamsim.core.detection.Detection;
 import org.hificamsim.core.engine.RunCoverage;
 import org.hificamsim.core.engine.StepListener;
+import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.metrics.StepCoverage;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.runs.Measured;
@@ -32,7 +33,8 @@ public final class SingleRun implements StepListener, Closeable {
    */
   public SingleRun(Path path, int run, Detection detection, Detail detail) throws IOException {
     this.run = run;
-    folder = new RunFolder(path, detection, detail, TableFormats.named(TableFormats.CSV));
+    TableFormat csv = TableFormats.named(TableFormats.CSV);
+    folder = new RunFolder(new OutputFolder(path), detection, detail, csv);
     rows = folder.listener(run);
   }
 
@@ -61,7 +63,8 @@ public final class SingleRun implements StepListener, Closeable {
    */
   public void commit(RunPlan plan, Traffic traffic, Optional<Proof> proof) throws IOException {
     Measured measured = new Measured(sums, plan.objective(), traffic, proof);
-    folder.commit(plan, List.of(RunResult.of(run, plan.seed(), measured)));
+    folder.finish(plan, List.of(RunResult.of(run, plan.seed(), measured)));
+    folder.commit();
   }
 
   @Override

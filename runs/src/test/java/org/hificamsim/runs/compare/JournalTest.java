@@ -87,6 +87,24 @@ class JournalTest {
     Files.writeString(file(), line + "\n", StandardOpenOption.APPEND);
     addTheNext();
     assertBothAreFound();
+    try (Journal journal = open(true)) {
+      assertEquals(
+          file() + ":2: the line is damaged",
+          journal.damage().orElseThrow().lines().toList().get(0));
+    }
+  }
+
+  @Test
+  void aLineThatIsStillJsonButNotAsItWasWrittenIsDamaged() throws IOException {
+    String text = Files.readString(file());
+    assertTrue(text.contains("11.0"), text);
+    Files.writeString(file(), text.replace("11.0", "99.0") + text.replace("case/7", "case/8"));
+    try (Journal journal = open(true)) {
+      assertTrue(journal.find("case", 7).isEmpty());
+      assertTrue(journal.find("case", 8).isEmpty());
+      assertEquals(
+          file() + ":1: the line is damaged, and 1 more are", journal.damage().orElseThrow());
+    }
   }
 
   @ParameterizedTest

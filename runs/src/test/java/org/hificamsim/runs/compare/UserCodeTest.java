@@ -23,16 +23,17 @@ class UserCodeTest {
   }
 
   @Test
-  void aFolderAndAJarOfItAreTheSame() throws IOException {
-    Path jar = Files.createTempFile("packed", ".jar");
+  void aJarDiffersWithAnyOfItsFiles() throws IOException {
+    assertNotEquals(UserCode.digest(jar("org/example/weights.txt")), UserCode.digest(jar("a.txt")));
+    assertEquals(UserCode.digest(jar("a.txt")), UserCode.digest(jar("a.txt")));
+  }
+
+  private Path jar(String resource) throws IOException {
+    Path jar = Files.createTempFile(folder, "packed", ".jar");
     try (JarOutputStream out = new JarOutputStream(Files.newOutputStream(jar))) {
-      for (String file : new String[] {"org/example/weights.txt", "org/example/Fog.class"}) {
-        out.putNextEntry(new ZipEntry(file));
-        Files.copy(folder.resolve(file), out);
-      }
+      out.putNextEntry(new ZipEntry(resource));
     }
-    assertEquals(UserCode.digest(folder), UserCode.digest(jar));
-    Files.delete(jar);
+    return jar;
   }
 
   @Test
@@ -44,13 +45,17 @@ class UserCodeTest {
     assertEquals(before, UserCode.digest(folder));
     write("org/example/weights.txt", "1 2 4");
     assertNotEquals(before, UserCode.digest(folder));
+    write("org/example/weights.txt", "1 2 3");
+    write("tables/far/haze.csv", "0.5");
+    assertNotEquals(before, UserCode.digest(folder), "a resource in a package of its own");
   }
 
   @Test
   void doesNotDifferWithResultsInTheSameFolder() throws IOException {
     String before = UserCode.digest(folder);
-    write("out/compare/.compare.journal", "{}");
-    write("notes.txt", "to do");
+    write("out/compare/.hificamsim.sha256", "");
+    write("out/compare/steps.csv", "1");
+    write(".notes", "to do");
     assertEquals(before, UserCode.digest(folder));
   }
 

@@ -1,4 +1,4 @@
-package org.hificamsim.network.files;
+package org.hificamsim.core.file;
 
 import java.io.IOException;
 import java.nio.file.Path;
@@ -17,7 +17,7 @@ public final class SeparateFiles {
    * @throws InputException when another option names it, too
    */
   public SeparateFiles with(String option, Path file) {
-    String other = options.putIfAbsent(real(file.toAbsolutePath().normalize()), option);
+    String other = options.putIfAbsent(real(file), option);
     if (other != null) {
       throw new InputException(
           "%s and %s are one file, '%s', expected two".formatted(other, option, file));
@@ -25,13 +25,14 @@ public final class SeparateFiles {
     return this;
   }
 
-  /** Where links lead, as far as there is anything yet. */
-  private static Path real(Path file) {
+  /** A file's one path: where links lead, as far as there is anything yet. */
+  public static Path real(Path file) {
     try {
       return file.toRealPath();
     } catch (IOException e) {
-      Path folder = file.getParent();
-      return folder == null ? file : real(folder).resolve(file.getFileName());
+      Path whole = file.toAbsolutePath().normalize();
+      Path folder = whole.getParent();
+      return folder == null ? whole : real(folder).resolve(whole.getFileName());
     }
   }
 }

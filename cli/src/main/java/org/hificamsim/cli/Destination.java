@@ -1,0 +1,121 @@
+package org.hificamsim.cli;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.hificamsim.core.InputException;
+import org.hificamsim.core.file.FileRecord;
+import org.hificamsim.core.file.OutputFile;
+import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.file.SeparateFiles;
+import picocli.CommandLine.Model.ArgSpec;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/**
+ * Where a command writes files: never onto what it reads, and onto a file that exists only with
+ * {@code --force}.
+ */
+final class Destination {
+  /** The options that say where to write. What all others name is read. */
+  static final Set<String> OUTPUTS =
+      Set.of(
+          "--out",
+          "--png",
+          "--svg",
+          "--gif",
+          "--output",
+          "--summaryfile",
+          "--extra-out",
+          "--coverage-out",
+          "--for-camsim");
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec command;
+
+  @Option(
+      names = "--force",
+      description = "Replace a file that exists. What the command reads is never replaced.")
+  private boolean force;
+
+  /** Whether a file that exists may be replaced. */
+  boolean force() {
+    return force;
+  }
+
+  /**
+   * A file to write.
+   *
+   * @throws InputException when it is an input, or exists without {@code --force}
+   */
+  OutputFile file(String option, Path path) throws IOException {
+    requireNoInput(option, path);
+    return OutputFile.of(option, path, force);
+  }
+
+  /** A file to write, in a folder that is made where it is missing. */
+  OutputFile inFolder(String option, Path path) throws IOException {
+    requireNoInput(option, path);
+    return OutputFile.inFolder(option, path, force);
+  }
+
+  /** A folder to write into; what the command reads is kept as it is. */
+  static OutputFolder folder(CommandSpec command, Path path) {
+    OutputFolder folder = new OutputFolder(path);
+    folder.keep(inputs(command).filter(Files::isRegularFile).toList());
+    return folder;
+  }
+
+  /**
+   * Checks that files may be written into a folder, before the work that they are made of, and
+   * without making the folder.
+   */
+  static void claim(CommandSpec command, Path path, List<String> names) throws IOException {
+    if (Files.isDirectory(path)) {
+      try (OutputFolder folder = folder(command, path)) {
+        folder.claim(names);
+      }
+    }
+  }
+
+  /** Checks that an output is none of the command's inputs, nor a result in a folder of these. */
+  void requireNoInput(String option, Path output) throws IOException {
+    Path real = SeparateFiles.real(output);
+    for (Path input : inputs(command).map(SeparateFiles::real).toList()) {
+      if (real.equals(input) || isResult(input, real)) {
+        throw new InputException(
+            "what the command reads and %s are one file, '%s', expected two"
+                .formatted(option, output));
+      }
+    }
+  }
+
+  private static boolean isResult(Path folder, Path file) throws IOException {
+    return file.startsWith(folder)
+        && Files.exists(file, LinkOption.NOFOLLOW_LINKS)
+        && FileRecord.of(folder).names().contains(folder.relativize(file).toString());
+  }
+
+  /** The files and folders that the words of a command name, as a whole or in a part. */
+  private static Stream<Path> inputs(CommandSpec command) {
+    return command.commandLine().getParseResult().matchedArgs().stream()
+        .filter(Destination::isInput)
+        .flatMap(arg -> arg.originalStringValues().stream())
+        .flatMap(word -> Stream.concat(Stream.of(word), Arrays.stream(word.split("[,:=@]"))))
+        .filter(word -> !word.isBlank() && word.indexOf('\0') < 0)
+        .map(Path::of)
+        .filter(Files::exists);
+  }
+
+  private static boolean isInput(ArgSpec arg) {
+    return !(arg instanceof OptionSpec option)
+        || Arrays.stream(option.names()).noneMatch(OUTPUTS::contains);
+  }
+}
