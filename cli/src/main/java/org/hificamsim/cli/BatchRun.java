@@ -135,9 +135,11 @@ final class BatchRun {
       screen
           .err()
           .printf(
+              Locale.ROOT,
               "warning: --repeat %d: with fewer than %d seeds intervals are wide or missing, and"
-                  + " other seeds may tell otherwise%n",
-              seeds, Estimate.ENOUGH_SEEDS);
+                  + " other seeds may give another result%n",
+              seeds,
+              Estimate.ENOUGH_SEEDS);
     }
   }
 
