@@ -120,7 +120,7 @@ class ArchitectureTest {
           .and()
           .resideOutsideOfPackage("org.hificamsim.agents.optimal..")
           .and()
-          .doNotHaveSimpleName("GreedyZoomPolicy")
+          .doNotHaveSimpleName("IndependentGreedyZoomPolicy")
           .should()
           .dependOnClassesThat()
           .areAssignableTo(OracleView.class);

@@ -29,7 +29,13 @@ class SensitivityCommandTest {
           "f",
           "g",
           "state",
-          "formula");
+          "formula",
+          "speed",
+          "radii",
+          "alpha",
+          "q0",
+          "ties",
+          "greedy");
 
   @TempDir Path folder;
 

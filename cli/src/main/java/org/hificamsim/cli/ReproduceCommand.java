@@ -7,9 +7,11 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.reproduction.Adapting;
+import org.hificamsim.reproduction.Distance;
 import org.hificamsim.reproduction.FitRole;
 import org.hificamsim.reproduction.Judgement;
 import org.hificamsim.reproduction.Judgement.Judged;
+import org.hificamsim.reproduction.Reading;
 import org.hificamsim.reproduction.ReproductionFiles;
 import org.hificamsim.reproduction.ReproductionPlans;
 import org.hificamsim.reproduction.Table81;
@@ -56,21 +58,32 @@ final class ReproduceCommand implements Callable<Integer> {
     out.println(Adapting.finding(judgement.adapting()));
     out.println();
     out.printf(
-        "%-8s %-15s %-9s %9s  %-20s %6s  %-8s %s%n",
-        "layout", "policy", "detection", "published", "ours [95%]", "Eq 6.2", "role", "verdict");
+        "%-8s %-15s %-9s %9s  %-20s %7s %6s  %-8s %s%n",
+        "layout",
+        "policy",
+        "detection",
+        "published",
+        "ours [95%]",
+        "one-hop",
+        "Eq 6.2",
+        "role",
+        "verdict");
     for (Table81.Cell cell : judgement.cells()) {
       out.printf(
           Locale.ROOT,
-          "%-8s %-15s %-9s %9.2f  %-20s %6s  %-8s %s%n",
+          "%-8s %-15s %-9s %9.2f  %-20s %7s %6s  %-8s %s%n",
           cell.published().layout().label(),
           cell.published().policy(),
           cell.published().hifi() ? "hi-fi" : "CamSim",
           cell.published().proportion(),
           cell.ours().text("%.3f"),
-          Double.isNaN(cell.standard()) ? "" : String.format(Locale.ROOT, "%.2f", cell.standard()),
+          text(cell, Reading.ONE_HOP_GREEDY),
+          text(cell, Reading.EQ_62),
           cell.role().label(),
           cell.verdict().label());
     }
+    out.println();
+    printDistances(out, judgement.distances());
     out.println();
     for (Judged statement : judgement.statements()) {
       out.printf(
@@ -84,5 +97,30 @@ final class ReproduceCommand implements Callable<Integer> {
     for (Verdict verdict : Verdict.values()) {
       out.printf("%-15s %s%n", verdict.label(), judgement.score(verdict));
     }
+  }
+
+  private static String text(Table81.Cell cell, Reading reading) {
+    return Double.isNaN(cell.of(reading)) ? "" : String.format(Locale.ROOT, "%.2f", cell.of(reading));
+  }
+
+  /** Both columns of a reading in a line: the hi-fi column's distance comes before CamSim's. */
+  private static void printDistances(PrintWriter out, List<Distance> distances) {
+    Distance first = distances.get(0);
+    out.printf(
+        "mean distance from the published cells, and cells within 0.05 of them (%d steps, %d"
+            + " seeds):%n%-26s %-15s %s%n",
+        first.steps(), first.seeds(), "reading", "hi-fi", "CamSim");
+    for (int i = 0; i < distances.size(); i += 2) {
+      out.printf(
+          "%-26s %-15s %s%n",
+          distances.get(i).label(), text(distances.get(i)), text(distances.get(i + 1)));
+    }
+    out.println(
+        "default divides by the best of all configurations, over_one_hop by the best within one"
+            + " zoom level.");
+  }
+
+  private static String text(Distance one) {
+    return String.format(Locale.ROOT, "%.3f, %d of 9", one.mean(), one.within());
   }
 }

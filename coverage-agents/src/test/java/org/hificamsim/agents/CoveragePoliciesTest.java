@@ -18,7 +18,7 @@ import org.junit.jupiter.api.TestFactory;
 
 class CoveragePoliciesTest {
   private static final Set<String> GLOBAL =
-      Set.of("optimal", "optimal-expected", "one-hop", "best-fixed", "greedy");
+      Set.of("optimal", "optimal-expected", "one-hop", "best-fixed", "independent-greedy");
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 
@@ -55,6 +55,12 @@ class CoveragePoliciesTest {
       assertEquals(entry.name(), registry.create(entry.name()).name());
       assertFalse(entry.summary().isBlank());
     }
+  }
+
+  @Test
+  void thePolicyThatWasCalledGreedyIsUnderstoodByThatNameAndNotListed() {
+    assertEquals("independent-greedy", registry.create("greedy:among=all").name());
+    assertFalse(registry.names().contains("greedy"));
   }
 
   @Test

@@ -9,10 +9,14 @@ import org.hificamsim.runs.Estimate;
 /**
  * The judged cells of Table 8.1 and statements of the text.
  *
+ * @param distances of the cells from the published ones, by reading
  * @param adapting what the optimum gains over a fixed zoom, which comes before all else
  */
 public record Judgement(
-    List<Table81.Cell> cells, List<Judged> statements, List<Adapting> adapting) {
+    List<Table81.Cell> cells,
+    List<Distance> distances,
+    List<Judged> statements,
+    List<Adapting> adapting) {
   /** The cells, then the statements. */
   Stream<Judged> all() {
     return Stream.concat(cells.stream().map(Table81.Cell::judged), statements.stream());

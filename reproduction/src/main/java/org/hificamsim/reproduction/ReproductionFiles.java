@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.util.List;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.reproduction.Judgement.Judged;
+import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.output.Column;
@@ -62,35 +63,34 @@ public final class ReproductionFiles {
                   "`reproduced`, `within interval` or `not reproduced`"
                       + " ([rules](reproduction.md#verdicts))",
                   cell -> cell.verdict().label()),
+              reading(Reading.HIFI_OPTIMUM),
+              reading(Reading.HIFI_OPTIMUM_AT_45),
+              reading(Reading.EXPLORE_ANY),
+              reading(Reading.SCRIPT_AT_ORIGIN),
+              reading(Reading.EQ_62).later(),
+              Column.<Table81.Cell>ofText("role", ROLE, cell -> cell.role().label()).later(),
+              reading(Reading.ONE_HOP_GREEDY).later(),
+              reading(Reading.SIGN_REWARD).later(),
+              reading(Reading.LITERAL_REWARD).later());
+
+  /** A row per reading and detection model. */
+  public static final Table<Distance> READINGS =
+      Table.<Distance>of("readings.csv")
+          .with(
+              Column.ofText(
+                  "reading",
+                  "`default`, or the column of `table-8.1.csv` whose cells stand in place of ours"
+                      + " where it has any",
+                  Distance::label),
+              Column.ofText(
+                  "detection",
+                  "whose nine cells these are: `hi-fi` or `CamSim`",
+                  one -> one.hifi() ? "hi-fi" : "CamSim"),
               Column.ofDouble(
-                  "over_hifi_optimum",
-                  "share",
-                  "CamSim's performance over the hi-fi optimum; empty for hi-fi",
-                  Table81.Cell::overHifi),
-              Column.ofDouble(
-                  "over_hifi_optimum_at_0.45",
-                  "share",
-                  "the same with CamSim's threshold at 0.45",
-                  Table81.Cell::at45),
-              Column.ofDouble(
-                  "explore_any",
-                  "share",
-                  "epsilon-greedy whose exploring may draw the best level too; empty for other"
-                      + " policies",
-                  Table81.Cell::exploreAny),
-              Column.ofDouble(
-                  "cluster_script_at_origin",
-                  "share",
-                  "the cluster with its script about the field's centre; empty for other layouts",
-                  Table81.Cell::origin),
-              Column.<Table81.Cell>ofDouble(
-                      "eq_6.2",
-                      "share",
-                      "CamSim's cells under Eq 6.2 as printed, over its own optimum; empty for"
-                          + " hi-fi",
-                      Table81.Cell::standard)
-                  .later(),
-              Column.<Table81.Cell>ofText("role", ROLE, cell -> cell.role().label()).later());
+                  "distance", "share", "the mean distance from the published cells", Distance::mean),
+              Column.ofLong("within", "cells", "how many are at most 0.05 away", Distance::within),
+              Column.ofInt("steps", "steps", "of each run", Distance::steps),
+              Column.ofInt("seeds", "", "how many", Distance::seeds));
 
   /** A row per cell and per statement of the text. */
   public static final Table<Judged> VERDICTS =
@@ -118,6 +118,10 @@ public final class ReproductionFiles {
 
   private ReproductionFiles() {}
 
+  private static Column<Table81.Cell> reading(Reading reading) {
+    return Column.ofDouble(reading.label(), "share", reading.meaning(), cell -> cell.of(reading));
+  }
+
   /**
    * Writes all files.
    *
@@ -125,11 +129,17 @@ public final class ReproductionFiles {
    */
   public static Judgement write(OutputFolder folder, List<CaseResult> results) throws IOException {
     Cases cases = new Cases(results);
+    RunPlan plan = results.get(0).plan();
+    List<Table81.Cell> cells = new Table81(cases).cells();
     Judgement judgement =
         new Judgement(
-            new Table81(cases).cells(), new Statements(cases).judged(), Adapting.of(cases));
+            cells,
+            Distance.of(cells, plan.steps(), plan.repeats()),
+            new Statements(cases).judged(),
+            Adapting.of(cases));
     ADAPTING.write(folder, judgement.adapting().stream());
     CELLS.write(folder, judgement.cells().stream());
+    READINGS.write(folder, judgement.distances().stream());
     VERDICTS.write(folder, judgement.all());
     new ReproductionFigures(cases).write(folder);
     return judgement;

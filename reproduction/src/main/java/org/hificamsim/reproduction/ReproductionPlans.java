@@ -34,7 +34,7 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
   /** Scenario 6 with the rectangle about the field's centre, as the text may be read too. */
   public static final String ORIGIN = "cluster-scripted-origin";
 
-  static final String OPTIMAL = "optimal";
+  public static final String OPTIMAL = "optimal";
 
   /** Every camera at the level with a radius of 5 m, always. */
   static final String FIXED = "fixed:2";
@@ -45,6 +45,12 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
   public static final String SARSA = "sarsa";
   public static final String QB_SARSA = "qb-sarsa";
   static final String COUNT = "sarsa:state=count";
+
+  /** Thesis 7.4.1's greedy, read as one zoom level at a time. */
+  static final String ONE_HOP = "one-hop";
+
+  static final String SIGN = "sarsa:reward=sign";
+  static final String LITERAL = "sarsa:reward=literal";
 
   /** The readings of SARSA and QB-SARSA that know no state. */
   static final String STATELESS = ":state=none";
@@ -94,8 +100,8 @@ public record ReproductionPlans(Map<String, Scenario> scenarios, Settings asked)
     add(cases, Layout.LATTICE.scripted(), HIFI, List.of(alpha(0.2), alpha(0.3), COUNT));
     for (String scenario : Layout.SCENARIOS) {
       table(cases, scenario, List.of(STANDARD));
-      add(cases, scenario, CAMSIM, List.of(FIXED));
-      add(cases, scenario, HIFI, List.of(FIXED));
+      add(cases, scenario, CAMSIM, List.of(FIXED, ONE_HOP, SIGN, LITERAL));
+      add(cases, scenario, HIFI, List.of(FIXED, ONE_HOP, SIGN, LITERAL));
     }
     return cases;
   }

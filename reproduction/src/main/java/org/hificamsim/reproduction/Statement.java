@@ -19,6 +19,7 @@ import org.hificamsim.runs.Metric;
  * @param metric what is compared; the mean of k_min unless said otherwise
  * @param published a proportion of the optimum that the text names, or null
  * @param checks empty where {@link DetectionStatements} has them
+ * @param otherwise or null
  */
 record Statement(
     String id,
@@ -28,7 +29,17 @@ record Statement(
     FitRole role,
     Metric metric,
     Double published,
-    List<Check> checks) {
+    List<Check> checks,
+    Otherwise otherwise) {
+  /**
+   * The same under another reading of what the thesis leaves open. It is told, and does not change
+   * the verdict, which is that of the defaults.
+   *
+   * @param reading what is read otherwise, in words
+   */
+  record Otherwise(String reading, List<Check> checks) {}
+
+
   /**
    * A comparison of two cases under the hi-fi model, each {@code scenario/policy}; with {@code *}
    * it is one for each of the six scenarios.

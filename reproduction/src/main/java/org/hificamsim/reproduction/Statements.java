@@ -7,6 +7,7 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.reproduction.Statement.Check;
@@ -37,43 +38,65 @@ final class Statements {
   }
 
   private Judged judged(Statement one) {
-    List<Margin> margins = margins(one);
-    Margin weakest =
-        margins.stream()
-            .min(Comparator.comparingDouble(margin -> margin.value().mean()))
-            .orElseThrow();
-    int held = (int) margins.stream().filter(margin -> margin.value().mean() > 0).count();
-    String reason =
-        String.format(
-            Locale.ROOT,
-            "%d of %d checks hold; weakest: %s %s",
-            held,
-            margins.size(),
-            weakest.where(),
-            weakest.value().text("%+.3f"));
-    String remark = one.published() == null ? one.remark() : withOurs(one);
+    List<Margin> margins =
+        one.checks().isEmpty() ? detections.margins(one.id()) : margins(one, one.checks());
+    Stream<String> reasons =
+        Stream.of(
+            reason(margins), one.published() == null ? one.remark() : withOurs(one), otherwise(one));
     return new Judged(
         "statement",
         one.id(),
         one.source(),
         one.text(),
         Double.NaN,
-        weakest.value(),
+        weakest(margins).value(),
         margins.size(),
-        held,
-        Verdict.of(margins.stream().map(Margin::value).toList()),
-        remark.isEmpty() ? reason : reason + "; " + remark,
+        held(margins),
+        verdict(margins),
+        reasons.filter(reason -> !reason.isEmpty()).collect(Collectors.joining("; ")),
         one.role());
+  }
+
+  private static String reason(List<Margin> margins) {
+    Margin weakest = weakest(margins);
+    return String.format(
+        Locale.ROOT,
+        "%d of %d checks hold; weakest: %s %s",
+        held(margins),
+        margins.size(),
+        weakest.where(),
+        weakest.value().text("%+.3f"));
+  }
+
+  /** What another reading finds, in words; empty where there is none. */
+  private String otherwise(Statement one) {
+    if (one.otherwise() == null) {
+      return "";
+    }
+    List<Margin> margins = margins(one, one.otherwise().checks());
+    return one.otherwise().reading() + ": " + verdict(margins).label() + ", " + reason(margins);
+  }
+
+  private static Verdict verdict(List<Margin> margins) {
+    return Verdict.of(margins.stream().map(Margin::value).toList());
+  }
+
+  private static Margin weakest(List<Margin> margins) {
+    return margins.stream()
+        .min(Comparator.comparingDouble(margin -> margin.value().mean()))
+        .orElseThrow();
+  }
+
+  private static int held(List<Margin> margins) {
+    return (int) margins.stream().filter(margin -> margin.value().mean() > 0).count();
   }
 
   private String withOurs(Statement one) {
     return String.format(Locale.ROOT, one.remark(), proportion(one.checks().get(0)).mean());
   }
 
-  private List<Margin> margins(Statement one) {
-    return one.checks().isEmpty()
-        ? detections.margins(one.id())
-        : one.checks().stream().flatMap(check -> margins(one, check)).toList();
+  private List<Margin> margins(Statement one, List<Check> checks) {
+    return checks.stream().flatMap(check -> margins(one, check)).toList();
   }
 
   private Stream<Margin> margins(Statement one, Check check) {

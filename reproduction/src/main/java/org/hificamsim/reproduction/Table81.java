@@ -1,17 +1,14 @@
 package org.hificamsim.reproduction;
 
-import static org.hificamsim.reproduction.ReproductionPlans.ANY;
-import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
-import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM_45;
-import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
 import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
 import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
-import static org.hificamsim.reproduction.ReproductionPlans.ORIGIN;
-import static org.hificamsim.reproduction.ReproductionPlans.STANDARD;
 import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
 
+import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
 import org.hificamsim.reproduction.Judgement.Judged;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
@@ -27,25 +24,23 @@ public final class Table81 {
   }
 
   /**
-   * A cell compared with the published one, with other readings of it; NaN where one does not
-   * apply.
+   * A cell compared with the published one.
    *
    * @param ours performance over that of the same detection model's optimum
-   * @param overHifi CamSim's performance over the hi-fi optimum
-   * @param at45 the same with CamSim's threshold at 0.45
-   * @param exploreAny epsilon-greedy that explores among all levels, the best one included
-   * @param origin the cluster with the script about the field's centre
-   * @param standard CamSim's cells under Eq 6.2 as printed
+   * @param readings what it is when read otherwise; NaN where that changes nothing
    */
   public record Cell(
-      PublishedCell published,
-      Estimate ours,
-      Verdict verdict,
-      double overHifi,
-      double at45,
-      double exploreAny,
-      double origin,
-      double standard) {
+      PublishedCell published, Estimate ours, Verdict verdict, Map<Reading, Double> readings) {
+    /** What it is under a reading. */
+    public double of(Reading reading) {
+      return readings.get(reading);
+    }
+
+    /** What it is under a reading, our defaults where that changes nothing. */
+    double of(Optional<Reading> reading) {
+      return reading.map(readings::get).filter(value -> !value.isNaN()).orElse(ours.mean());
+    }
+
     /** Ours less the published. */
     public double difference() {
       return ours.mean() - published.proportion();
@@ -89,13 +84,13 @@ public final class Table81 {
       String formula =
           published.policy().equals(ZOOM_OUT)
               ? "CamSim's formula, Eq 6.2, depends on the zoom alone and can give 0 or 1 here"
-              : String.format(Locale.ROOT, "CamSim's formula, Eq 6.2, gives %.2f", standard);
+              : String.format(Locale.ROOT, "CamSim's formula, Eq 6.2, gives %.2f", of(Reading.EQ_62));
       return String.format(
           Locale.ROOT,
           "; %s; its threshold is not published; camsim-range at 0.45 over the hi-fi optimum is"
               + " %.2f",
           formula,
-          at45);
+          of(Reading.HIFI_OPTIMUM_AT_45));
     }
   }
 
@@ -105,22 +100,13 @@ public final class Table81 {
   }
 
   private Cell cell(PublishedCell published) {
-    Layout layout = published.layout();
-    String policy = published.policy();
-    boolean greedy = policy.equals(EPSILON_GREEDY);
-    boolean cluster = layout == Layout.CLUSTER;
-    Estimate ours = ratio(layout.scenarios(), published.detection(), policy).estimate();
-    return new Cell(
-        published,
-        ours,
-        Verdict.of(ours, published.proportion()),
-        published.hifi() ? Double.NaN : overHifi(published, CAMSIM),
-        published.hifi() ? Double.NaN : overHifi(published, CAMSIM_45),
-        greedy ? mean(layout.scenarios(), published.detection(), ANY) : Double.NaN,
-        cluster
-            ? mean(List.of(layout.random(), ORIGIN), published.detection(), policy)
-            : Double.NaN,
-        published.hifi() ? Double.NaN : mean(layout.scenarios(), STANDARD, policy));
+    Estimate ours =
+        ratio(published.layout().scenarios(), published.detection(), published.policy()).estimate();
+    Map<Reading, Double> readings = new EnumMap<>(Reading.class);
+    for (Reading reading : Reading.values()) {
+      readings.put(reading, reading.of(this, published));
+    }
+    return new Cell(published, ours, Verdict.of(ours, published.proportion()), readings);
   }
 
   /** The ratio of a policy over some scenarios. */
@@ -128,15 +114,31 @@ public final class Table81 {
     return Ratio.of(find(scenarios, detection, policy));
   }
 
-  private double mean(List<String> scenarios, String detection, String policy) {
-    return ratio(scenarios, detection, policy).estimate().mean();
+  double mean(List<String> scenarios, String detection, String policy) {
+    return ratio(scenarios, detection, policy).mean();
   }
 
-  private double overHifi(PublishedCell cell, String detection) {
-    List<String> scenarios = cell.layout().scenarios();
-    return Ratio.over(find(scenarios, detection, cell.policy()), find(scenarios, HIFI, OPTIMAL))
-        .estimate()
+  /** The ratio to another policy's performance, in place of the optimum's. */
+  double over(List<String> scenarios, String detection, String policy, String other) {
+    return Ratio.overPerformance(
+            find(scenarios, detection, policy), find(scenarios, detection, other))
         .mean();
+  }
+
+  /** A cell of one policy under another one; NaN for all others. */
+  double instead(PublishedCell cell, String policy, String other) {
+    return cell.policy().equals(policy)
+        ? mean(cell.layout().scenarios(), cell.detection(), other)
+        : Double.NaN;
+  }
+
+  /** CamSim's cell over the hi-fi optimum; NaN for hi-fi. */
+  double overHiFi(PublishedCell cell, String detection) {
+    List<String> scenarios = cell.layout().scenarios();
+    return cell.hifi()
+        ? Double.NaN
+        : Ratio.over(find(scenarios, detection, cell.policy()), find(scenarios, HIFI, OPTIMAL))
+            .mean();
   }
 
   private List<CaseResult> find(List<String> scenarios, String detection, String policy) {

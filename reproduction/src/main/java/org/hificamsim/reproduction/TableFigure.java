@@ -55,8 +55,8 @@ final class TableFigure {
     panel.interval(x - BESIDE, cell.ours().low(), cell.ours().high(), color);
     panel.dots(point(x - BESIDE, cell.ours().mean()), color);
     panel.diamonds(point(x + BESIDE, published.proportion()), pale(published.hifi()));
-    if (!Double.isNaN(cell.standard())) {
-      panel.dots(point(x - 2 * BESIDE, cell.standard()), Palette.GREY);
+    if (!Double.isNaN(cell.of(Reading.EQ_62))) {
+      panel.dots(point(x - 2 * BESIDE, cell.of(Reading.EQ_62)), Palette.GREY);
     }
   }
 

@@ -26,10 +26,15 @@ public enum Verdict {
    * published one lies in our 95% interval all the same; otherwise not.
    */
   public static Verdict of(Estimate ours, double published) {
-    if (Math.abs(ours.mean() - published) <= TOLERANCE + ROUNDING) {
+    if (isNear(ours.mean() - published)) {
       return REPRODUCED;
     }
     return ours.low() <= published && published <= ours.high() ? WITHIN_INTERVAL : NOT_REPRODUCED;
+  }
+
+  /** Whether a distance from what is published is at most 0.05. */
+  static boolean isNear(double distance) {
+    return Math.abs(distance) <= TOLERANCE + ROUNDING;
   }
 
   /**

@@ -33,6 +33,7 @@ final class ComparisonReport {
   private static final List<String> OTHERS =
       List.of(
           "adapting.csv",
+          "readings.csv",
           "verdicts.csv",
           "table-8.1.csv",
           "sensitivity.csv",

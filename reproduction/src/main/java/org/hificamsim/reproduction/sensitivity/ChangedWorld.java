@@ -25,6 +25,22 @@ final class ChangedWorld {
         .with(Scenario.NAME, scenario.name() + "-q" + size);
   }
 
+  /** All targets of another speed, metres a step. */
+  static Scenario withSpeed(Scenario scenario, double speed) {
+    return scenario
+        .withTargets(target -> target.with(TargetSpec.SPEED, speed))
+        .with(Scenario.NAME, scenario.name() + "-v" + speed);
+  }
+
+  /** The zoom levels' radii in proportion, up to the widest one's, metres. */
+  static Scenario withWidestRadius(Scenario scenario, double radius) {
+    List<Double> radii = scenario.zooms();
+    double widest = radii.get(radii.size() - 1);
+    return scenario
+        .with(Scenario.ZOOMS, radii.stream().map(one -> radius * (one / widest)).toList())
+        .with(Scenario.NAME, scenario.name() + "-r" + radius);
+  }
+
   /**
    * All cameras at the height at which the narrowest level has a focal length (Eqs 3.1, 3.2).
    *

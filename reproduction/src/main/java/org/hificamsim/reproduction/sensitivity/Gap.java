@@ -8,6 +8,7 @@ import org.hificamsim.reproduction.Layout;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep;
 import org.hificamsim.reproduction.sensitivity.Sweeps.ParameterSweep.Variant;
 import org.hificamsim.runs.Estimate;
+import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.Cases;
 import org.hificamsim.runs.compare.Ratio;
 import org.hificamsim.runs.statistics.Bootstrap;
@@ -105,11 +106,17 @@ record Gap(
     return layouts.stream()
         .map(
             layout ->
-                layout.scenarios().stream()
-                    .map(name -> variant.scenarios().get(name).name())
-                    .map(name -> cases.find(name, detection.name(), variant.policies().get(policy)))
-                    .toList())
-        .map(Ratio::of)
+                Ratio.overPerformance(
+                    found(variant, detection, variant.policies().get(policy), layout, cases),
+                    found(variant, detection, variant.greedy(), layout, cases)))
+        .toList();
+  }
+
+  private static List<CaseResult> found(
+      Variant variant, Detection detection, String policy, Layout layout, Cases cases) {
+    return layout.scenarios().stream()
+        .map(name -> variant.scenarios().get(name).name())
+        .map(name -> cases.find(name, detection.name(), policy))
         .toList();
   }
 }

@@ -14,8 +14,9 @@ import org.hificamsim.runs.output.Table;
 public final class SensitivityFiles {
   private static final String PARAMETER =
       "`threshold-hifi`, `threshold-camsim`, `targets`, `gamma`, `epsilon`, `k`, `reward`, `size`"
-          + " (q, m), `optics` (focal length of the narrowest level, m), `f`, `g`, `state` or"
-          + " `formula` (CamSim's)";
+          + " (q, m), `optics` (focal length of the narrowest level, m), `f`, `g`, `state`,"
+          + " `formula` (CamSim's), `speed` (m a step), `radii` (the widest, m), `alpha`, `q0`,"
+          + " `ties` or `greedy` (what all are divided by)";
   private static final String VALUE =
       "its value, all else at the default; text, since some have words";
   private static final String DEFAULT = "`true` or `false`: whether the value is the default";

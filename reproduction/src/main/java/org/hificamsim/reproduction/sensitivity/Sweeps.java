@@ -3,6 +3,7 @@ package org.hificamsim.reproduction.sensitivity;
 import static org.hificamsim.reproduction.ReproductionPlans.CAMSIM;
 import static org.hificamsim.reproduction.ReproductionPlans.EPSILON_GREEDY;
 import static org.hificamsim.reproduction.ReproductionPlans.HIFI;
+import static org.hificamsim.reproduction.ReproductionPlans.OPTIMAL;
 import static org.hificamsim.reproduction.ReproductionPlans.QB_SARSA;
 import static org.hificamsim.reproduction.ReproductionPlans.SARSA;
 import static org.hificamsim.reproduction.ReproductionPlans.ZOOM_OUT;
@@ -128,7 +129,34 @@ public final class Sweeps {
             "formula of CamSim's model",
             "camsim-range camsim-standard camsim-visibility geometric",
             camsim.name(),
-            one -> one.withCamSim(detection(one.value()))));
+            one -> one.withCamSim(detection(one.value()))),
+        sweep(
+            "speed",
+            "targets' speed, m a step",
+            "0.25 0.5 1.0 2.0",
+            1.0,
+            one ->
+                one.withScenarios(
+                    scenario -> ChangedWorld.withSpeed(scenario, Double.parseDouble(one.value())))),
+        sweep(
+            "radii",
+            "widest level's radius, m, the others in proportion",
+            "6.0 6.75 7.5 8.25 9.0",
+            7.5,
+            one ->
+                one.withScenarios(
+                    scenario ->
+                        ChangedWorld.withWidestRadius(scenario, Double.parseDouble(one.value())))),
+        options(
+            "alpha", "learning rate of SARSA and QB-SARSA", "0.05 0.1 0.2 0.3 0.5", "0.1", TEMPORAL),
+        options("q0", "value of every action at first", "-3 0 1 3", "0", TEMPORAL),
+        options("ties", "best of equally good levels", "widest narrowest", "widest", LEARNERS),
+        sweep(
+            "greedy",
+            "reading of thesis 7.4.1's greedy, by which all are divided",
+            "optimal one-hop one-hop:ties=narrowest",
+            OPTIMAL,
+            one -> one.withGreedy(one.value())));
   }
 
   /** The plans of all sweeps, each once. */
@@ -141,6 +169,7 @@ public final class Sweeps {
             for (String policy : variant.policies().values()) {
               plans.add(asked.plan(scenario, detection, policy));
             }
+            plans.add(asked.plan(scenario, detection, variant.greedy()));
           }
         }
       }
@@ -186,7 +215,13 @@ public final class Sweeps {
             .map(
                 value ->
                     new Variant(
-                        value, value.equals(standard.toString()), scenarios, hifi, camsim, specs))
+                        value,
+                        value.equals(standard.toString()),
+                        scenarios,
+                        hifi,
+                        camsim,
+                        specs,
+                        OPTIMAL))
             .map(one -> one.standard() ? one : change.apply(one))
             .toList();
     return new ParameterSweep(parameter, meaning, variants);
@@ -210,6 +245,7 @@ public final class Sweeps {
      * @param standard whether the value is the default
      * @param scenarios those of Table 7.1, by their names there
      * @param policies what is run for each policy that the parameter can change, by its name
+     * @param greedy the policy by whose performance all others are divided
      */
     record Variant(
         String value,
@@ -217,30 +253,35 @@ public final class Sweeps {
         Map<String, Scenario> scenarios,
         Detection hifi,
         Detection camsim,
-        Map<String, String> policies) {
+        Map<String, String> policies,
+        String greedy) {
       /** Both detection models. */
       List<Detection> detections() {
         return List.of(camsim, hifi);
       }
 
       Variant withHifi(Detection other) {
-        return new Variant(value, standard, scenarios, other, camsim, policies);
+        return new Variant(value, standard, scenarios, other, camsim, policies, greedy);
       }
 
       Variant withCamSim(Detection other) {
-        return new Variant(value, standard, scenarios, hifi, other, policies);
+        return new Variant(value, standard, scenarios, hifi, other, policies, greedy);
       }
 
       Variant withScenarios(UnaryOperator<Scenario> change) {
         Map<String, Scenario> changed = new LinkedHashMap<>();
         scenarios.forEach((name, scenario) -> changed.put(name, change.apply(scenario)));
-        return new Variant(value, standard, changed, hifi, camsim, policies);
+        return new Variant(value, standard, changed, hifi, camsim, policies, greedy);
       }
 
       Variant withOption(String option) {
         Map<String, String> changed = new LinkedHashMap<>();
         policies.forEach((name, spec) -> changed.put(name, spec + ":" + option + "=" + value));
-        return new Variant(value, standard, scenarios, hifi, camsim, changed);
+        return new Variant(value, standard, scenarios, hifi, camsim, changed, greedy);
+      }
+
+      Variant withGreedy(String policy) {
+        return new Variant(value, standard, scenarios, hifi, camsim, policies, policy);
       }
     }
   }

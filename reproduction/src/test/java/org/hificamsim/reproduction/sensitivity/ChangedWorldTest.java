@@ -47,6 +47,15 @@ class ChangedWorldTest {
     assertEquals("ring-random-z0.05", changed.name());
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"ring-random", "cluster-scripted"})
+  void allTargetsGetTheSpeedAndAllLevelsTheirRadius(String name) {
+    Scenario changed = ChangedWorld.withWidestRadius(ChangedWorld.withSpeed(read(name), 0.5), 9);
+    targets(changed).forEach(target -> assertEquals(0.5, target.speed()));
+    assertEquals(List.of(3.0, 4.5, 6.0, 7.5, 9.0), changed.zooms());
+    assertEquals(name + "-v0.5-r9.0", changed.name());
+  }
+
   private static List<TargetSpec> targets(Scenario scenario) {
     return scenario.targets().isEmpty()
         ? scenario.events().stream()

@@ -3,6 +3,7 @@ package org.hificamsim.runs.compare;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
+import java.util.stream.IntStream;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.ScoredRun;
@@ -29,6 +30,11 @@ public record Ratio(double[] performance, double[] optimum) {
         sums(others, ScoredRun::optimum));
   }
 
+  /** Cases over the performance of other cases. */
+  public static Ratio overPerformance(List<CaseResult> cases, List<CaseResult> others) {
+    return new Ratio(of(cases).performance, of(others).performance);
+  }
+
   private static double[] sums(List<CaseResult> cases, ToDoubleFunction<ScoredRun> figure) {
     double[] sums = new double[cases.get(0).runs().size()];
     for (CaseResult one : cases) {
@@ -40,6 +46,11 @@ public record Ratio(double[] performance, double[] optimum) {
   /** The ratio with its 95% interval; NaN throughout where no optimum is above 0. */
   public Estimate estimate() {
     return Bootstrap.of(performance.length, this::at);
+  }
+
+  /** The ratio without its interval, for which nothing is drawn. */
+  public double mean() {
+    return at(IntStream.range(0, performance.length).toArray());
   }
 
   /** What this is more than another, with its 95% interval. */

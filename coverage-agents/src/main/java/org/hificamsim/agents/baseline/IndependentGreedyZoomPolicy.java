@@ -16,8 +16,10 @@ import org.hificamsim.core.registry.Options;
  * <p>It chooses among the views that it {@linkplain NetworkView#reaches reaches}; where it would
  * detect nothing in any of these, it sets out for the best view of all, however far. Of equally
  * good views it takes the one it is in, then the widest, then the one that it turns least for.
+ *
+ * <p>It is not the greedy approach of thesis 7.4.1, which is {@code optimal} or {@code one-hop}.
  */
-public final class GreedyZoomPolicy implements ZoomPolicy {
+public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
   /** Which views a camera chooses among. */
   private enum Among {
     REACHED,
@@ -30,7 +32,7 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
   private double[] chances = {};
 
   /** Reads the option {@code among}. */
-  public GreedyZoomPolicy(Options options) {
+  public IndependentGreedyZoomPolicy(Options options) {
     among =
         options.choice(
             "among",
@@ -40,7 +42,7 @@ public final class GreedyZoomPolicy implements ZoomPolicy {
 
   @Override
   public String name() {
-    return "greedy";
+    return "independent-greedy";
   }
 
   @Override
