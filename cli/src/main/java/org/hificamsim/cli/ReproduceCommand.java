@@ -100,7 +100,9 @@ final class ReproduceCommand implements Callable<Integer> {
   }
 
   private static String text(Table81.Cell cell, Reading reading) {
-    return Double.isNaN(cell.of(reading)) ? "" : String.format(Locale.ROOT, "%.2f", cell.of(reading));
+    return Double.isNaN(cell.of(reading))
+        ? ""
+        : String.format(Locale.ROOT, "%.2f", cell.of(reading));
   }
 
   /** Both columns of a reading in a line: the hi-fi column's distance comes before CamSim's. */

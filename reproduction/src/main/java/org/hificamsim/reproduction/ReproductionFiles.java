@@ -87,7 +87,10 @@ public final class ReproductionFiles {
                   "whose nine cells these are: `hi-fi` or `CamSim`",
                   one -> one.hifi() ? "hi-fi" : "CamSim"),
               Column.ofDouble(
-                  "distance", "share", "the mean distance from the published cells", Distance::mean),
+                  "distance",
+                  "share",
+                  "the mean distance from the published cells",
+                  Distance::mean),
               Column.ofLong("within", "cells", "how many are at most 0.05 away", Distance::within),
               Column.ofInt("steps", "steps", "of each run", Distance::steps),
               Column.ofInt("seeds", "", "how many", Distance::seeds));

@@ -39,7 +39,6 @@ record Statement(
    */
   record Otherwise(String reading, List<Check> checks) {}
 
-
   /**
    * A comparison of two cases under the hi-fi model, each {@code scenario/policy}; with {@code *}
    * it is one for each of the six scenarios.

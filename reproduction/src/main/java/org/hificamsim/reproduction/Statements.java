@@ -42,7 +42,9 @@ final class Statements {
         one.checks().isEmpty() ? detections.margins(one.id()) : margins(one, one.checks());
     Stream<String> reasons =
         Stream.of(
-            reason(margins), one.published() == null ? one.remark() : withOurs(one), otherwise(one));
+            reason(margins),
+            one.published() == null ? one.remark() : withOurs(one),
+            otherwise(one));
     return new Judged(
         "statement",
         one.id(),

@@ -84,7 +84,8 @@ public final class Table81 {
       String formula =
           published.policy().equals(ZOOM_OUT)
               ? "CamSim's formula, Eq 6.2, depends on the zoom alone and can give 0 or 1 here"
-              : String.format(Locale.ROOT, "CamSim's formula, Eq 6.2, gives %.2f", of(Reading.EQ_62));
+              : String.format(
+                  Locale.ROOT, "CamSim's formula, Eq 6.2, gives %.2f", of(Reading.EQ_62));
       return String.format(
           Locale.ROOT,
           "; %s; its threshold is not published; camsim-range at 0.45 over the hi-fi optimum is"

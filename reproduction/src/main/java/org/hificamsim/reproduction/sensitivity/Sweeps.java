@@ -148,7 +148,11 @@ public final class Sweeps {
                     scenario ->
                         ChangedWorld.withWidestRadius(scenario, Double.parseDouble(one.value())))),
         options(
-            "alpha", "learning rate of SARSA and QB-SARSA", "0.05 0.1 0.2 0.3 0.5", "0.1", TEMPORAL),
+            "alpha",
+            "learning rate of SARSA and QB-SARSA",
+            "0.05 0.1 0.2 0.3 0.5",
+            "0.1",
+            TEMPORAL),
         options("q0", "value of every action at first", "-3 0 1 3", "0", TEMPORAL),
         options("ties", "best of equally good levels", "widest narrowest", "widest", LEARNERS),
         sweep(

@@ -1,0 +1,194 @@
+"""Puts tables into the pages of docs/, between <!-- NAME --> and <!-- end -->, from results: tables.py NAME FOLDER...; for docs/make-figures."""
+
+import csv
+import json
+import math
+import pathlib
+import re
+import sys
+
+DOCS = pathlib.Path(__file__).parent
+LAYOUTS = ("lattice", "ring", "cluster")
+DASH = "-"
+
+
+def rows(folder, name):
+    with open(pathlib.Path(folder, name), newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def number(text):
+    return float(text) if text else math.nan
+
+
+def put(page, name, text):
+    path = DOCS / page
+    pattern = re.compile(rf"(<!-- {re.escape(name)} -->\n).*?(<!-- end -->)", re.S)
+    old = path.read_text(encoding="utf-8")
+    if not pattern.search(old):
+        sys.exit(f"error: docs/{page}: no <!-- {name} --> ... <!-- end -->")
+    path.write_text(pattern.sub(lambda part: part[1] + text + part[2], old), encoding="utf-8")
+
+
+def table(header, lines):
+    return "".join(
+        "| " + " | ".join(cells) + " |\n" for cells in [header, ["---"] * len(header), *lines]
+    ).replace("| --- |", "|---|").replace(" --- |", "---|")
+
+
+# reproduce
+
+OTHERS = {
+    "over_one_hop": "over one hop",
+    "eq_6.2": "CamSim by Eq 6.2",
+    "over_hifi_optimum_at_0.45": "CamSim at 0.45 over the hi-fi optimum",
+    "explore_any": "`explore=any`",
+    "cluster_script_at_origin": "cluster's script at the origin",
+}
+
+
+def cell(row, column):
+    value = number(row[column])
+    near = abs(value - number(row["published"])) <= 0.05 + 1e-9
+    return DASH if math.isnan(value) else f"**{value:.2f}**" if near else f"{value:.2f}"
+
+
+def table_81(folder):
+    cells = rows(folder, "table-8.1.csv")
+    lines = []
+    for detection in ("hifi:orb-lin", "camsim-range"):
+        for policy in ("zoom-out", "epsilon-greedy", "sarsa"):
+            own = [
+                next(r for r in cells if (r["layout"], r["policy"], r["detection"]) == (layout, policy, detection))
+                for layout in LAYOUTS
+            ]
+            line = [("hi-fi " if detection.startswith("hifi") else "CamSim ") + policy]
+            line.append(" / ".join(f"{number(r['published']):.2f}" for r in own))
+            line.append(" / ".join(cell(r, "proportion") for r in own))
+            line.append(own[0]["role"])
+            for column in OTHERS:
+                read = " / ".join(cell(r, column) for r in own)
+                line.append("" if set(read) <= set("- /") else read.removeprefix("- / - / "))
+            lines.append(line)
+    put("reproduction.md", "table-8.1", table(["", "published", "ours", "", *OTHERS.values()], lines))
+
+
+READINGS = {
+    "default": "our defaults",
+    "over_one_hop": "greedy is the best within one zoom level of the present one",
+    "over_hifi_optimum": "CamSim over the hi-fi optimum",
+    "over_hifi_optimum_at_0.45": "the same with CamSim's threshold at 0.45",
+    "explore_any": "epsilon-greedy explores any level",
+    "cluster_script_at_origin": "the cluster's script about the field's centre",
+    "eq_6.2": "CamSim by Eq 6.2 as printed",
+    "reward_sign": "SARSA's reward is the sign of the change",
+    "reward_literal": "SARSA's reward is Eq 7.5 as printed",
+}
+
+
+def readings(folder):
+    found = rows(folder, "readings.csv")
+    lines = []
+    for name, words in READINGS.items():
+        line = [words]
+        for detection in ("hi-fi", "CamSim"):
+            own = next(r for r in found if (r["reading"], r["detection"]) == (name, detection))
+            line += [f"{number(own['distance']):.3f}", f"{own['within']} of 9"]
+        lines.append(line)
+    put("reproduction.md", "readings", table(["", "hi-fi", "within 0.05", "CamSim", "within 0.05"], lines))
+
+
+def verdicts(folder):
+    statements = [row for row in rows(folder, "verdicts.csv") if row["kind"] == "statement"]
+    lines = []
+    for row in statements:
+        fitted = " *(fitted)*" if row["role"] == "fitted" else ""
+        why = row["why"].replace(" checks hold; weakest:", ";")
+        lines.append([row["claim"], row["source"], row["verdict"] + fitted, why])
+    put("reproduction.md", "verdicts", table(["statement", "source", "verdict", "checks that hold; the weakest margin"], lines))
+
+
+def reproduce(folder):
+    table_81(folder)
+    readings(folder)
+    verdicts(folder)
+
+
+# sensitivity
+
+UNITS = {"size": "q, m", "optics": "focal length of the narrowest level, m", "formula": "CamSim's", "speed": "m a step", "radii": "the widest, m", "greedy": "what all are divided by"}
+
+
+def sensitivity(folder):
+    places = [row for row in rows(folder, "sensitivity.csv") if row["layout"] != "all"]
+    lines = []
+    for parameter in dict.fromkeys(row["parameter"] for row in places):
+        own = [row for row in places if row["parameter"] == parameter]
+        values = {row["value"]: row["default"] == "true" for row in own}
+        flips = []
+        for value in values:
+            at = [row for row in own if row["value"] == value]
+            count = sum(row["finding"] == "overestimates" for row in at)
+            if count:
+                flips.append(f"at {value}: {count} of {len(at)}")
+        holds = sum(row["finding"] == "underestimates" for row in own)
+        unit = f" ({UNITS[parameter]})" if parameter in UNITS else ""
+        lines.append(
+            [
+                f"`{parameter}`{unit}",
+                ", ".join(value + ("*" if default else "") for value, default in values.items()),
+                f"{holds} of {len(own)}",
+                ", ".join(flips) or "nowhere",
+            ]
+        )
+    put("reproduction.md", "sensitivity", table(["parameter", "values", "holds", "flips"], lines))
+
+
+# the sites of world.md
+
+HIDDEN = ("optimal",)  # by which all are divided
+
+
+def means(folder, metric):
+    return {row["policy"]: row for row in rows(folder, "summary.csv") if row["metric"] == metric}
+
+
+def interval(row, form):
+    if row["low"] == row["high"]:
+        return f"{number(row['mean']):{form}} in every seed"
+    return f"{number(row['mean']):{form}} [{number(row['low']):{form}}, {number(row['high']):{form}}]"
+
+
+def sites(*folders):
+    """Of each site: what adapting is worth to a bound that jumps, and to cameras that move."""
+    values, shares = [], {}
+    for folder in folders:
+        name = pathlib.Path(folder).name
+        steps = steps_of(folder)
+        score = means(folder, "score")
+        optimum = number(score["optimal"]["mean"]) / steps
+        adapting = means(folder, "value_of_adapting")["optimal"]
+        learning = means(folder, "value_of_learning")
+        moving = [learning[policy] for policy in ("independent-greedy", "one-hop") if policy in learning]
+        best = max(moving, key=lambda row: number(row["mean"]))
+        values.append(
+            [f"[{name}](../scenarios/{name}.xml)", adapting["runs"], f"{optimum:.2f}", f"**{interval(adapting, '.2f')}**", f"{interval(best, '.2f')} (`{best['policy']}`)"]
+        )
+        for policy, row in means(folder, "proportion_of_optimal").items():
+            if policy not in HIDDEN:
+                shares.setdefault(policy, {})[name] = f"{number(row['mean']):.2f}"
+    header = ["site", "seeds", "`optimal`, mean score", "value of adapting, jumping", "value of adapting, moving"]
+    put("world.md", "sites", table(header, values))
+    names = [pathlib.Path(folder).name for folder in folders]
+    order = sorted(shares, key=lambda policy: -sum(float(shares[policy].get(name, 0)) for name in names))
+    lines = [[f"`{policy}`", *(shares[policy].get(name, DASH) for name in names)] for policy in order]
+    put("world.md", "shares", table(["", *names], lines))
+
+
+def steps_of(folder):
+    with open(pathlib.Path(folder, "settings.json"), encoding="utf-8") as file:
+        return json.load(file)[0]["steps"]
+
+
+if __name__ == "__main__":
+    {"reproduce": reproduce, "sensitivity": sensitivity, "sites": sites}[sys.argv[1]](*sys.argv[2:])
