@@ -42,7 +42,7 @@ class BaselineZoomPolicyTest {
           }
         };
     byChance.see(0, 0, 0, 1);
-    ZoomPolicy greedy = byChance.begin(new GreedyZoomPolicy(Options.none("greedy")), 1);
+    ZoomPolicy greedy = byChance.begin(new IndependentGreedyZoomPolicy(Options.none("greedy")), 1);
     byChance.decide(greedy);
     assertArrayEquals(new int[] {1}, byChance.currentLevels());
   }
