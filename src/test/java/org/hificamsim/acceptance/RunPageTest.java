@@ -181,6 +181,39 @@ class RunPageTest {
   }
 
   @Test
+  void theMapIsMagnifiedMovedAndShownWholeByWheelDragKeysAndButtons() {
+    open(run);
+    String across = "return hificamsim.player.field.map.x(1) - hificamsim.player.field.map.x(0)";
+    double before = ((Number) browser.run(across)).doubleValue();
+    browser.run(
+        "hificamsim.player.field.surface.canvas.dispatchEvent(new WheelEvent('wheel',"
+            + " {deltaY: -400, clientX: 300, clientY: 300}))");
+    assertEquals(Math.E * before, ((Number) browser.run(across)).doubleValue(), 1e-6);
+    browser.run("document.querySelector('canvas.field').focus()");
+    String left = "return hificamsim.player.field.closer.left";
+    double from = ((Number) browser.run(left)).doubleValue();
+    browser.press(Keys.ARROW_RIGHT);
+    assertTrue(((Number) browser.run(left)).doubleValue() < from);
+    assertEquals("0", browser.text("[data-name=step]"), "the arrow was the map's");
+    browser.press("0");
+    assertEquals(before, ((Number) browser.run(across)).doubleValue(), 1e-9);
+    browser.find(".lens button").click();
+    assertEquals(1.5 * before, ((Number) browser.run(across)).doubleValue(), 1e-6);
+  }
+
+  @Test
+  void theChosenReadersOrderIsRemembered() {
+    open(run);
+    String first = "return document.querySelector('.parts').firstElementChild.className";
+    assertEquals("single apart", browser.run(first));
+    new Select(browser.find("#reader")).selectByValue("researcher");
+    assertEquals("curves", browser.run(first));
+    open(run);
+    assertEquals("curves", browser.run(first));
+    new Select(browser.find("#reader")).selectByValue("planner");
+  }
+
+  @Test
   void saysThroughWhichLensACameraLooks() throws IOException {
     Path seen = record("seen", Cli.scenario("ring-random"), "--steps", 5);
     ObjectMapper json = new ObjectMapper();

@@ -323,6 +323,46 @@ class ViewPageTest {
     assertTrue(Files.readString(out.resolve("summary.json")).contains("\"cameras\" : 15"));
   }
 
+  @Test
+  void camerasAndTargetsAreRemovedAndComeBackWhileTheStepStays() {
+    pause();
+    long steps = number("hificamsim.runs[0].steps");
+    browser.findAll(".rows button").get(4).click();
+    browser.find(".remove-camera").click();
+    browser.until("return hificamsim.runs[0].setup.cameras.length === 13");
+    browser.find("#undo").click();
+    browser.until("return hificamsim.runs[0].setup.cameras.length === 14");
+    browser.press(Keys.chord(Keys.CONTROL, "y"));
+    browser.until("return hificamsim.runs[0].setup.cameras.length === 13");
+    browser.press(Keys.chord(Keys.CONTROL, "z"));
+    browser.until("return hificamsim.runs[0].setup.cameras.length === 14");
+    long targets = number("hificamsim.runs[0].setup.targets.length");
+    browser.run("hificamsim.players[0].targets.choose(1)");
+    browser.find(".remove-target").click();
+    browser.until("return hificamsim.runs[0].setup.targets.length === " + (targets - 1));
+    browser.until("return hificamsim.runs[0].steps === " + steps);
+  }
+
+  @Test
+  void aLevelIsHeldByHandAlsoWhereACameraCannotTurn() {
+    browser.findAll(".rows button").get(2).click();
+    browser.find(".agent [data-level='0'] .hold").click();
+    browser.until("return hificamsim.runs[0].level[2].at(-1) === 0");
+    browser.until("return !document.querySelector('.agent .free').hidden");
+    browser.find(".agent .free").click();
+    browser.until("return hificamsim.runs[0].level[2].at(-1) !== 0");
+  }
+
+  @Test
+  void aMessageDoesNotMoveTheField() {
+    pause();
+    String top = "return document.querySelector('canvas.field').getBoundingClientRect().top";
+    Object before = browser.run(top);
+    browser.run("hificamsim.tell('something is wrong')");
+    assertTrue(browser.find(".messages [role=alert]").isDisplayed());
+    assertEquals(before, browser.run(top));
+  }
+
   private static void type(String field, String value) {
     browser
         .find(".pose input[name=" + field + "]")
@@ -341,10 +381,10 @@ class ViewPageTest {
   void saysThatItDoesNotShowEveryStep() {
     pause();
     step(9);
-    assertTrue(!browser.find("p.notice:not([role])").isDisplayed());
+    assertTrue(!browser.find(".messages .notice:not([role])").isDisplayed());
     browser.run("hificamsim.runs[0].thin(); hificamsim.runs[0].thin(); hificamsim.refresh()");
     browser.until("return !hificamsim.waiting");
-    String told = browser.text("p.notice:not([role])");
+    String told = browser.text(".messages .notice:not([role])");
     assertTrue(told.matches("This run has \\d+ steps; the page shows one in 4 of the .*"), told);
   }
 

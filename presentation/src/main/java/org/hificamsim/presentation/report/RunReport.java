@@ -6,12 +6,15 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.CsvTable;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.RecordedRun;
@@ -33,6 +36,9 @@ final class RunReport {
   private final Path folder;
   private final Replay replay;
   private final JsonNode summary;
+
+  /** Of the recorded frames, by run; of none in a folder of an earlier version. */
+  private final Map<String, List<Double>> scores = new LinkedHashMap<>();
 
   private RunReport(Path folder) throws IOException {
     this.folder = folder;
@@ -57,6 +63,8 @@ final class RunReport {
     }
     data.set("summary", report.figures());
     data.set("names", MetricNames.json());
+    data.set("objective", JSON.valueToTree(report.objective()));
+    data.putPOJO("scores", report.scores.values());
     ResultFolder files = new ResultFolder(folder);
     data.put("command", files.command());
     data.put("version", files.version());
@@ -65,6 +73,12 @@ final class RunReport {
         "run-page.js",
         "runPage",
         JSON.writeValueAsString(data));
+  }
+
+  /** Of a folder that names none, the default. */
+  private ObjectiveWords objective() {
+    String text = summary.path("objective").asText();
+    return ObjectiveWords.of(text.isEmpty() ? Objective.kMin() : Objective.parse(text));
   }
 
   private PackedHeat heat() throws IOException {
@@ -108,9 +122,13 @@ final class RunReport {
         StepRow.each(
             folder,
             row -> {
-              check(row, recorded.remove(row.run() + "," + row.step()));
+              String frame = recorded.remove(row.run() + "," + row.step());
+              check(row, frame);
               sums[0] += row.kMin();
               sums[1] += scored ? row.score() : 0;
+              if (scored && frame != null) {
+                scores.computeIfAbsent(row.run(), any -> new ArrayList<>()).add(row.score());
+              }
             });
     if (!recorded.isEmpty()) {
       String[] missing = Collections.min(recorded.keySet()).split(",");
@@ -152,8 +170,7 @@ final class RunReport {
     if (!(Math.abs(said - mean) <= ROUNDING * Math.max(1, mean))) {
       throw new InputException(
           "%s: %s is %s, but the %s of %s make %s, expected the files of one run"
-              .formatted(
-                  folder.resolve(ResultFolder.SUMMARY), metric, said, column, steps, mean));
+              .formatted(folder.resolve(ResultFolder.SUMMARY), metric, said, column, steps, mean));
     }
   }
 
@@ -162,7 +179,7 @@ final class RunReport {
     ObjectNode figures = JSON.createObjectNode();
     ObjectNode settings = figures.putObject("settings");
     settings.setAll((ObjectNode) summary);
-    settings.remove(List.of("runs", "interval_95"));
+    settings.remove(List.of("runs", "interval_95", "score_words", "score_unit"));
     figures.put("repeat", replay.repeat());
     ObjectNode metrics = figures.putObject("metrics");
     for (Metric metric : Metric.ofRuns()) {

@@ -106,6 +106,34 @@ public sealed interface Command {
     }
   }
 
+  record RemoveCamera(int camera) implements Command {
+    @Override
+    public void obey(LiveSession session) {
+      session.renew(run -> run.removeCamera(camera));
+    }
+  }
+
+  record RemoveTarget(int target) implements Command {
+    @Override
+    public void obey(LiveSession session) {
+      session.renew(run -> run.removeTarget(target));
+    }
+  }
+
+  record Undo() implements Command {
+    @Override
+    public void obey(LiveSession session) {
+      session.renew(LiveRun::undo);
+    }
+  }
+
+  record Redo() implements Command {
+    @Override
+    public void obey(LiveSession session) {
+      session.renew(LiveRun::redo);
+    }
+  }
+
   record Choose(int side, String detection, Double threshold, String policy) implements Command {
     @Override
     public void obey(LiveSession session) {

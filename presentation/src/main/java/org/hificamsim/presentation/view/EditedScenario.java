@@ -1,9 +1,12 @@
 package org.hificamsim.presentation.view;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.UnaryOperator;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Obstacle;
@@ -11,15 +14,21 @@ import org.hificamsim.core.obstacle.Obstacles;
 import org.hificamsim.core.obstacle.Point;
 import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Field;
+import org.hificamsim.core.scenario.Property;
 import org.hificamsim.core.scenario.Scenario;
+import org.hificamsim.core.scenario.ScenarioEvent;
 import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.Waypoint;
 
-/** A scenario with cameras and walls that have been changed since it was read. */
+/** A scenario that has been changed since it was read, with what undo and redo need. */
 final class EditedScenario {
   private static final String ADDED = "added-";
 
   private final Scenario original;
+  private final Deque<Scenario> past = new ArrayDeque<>();
+  private final Deque<Scenario> undone = new ArrayDeque<>();
   private Scenario now;
+  private String moved = "";
 
   EditedScenario(Scenario original) {
     this.original = original;
@@ -33,7 +42,41 @@ final class EditedScenario {
 
   /** Makes it the one that was read again. */
   void forget() {
-    now = original;
+    become("", original);
+  }
+
+  /**
+   * Notes a change.
+   *
+   * @param move the camera that is moved or turned, empty for other changes: however long one
+   *     camera is dragged, it is one change
+   */
+  private void become(String move, Scenario changed) {
+    if (move.isEmpty() || !move.equals(moved)) {
+      past.push(now);
+    }
+    undone.clear();
+    moved = move;
+    now = changed;
+  }
+
+  /** Takes the last change back. */
+  void undo() {
+    step(past, undone, "undo");
+  }
+
+  /** Makes the change again that was taken back last. */
+  void redo() {
+    step(undone, past, "redo");
+  }
+
+  private void step(Deque<Scenario> from, Deque<Scenario> to, String what) {
+    if (from.isEmpty()) {
+      throw new InputException("no change, expected one to " + what);
+    }
+    to.push(now);
+    now = from.pop();
+    moved = "";
   }
 
   /** Moves a camera; refuses a place that is not in the field, or in a solid obstacle. */
@@ -51,7 +94,9 @@ final class EditedScenario {
   }
 
   private void change(String name, UnaryOperator<CameraSpec> change) {
-    now = now.withCameras(camera -> camera.name().equals(name) ? change.apply(camera) : camera);
+    become(
+        name,
+        now.withCameras(camera -> camera.name().equals(name) ? change.apply(camera) : camera));
   }
 
   /** Adds a camera that is like another one but for its place, after those of the start. */
@@ -65,7 +110,24 @@ final class EditedScenario {
             .with(CameraSpec.Y, y);
     List<CameraSpec> more = new ArrayList<>(now.cameras());
     more.add(added);
-    now = now.with(Scenario.CAMERAS, more);
+    become("", now.with(Scenario.CAMERAS, more));
+  }
+
+  /** Takes a camera away, with the events that it has. */
+  void removeCamera(int number) {
+    String name = element(now.everyCamera().toList(), number, "camera").name();
+    Scenario rest = without(Scenario.CAMERAS, number, ScenarioEvent.AddCamera.class);
+    List<ScenarioEvent> events =
+        rest.events().stream()
+            .filter(event -> !event.existingCamera().equals(Optional.of(name)))
+            .toList();
+    become("", rest.with(Scenario.EVENTS, events));
+  }
+
+  /** Takes a target away. */
+  void removeTarget(int number) {
+    element(now.everyTarget().toList(), number, "target");
+    become("", without(Scenario.TARGETS, number, ScenarioEvent.AddTarget.class));
   }
 
   /** Adds a solid wall after the other obstacles, where it hits no camera and no target. */
@@ -88,18 +150,62 @@ final class EditedScenario {
             });
     List<Obstacle> more = new ArrayList<>(now.obstacles());
     more.add(wall);
-    now = now.with(Scenario.OBSTACLES, more);
+    become("", now.with(Scenario.OBSTACLES, more));
   }
 
   /** Takes an obstacle away. */
-  void remove(int number) {
-    List<Obstacle> rest = new ArrayList<>(now.obstacles());
-    if (number < 0 || number >= rest.size()) {
+  void removeObstacle(int number) {
+    element(now.obstacles(), number, "obstacle");
+    become("", now.with(Scenario.OBSTACLES, without(now.obstacles(), number)));
+  }
+
+  private static <T> T element(List<T> all, int number, String what) {
+    if (number < 0 || number >= all.size()) {
       throw new InputException(
-          "obstacle is %s, expected one of the %s, from 0".formatted(number, rest.size()));
+          "%s is %s, expected one of the %s, from 0".formatted(what, number, all.size()));
     }
+    return all.get(number);
+  }
+
+  /**
+   * Without an element of the start, or the event that adds one later.
+   *
+   * @param number counts first the ones of the start, then those that events add
+   */
+  private <T> Scenario without(
+      Property<Scenario, List<T>> list, int number, Class<? extends ScenarioEvent> adds) {
+    List<T> start = now.get(list);
+    if (number < start.size()) {
+      return now.with(list, without(start, number));
+    }
+    ScenarioEvent event =
+        now.events().stream().filter(adds::isInstance).toList().get(number - start.size());
+    return now.with(Scenario.EVENTS, without(now.events(), now.events().indexOf(event)));
+  }
+
+  private static <T> List<T> without(List<T> list, int number) {
+    List<T> rest = new ArrayList<>(list);
     rest.remove(number);
-    now = now.with(Scenario.OBSTACLES, rest);
+    return rest;
+  }
+
+  /** The names of targets whose way from waypoint to waypoint leads through a solid obstacle. */
+  List<String> blocked() {
+    Obstacles solid = new Obstacles(now.obstacles());
+    return now.everyTarget()
+        .filter(target -> isBlocked(target.waypoints(), solid))
+        .map(TargetSpec::name)
+        .toList();
+  }
+
+  private static boolean isBlocked(List<Waypoint> way, Obstacles obstacles) {
+    return IntStream.range(0, way.size())
+        .anyMatch(
+            i -> {
+              Waypoint from = way.get(i);
+              Waypoint to = way.get((i + 1) % way.size());
+              return obstacles.transmittance(from.x(), from.y(), to.x(), to.y()) == 0;
+            });
   }
 
   /** Where a scenario file may have nothing solid: cameras and the starts and ways of targets. */

@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.hificamsim.presentation.replay.ReplayJson;
 import org.hificamsim.presentation.replay.Setup;
+import org.hificamsim.presentation.report.ObjectiveWords;
 
 /**
  * What a session shows: its simulations, their last steps, and how it goes on. Each page reads what
@@ -28,7 +29,7 @@ final class LiveFeed {
   private static final String NO_HEAT = "[]";
 
   /** One simulation. */
-  record SideMessage(Setup setup, String estimated) {}
+  record SideMessage(Setup setup, String estimated, ObjectiveWords objective) {}
 
   /**
    * What runs.

@@ -34,6 +34,7 @@ public final class LiveRun {
   private long seed;
   private long next;
   private boolean heat;
+  private boolean paused;
 
   /**
    * @param choice of the first simulation; its detection may be a model file
@@ -150,8 +151,43 @@ public final class LiveRun {
    * @param obstacle its number, from 0
    */
   public void remove(int obstacle) {
-    scenario.remove(obstacle);
+    scenario.removeObstacle(obstacle);
     rebuild();
+  }
+
+  /** Takes a camera away as if it had never been there. */
+  public void removeCamera(int camera) {
+    scenario.removeCamera(camera);
+    rebuild();
+  }
+
+  /** Takes a target away as if it had never been there. */
+  public void removeTarget(int target) {
+    scenario.removeTarget(target);
+    rebuild();
+  }
+
+  /** Takes the last change of cameras, targets or walls back; learning begins again. */
+  public void undo() {
+    scenario.undo();
+    rebuildAsWritten();
+  }
+
+  /** Makes the change again that was taken back last. */
+  public void redo() {
+    scenario.redo();
+    rebuildAsWritten();
+  }
+
+  /** What is odd about the scenario as it is now; perhaps nothing. */
+  String warning() {
+    List<String> blocked = scenario.blocked();
+    return blocked.isEmpty()
+        ? ""
+        : "the way of target %s leads through a solid obstacle: it walks through%s"
+            .formatted(
+                blocked.get(0),
+                blocked.size() > 1 ? ", as do %s others".formatted(blocked.size() - 1) : "");
   }
 
   /**
@@ -183,9 +219,26 @@ public final class LiveRun {
         .toList();
   }
 
+  /** Whether a change of what is there makes the last step again, and not the next one. */
+  void paused(boolean now) {
+    paused = now;
+  }
+
   private void rebuild() {
     World before = sides.get(0).world();
+    again();
     begin(() -> worldAs(before));
+  }
+
+  /** The same with cameras where the scenario has them. */
+  private void rebuildAsWritten() {
+    again();
+    begin(() -> world(next));
+  }
+
+  /** While nobody lets time pass, the step that is shown comes next again. */
+  private void again() {
+    next = Math.max(0, next - (paused ? 1 : 0));
   }
 
   /** The name of a camera that is online. */
@@ -245,8 +298,8 @@ public final class LiveRun {
     }
     Cameras cameras = other.cameras();
     for (int camera = 0; camera < cameras.count(); camera++) {
-      if (cameras.online(camera)) {
-        int number = numbers.get(cameras.name(camera));
+      Integer number = numbers.get(cameras.name(camera));
+      if (cameras.online(camera) && number != null) {
         world.moveCamera(number, cameras.x(camera), cameras.y(camera));
         world.turnCamera(number, cameras.heading(camera));
       }

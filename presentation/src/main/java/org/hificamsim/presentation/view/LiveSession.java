@@ -33,6 +33,7 @@ public final class LiveSession implements AutoCloseable {
    * @param fault why it has stopped; empty unless a policy or model failed
    * @param held cameras that somebody holds in a view
    * @param heat whether there is a heat map
+   * @param warning what is odd about the scenario as it was edited
    */
   private record StateMessage(
       boolean running,
@@ -41,7 +42,8 @@ public final class LiveSession implements AutoCloseable {
       long seed,
       String fault,
       @JsonInclude(JsonInclude.Include.NON_EMPTY) List<Integer> held,
-      @JsonInclude(JsonInclude.Include.NON_DEFAULT) boolean heat) {}
+      @JsonInclude(JsonInclude.Include.NON_DEFAULT) boolean heat,
+      @JsonInclude(JsonInclude.Include.NON_EMPTY) String warning) {}
 
   private final LiveRun run;
   private final LiveFeed feed;
@@ -188,6 +190,7 @@ public final class LiveSession implements AutoCloseable {
 
   /** Does something to the run by which it begins again; the first step follows at once. */
   void renew(Consumer<LiveRun> change) {
+    run.paused(!running);
     change.accept(run);
     fault = "";
     feed.begin(sides());
@@ -202,7 +205,7 @@ public final class LiveSession implements AutoCloseable {
 
   private List<LiveFeed.SideMessage> sides() {
     return run.sides().stream()
-        .map(side -> new LiveFeed.SideMessage(side.setup(), side.estimated()))
+        .map(side -> new LiveFeed.SideMessage(side.setup(), side.estimated(), side.objective()))
         .toList();
   }
 
@@ -210,7 +213,14 @@ public final class LiveSession implements AutoCloseable {
     feed.state(
         ReplayJson.of(
             new StateMessage(
-                running, perSecond, run.next(), run.seed(), fault, run.held(), run.heat())));
+                running,
+                perSecond,
+                run.next(),
+                run.seed(),
+                fault,
+                run.held(),
+                run.heat(),
+                Place.printable(run.warning()))));
   }
 
   private void showHeat() {

@@ -17,6 +17,7 @@ import org.hificamsim.presentation.replay.Move;
 import org.hificamsim.presentation.replay.PackedHeat;
 import org.hificamsim.presentation.replay.Setup;
 import org.hificamsim.presentation.replay.Snapshots;
+import org.hificamsim.presentation.report.ObjectiveWords;
 import org.hificamsim.runs.heat.FieldCells;
 import org.hificamsim.runs.heat.HeatRecorder;
 
@@ -75,7 +76,7 @@ final class LiveSide {
 
   private void record(NetworkView network, StepCoverage coverage) {
     List<Move> moves = snapshots.moves(network);
-    last = new LiveStep.Side(snapshots.take(network), moves);
+    last = new LiveStep.Side(snapshots.take(network), moves, coverage.score());
     if (heat != null) {
       heatFrom = heat.steps() == 0 ? network.step() : heatFrom;
       heat.stepped(network, coverage);
@@ -107,6 +108,11 @@ final class LiveSide {
 
   Setup setup() {
     return setup;
+  }
+
+  /** What a step is scored by. */
+  ObjectiveWords objective() {
+    return ObjectiveWords.of(world.scenario().objective());
   }
 
   /** What the agents' estimates are; empty where they have none. */

@@ -15,8 +15,9 @@ public record LiveStep(List<Side> sides) {
    * One simulation's part.
    *
    * @param moves cameras that stand or see otherwise since the step that was sent before
+   * @param score what the objective makes of the step
    */
-  public record Side(Frame frame, List<Move> moves) {}
+  public record Side(Frame frame, List<Move> moves, double score) {}
 
   /** Which step, from 0. */
   long number() {
@@ -29,7 +30,7 @@ public record LiveStep(List<Side> sides) {
     for (int i = 0; i < sides.size(); i++) {
       List<Move> moves = new ArrayList<>(left.sides.get(i).moves());
       moves.addAll(sides.get(i).moves());
-      merged.add(new Side(sides.get(i).frame(), moves));
+      merged.add(new Side(sides.get(i).frame(), moves, sides.get(i).score()));
     }
     return new LiveStep(merged);
   }
@@ -38,7 +39,7 @@ public record LiveStep(List<Side> sides) {
   LiveStep withoutEstimates(int side) {
     List<Side> changed = new ArrayList<>(sides);
     Side whole = sides.get(side);
-    changed.set(side, new Side(whole.frame().withoutEstimates(), whole.moves()));
+    changed.set(side, new Side(whole.frame().withoutEstimates(), whole.moves(), whole.score()));
     return new LiveStep(changed);
   }
 }

@@ -41,7 +41,8 @@ export class AgentPanel {
     const heads = [pose.lenses ? 'angle' : 'radius', 'detects at'].map(text => el('th', {scope: 'col'}, text));
     this.head.replaceChildren(el('th', {scope: 'col'}, 'level'), ...heads,
       ...(estimated ? [el('th', {scope: 'col', class: 'wide'}, estimated)] : []), ...(counted ? [el('th', {scope: 'col'}, 'times used')] : []));
-    this.rows = pose.levels.map((level, i) => levelRow(i, estimated, counted));
+    const hold = inRows && this.edit?.hold;
+    this.rows = pose.levels.map((level, i) => levelRow(i, estimated, counted, hold && (() => hold(this.camera, i))));
     this.showViews(pose);
     this.body.replaceChildren(...this.rows.map(row => row.element).reverse());
     this.pose = null;
@@ -52,7 +53,7 @@ export class AgentPanel {
   showViews(pose) {
     const hold = this.edit?.hold;
     this.table = pose.pans ? new ViewTable(pose, hold && (view => hold(this.camera, view))) : null;
-    this.free = hold && this.table ? el('button', {type: 'button', class: 'free', hidden: true, onclick: () => hold(this.camera, -1)}, 'leave its views to the policy') : null;
+    this.free = hold ? el('button', {type: 'button', class: 'free', hidden: true, onclick: () => hold(this.camera, -1)}, 'leave its views to the policy') : null;
     this.views.replaceChildren(...[this.table && el('h3', {}, this.run.estimated ? `views: ${this.run.estimated}` : 'views'), this.free, this.table?.element].filter(Boolean));
   }
 
@@ -69,6 +70,7 @@ export class AgentPanel {
     this.form?.show(camera, pose);
     if (pose !== this.pose) this.describe(pose);
     this.rows.forEach((row, i) => row.element.classList.toggle('now', Boolean(online) && i === view % pose.levels.length));
+    if (this.free) this.free.hidden = !this.edit.held(camera);
     if (this.table) this.showTable(frame, online ? view : -1, blind);
     else if (run.estimated) this.estimates(frame);
     say(this.note, this.remark());
@@ -78,7 +80,6 @@ export class AgentPanel {
     const {run, camera} = this;
     const of = lists => (run.estimated ? lists[camera].map(list => list[frame]) : null);
     this.table.show(view, blind, of(run.estimates), this.counted ? of(run.counts) : null);
-    if (this.free) this.free.hidden = !this.edit.held(camera);
   }
 
   describe(pose) {
@@ -135,9 +136,9 @@ const viewName = (pose, view) => {
   return `level ${zoom}${pose.pans ? `, ${signed(pan)}` : ''}`;
 };
 
-function levelRow(level, estimated, counted) {
+function levelRow(level, estimated, counted, hold) {
   const row = {radius: el('td'), range: el('td'), bar: el('i', {class: 'bar'}), value: el('span'), count: el('td')};
-  row.element = el('tr', {data: {level}}, el('th', {scope: 'row'}, String(level)), row.radius, row.range,
+  row.element = el('tr', {data: {level}}, el('th', {scope: 'row'}, hold ? el('button', {type: 'button', class: 'hold', 'aria-label': `hold level ${level}`, title: `hold level ${level}`, onclick: hold}, String(level)) : String(level)), row.radius, row.range,
     estimated ? el('td', {class: 'wide'}, row.bar, row.value) : null, counted ? row.count : null);
   row.value.dataset.name = 'estimate';
   return row;

@@ -16,7 +16,7 @@ const MOST_TIMES = 64;
 export class FieldView {
   /**
    * @param run what is shown
-   * @param on `select(camera)` when one is clicked; `drag(camera, x, y)`, if cameras can be moved; `line(ends)` when a wall has been
+   * @param on `select(camera)` when one is clicked, `pick(target)` when a target is; `drag(camera, x, y)`, if cameras can be moved; `line(ends)` when a wall has been
    *   drawn, its ends as x and y in turn, and `lining(ends)` while it is; `heat(figure)` when one of `figures` of the heat map is chosen, if there can be one
    */
   constructor(run, on) {
@@ -193,8 +193,9 @@ export class FieldView {
       this.surface.canvas.setPointerCapture(event.pointerId);
       return;
     }
-    const camera = this.nearest().camera;
+    const {camera, target} = this.nearest();
     this.on.select(camera);
+    if (camera < 0 && target >= 0) this.on.pick(target);
     if (camera >= 0 && this.on.drag) {
       const pose = this.run.pose(camera, this.frame);
       this.grabbed = {camera, at: this.pointer, centre: [this.map.x(pose.x), this.map.y(pose.y)], moves: false};

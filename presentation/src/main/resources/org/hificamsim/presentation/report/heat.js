@@ -75,3 +75,31 @@ export class HeatChoice {
     ];
   }
 }
+
+/** The connected areas that no camera ever covered, the largest first: each with its box and size in square metres. */
+export function blindSpots({columns, rows, figures}, {minX, maxX, minY, maxY}) {
+  const blind = figures.find(({name}) => name === 'covered').values.map(share => share === 0);
+  const [wide, high] = [(maxX - minX) / columns, (maxY - minY) / rows];
+  const spots = [];
+  for (let start = 0; start < blind.length; start++) {
+    if (!blind[start]) continue;
+    const spot = {cells: 0, minX: Infinity, maxX: -Infinity, minY: Infinity, maxY: -Infinity};
+    const waiting = [start];
+    blind[start] = false;
+    while (waiting.length) {
+      const cell = waiting.pop();
+      const [column, row] = [cell % columns, Math.floor(cell / columns)];
+      spot.cells++;
+      Object.assign(spot, {minX: Math.min(spot.minX, minX + column * wide), maxX: Math.max(spot.maxX, minX + (column + 1) * wide),
+        minY: Math.min(spot.minY, minY + row * high), maxY: Math.max(spot.maxY, minY + (row + 1) * high)});
+      const next = [column > 0 && cell - 1, column < columns - 1 && cell + 1, cell - columns, cell + columns];
+      for (const other of next) {
+        if (other === false || !blind[other]) continue;
+        blind[other] = false;
+        waiting.push(other);
+      }
+    }
+    spots.push({...spot, area: spot.cells * wide * high});
+  }
+  return spots.sort((a, b) => b.area - a.area);
+}

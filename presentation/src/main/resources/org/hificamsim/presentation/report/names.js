@@ -1,6 +1,6 @@
 // The names that people read, for those that files have: the latter stand in tooltips.
 import { el } from './dom.js';
-import { decimals } from './numbers.js';
+import { decimals, percent } from './numbers.js';
 
 const RULES = {chance: 'by chance', probability: 'by probability', threshold: 'by threshold'};
 const LAWS = {lin: 'linear', sr: 'symbolic', 'svr-lin': 'linear support vectors', 'svr-rbf': 'RBF support vectors', power: 'power law', pinhole: 'pinhole law'};
@@ -25,7 +25,7 @@ function fitted(family, text) {
 /** A number with its unit: shares as percentages. */
 export const withUnit = (value, unit = '') => (!Number.isFinite(value) ? '–' : isShare(unit) ? `${decimals(100 * value, 2)} %` : decimals(value, 4));
 
-export const isShare = unit => unit.startsWith('share');
+export const isShare = unit => /^share\b/.test(unit);
 
 /** What a unit says next to a number that has its percent sign. */
 export const besideUnit = (unit = '') => (isShare(unit) ? unit.replace(/^share ?/, '') : unit);
@@ -39,3 +39,9 @@ export function told(value) {
 
 /** A text with the raw name in its tooltip, where that is another one. */
 export const tipped = (text, raw) => el('span', {title: raw === text ? null : raw}, text);
+
+/** A score per step as a number. */
+export const scoreNumber = (score, {share}) => (share ? percent(score) : decimals(score, 2));
+
+/** A score per step in the objective's own words. */
+export const scoreText = (score, objective) => `${objective.title}: ${scoreNumber(score, objective)}`;

@@ -5,6 +5,7 @@ import { Readout } from './readout.js';
 import { AgentPanel } from './agent.js';
 import { Timeline } from './timeline.js';
 import { WallForm } from './wall-form.js';
+import { TargetForm } from './target-form.js';
 
 export class Player {
   /**
@@ -19,15 +20,16 @@ export class Player {
     this.playhead = playhead;
     const {edit} = options;
     const on = {
-      select: camera => this.select(camera), drag: edit?.move, ceiling: options.ceiling,
-      heat: options.heat, figures: options.figures, line: ends => edit.wall(...ends), lining: ends => this.walls.show(ends),
+      select: camera => this.select(camera), drag: edit?.move, ceiling: options.ceiling, objective: run.objective,
+      pick: target => this.targets?.choose(target), heat: options.heat, figures: options.figures, line: ends => edit.wall(...ends), lining: ends => this.walls.show(ends),
     };
     this.field = new FieldView(run, on);
     this.readout = new Readout(run);
     this.agent = new AgentPanel(run, options.edit);
     this.timeline = new Timeline(playhead, on);
     this.walls = edit && new WallForm(run.setup, {...edit, drawing: draws => this.field.drawLines(draws)});
-    if (edit) this.agent.element.append(this.walls.element);
+    this.targets = edit && new TargetForm(run.setup, edit);
+    if (edit) this.agent.element.append(...[this.walls, this.targets].map(({element}) => element).filter(Boolean));
     this.element = el('div', {class: 'player'}, this.field.element,
       el('div', {class: 'side'}, this.readout.element, this.agent.element), options.middle, this.timeline.element);
     this.timeline.load(run);

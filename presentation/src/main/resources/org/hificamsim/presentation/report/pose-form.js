@@ -1,4 +1,4 @@
-// Where the chosen camera stands and which way it looks, to be typed or stepped; and a camera more.
+// Where the chosen camera stands and which way it looks, to be typed or stepped; and a camera more or less.
 import { el } from './dom.js';
 import { decimals } from './numbers.js';
 
@@ -12,7 +12,7 @@ export const tidy = number => Math.round(number * 1000) / 1000;
 
 export class PoseForm {
   /**
-   * @param edit `move(camera, x, y)` in metres, `turn(camera, degrees)`, `add(camera)`
+   * @param edit `move(camera, x, y)` in metres, `turn(camera, degrees)`, `add(camera)`, `removeCamera(camera)`
    */
   constructor(edit) {
     this.x = field('x', 'm', () => this.move());
@@ -21,7 +21,8 @@ export class PoseForm {
     this.edit = edit;
     this.element = el('div', {class: 'pose', role: 'group', 'aria-label': 'the chosen camera’s place and heading'},
       ...[this.x, this.y, this.heading].map(input => input.label),
-      el('button', {type: 'button', class: 'add', onclick: () => edit.add(this.camera)}, 'add a camera like it'));
+      el('button', {type: 'button', class: 'add', onclick: () => edit.add(this.camera)}, 'add a camera like it'),
+      el('button', {type: 'button', class: 'remove-camera', onclick: () => edit.removeCamera(this.camera)}, 'remove it'));
   }
 
   move() {

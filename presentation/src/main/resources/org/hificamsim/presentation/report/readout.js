@@ -1,5 +1,6 @@
 // The numbers of the step that is shown: a row of steps.csv.
 import { el, say } from './dom.js';
+import { scoreNumber } from './names.js';
 import { decimals } from './numbers.js';
 
 const NUMBERS = [
@@ -15,13 +16,16 @@ export class Readout {
   constructor(run) {
     this.run = run;
     this.values = Object.fromEntries(NUMBERS.map(([name]) => [name, el('dd', {data: {name}})]));
-    this.element = el('dl', {class: 'readout'},
+    this.score = el('dd', {data: {name: 'score'}});
+    const score = run.objective && !run.objective.kMin && el('div', {class: 'score', title: run.objective.text}, this.score, el('dt', {}, run.objective.title));
+    this.element = el('dl', {class: 'readout'}, score || null,
       ...NUMBERS.map(([name, label]) => el('div', {class: name}, this.values[name], el('dt', {}, label))));
   }
 
   show(frame) {
     if (!this.run.count) return;
     const row = this.run.row(frame);
+    if (this.run.scored) say(this.score, scoreNumber(this.run.score[frame], this.run.objective));
     for (const [name] of NUMBERS) say(this.values[name], decimals(row[name], 3));
   }
 }

@@ -5,51 +5,86 @@ import { unpack } from './recording.js';
 import { Playhead } from './playhead.js';
 import { Controls } from './controls.js';
 import { Player } from './player.js';
-import { unpackHeat } from './heat.js';
-import { besideUnit, spelled, tipped, told, withUnit, words } from './names.js';
-import { decimals } from './numbers.js';
+import { blindSpots, unpackHeat } from './heat.js';
+import { Readers } from './readers.js';
+import { besideUnit, scoreNumber, spelled, tipped, told, withUnit, words } from './names.js';
+import { decimals, percent } from './numbers.js';
+
+const SPOTS = 5;
 
 /** The page; `data` is what RunReport wrote. */
 export async function runPage(root, data) {
-  const {setup, runs, repeat} = data.replay;
-  const place = el('div', {class: 'single'});
-  root.append(header(data, index => open(index)), place, details(data));
-  const heat = data.heat && (await unpackHeat(data.heat));
+  const {setup, runs} = data.replay;
   let controls;
+  let player;
   let figure = '';
+  const place = el('div', {class: 'single apart'});
+  const curves = el('div', {class: 'curves'});
+  const heat = data.heat && (await unpackHeat(data.heat));
+  const blind = heat && blindCard(heat, setup.field, spot => {
+    player.field.showHeat((figure = 'covered'));
+    player.field.showArea(spot);
+    player.element.scrollIntoView({block: 'nearest'});
+  });
+  const {whole, settings, made} = details(data);
+  const tables = el('section', {class: 'details'}, whole, settings, made);
+  const readers = new Readers({planner: [place, blind, curves, tables], researcher: [curves, tables, place, blind]});
 
   async function open(index) {
     const run = await unpack(setup, runs[index]);
+    Object.assign(run, data.scores[index] && {objective: data.objective, score: data.scores[index]});
     run.lens = data.summary.settings;
     const playhead = new Playhead(run.count, run.every);
     controls = new Controls(playhead, run);
     const chosen = name => player.field.showHeat((figure = name));
-    const player = new Player(run, playhead, {middle: controls.element, heat: heat && chosen, figures: heat?.figures});
+    player = new Player(run, playhead, {middle: controls.element, heat: heat && chosen, figures: heat?.figures});
     if (heat) {
       player.field.loadHeat(heat);
       player.field.showHeat(figure);
     }
     place.replaceChildren(player.element);
+    curves.replaceChildren(player.timeline.element);
     window.hificamsim = {run, playhead, player};
     playhead.show(run.frameAt(Number(location.hash.slice(1)) || 0)); // report.html#120 opens at step 120
     root.dataset.ready = String(index);
-    if (!run.highest) place.prepend(el('p', {class: 'notice'},
+    if (!run.highest && data.objective.kMin) place.prepend(el('p', {class: 'notice'},
       'k_min is 0 at every step shown: there was always a target that no camera covered. The shares of targets by number of cameras say more.'));
     if (run.every > 1) place.prepend(el('p', {class: 'notice'},
       `${thinned(run, run.every)}, and the last, so that the file stays small. steps.csv has them all.`));
   }
 
+  root.append(header(data, index => open(index), readers.control), answer(data), readers.element);
   const keys = new Controls(new Playhead(), {count: 0, steps: 0});
   keys.action = event => controls.action(event);
   keys.listen();
   await open(0);
 }
 
-function header({replay: {setup, runs, repeat}, settings}, open) {
+function header({replay: {setup, runs, repeat}, settings}, open, reader) {
   const facts = [tipped(spelled(setup.detection), setup.detection), `${/@(chance|probability)/.test(setup.detection) ? 'half of the time at' : 'threshold'} ${decimals(setup.threshold, 6)}`, `${runs[0].steps} steps`, `${setup.cameras.length} camera${setup.cameras.length === 1 ? '' : 's'}`,
     `targets move ${setup.order === 'camsim' ? 'before' : 'after'} cameras look`];
   return el('header', {}, el('h1', {}, setup.scenario, el('small', {title: setup.policy}, spelled(setup.policy))),
-    el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact))), chooser(runs, repeat, open));
+    el('p', {class: 'badges'}, ...facts.map(fact => el('span', {}, fact))), chooser(runs, repeat, open), reader);
+}
+
+/** The score of the whole run in the objective's words, which is what was asked for. */
+function answer({objective, summary: {repeat, metrics, settings}}) {
+  const {mean, low, high} = metrics.score ?? metrics.performance;
+  const number = sum => scoreNumber(sum / settings.steps, objective);
+  const interval = repeat > 1 && low !== high ? ` (95 % interval ${number(low)} to ${number(high)}, ${repeat} repeats)` : '';
+  return el('p', {class: 'answer'}, el('b', {data: {name: 'score-of-run'}}, number(mean)), ' ', tipped(objective.title, objective.text),
+    `, the mean of ${settings.steps} steps${interval}`);
+}
+
+/** Where no camera ever looked. */
+function blindCard(heat, field, show) {
+  const spots = blindSpots(heat, field);
+  const entry = spot => el('li', {}, el('button', {type: 'button', onclick: () => show(spot)},
+    `${decimals(spot.area, spot.area < 10 ? 1 : 0)} m² around (${decimals((spot.minX + spot.maxX) / 2, 1)}, ${decimals((spot.minY + spot.maxY) / 2, 1)})`));
+  return el('section', {class: 'card blind-spots'}, el('h2', {}, 'Blind spots'),
+    el('p', {}, `Of the area ${percent(heat.areaCovered)} is covered by one or more cameras in the mean of the steps, ${percent(heat.areaCoveredK)} by two or more; ${percent(heat.areaBlind)} never is.`),
+    spots.length ? el('ol', {}, ...spots.slice(0, SPOTS).map(entry)) : null,
+    spots.length > SPOTS ? el('p', {class: 'note'}, `The largest ${SPOTS} of ${spots.length}; hatched on the heat map.`) : null);
 }
 
 function chooser(runs, repeat, open) {
@@ -61,17 +96,20 @@ function chooser(runs, repeat, open) {
 }
 
 /** The whole run in numbers, and how to do it again. */
-function details({summary, names, command, version}) {
+function details({summary, names, objective, command, version}) {
   const repeated = summary.repeat > 1;
-  const rows = Object.entries(summary.metrics).map(([name, {mean, low, high}]) => row(name, names[name].title, `${name}: ${names[name].meaning}`,
+  const metrics = Object.entries(summary.metrics).sort(([a], [b]) => (b === 'score') - (a === 'score'));
+  names.score.unit = objective.share ? 'shares x steps' : objective.text.startsWith('sum') ? 'detections' : 'cameras x steps';
+  const rows = metrics.map(([name, {mean, low, high}]) => row(name, names[name].title, `${name}: ${names[name].meaning}`,
     el('td', {data: {name: `summary-${name}`}}, withUnit(mean, names[name].unit)),
     repeated ? el('td', {}, low === high ? '' : `${withUnit(low, names[name].unit)} to ${withUnit(high, names[name].unit)}`) : null,
     el('td', {class: 'unit'}, besideUnit(names[name].unit))));
   const settings = Object.entries(summary.settings).flatMap(([name, value]) => name === 'optics' ? value.map(opticsRow) : [row(name, words(name), name, settingCell(name, value))]);
-  return el('section', {class: 'details'},
-    table('Whole run', ['figure', ...(repeated ? ['mean of the repeats', '95 % interval'] : ['value']), 'unit'], rows),
-    table('Settings', ['setting', 'value'], settings),
-    el('div', {}, el('h2', {}, 'Made with'), el('pre', {tabindex: 0}, command), el('p', {class: 'note'}, `HiFi-CamSim ${version}`)));
+  return {
+    whole: table('Whole run', ['figure', ...(repeated ? ['mean of the repeats', '95 % interval'] : ['value']), 'unit'], rows),
+    settings: table('Settings', ['setting', 'value'], settings),
+    made: el('div', {}, el('h2', {}, 'Made with'), el('pre', {tabindex: 0}, command), el('p', {class: 'note'}, `HiFi-CamSim ${version}`)),
+  };
 }
 
 /** A kind of optics: its name, and what else the summary says of it. */

@@ -10,8 +10,10 @@ export class Run {
   /**
    * @param setup as the record Setup of the simulator
    * @param estimated what the agents' estimates are; empty where they have none
+   * @param objective what a step is scored by: the record ObjectiveWords
    */
-  constructor(setup, estimated = '') {
+  constructor(setup, estimated = '', objective = null) {
+    this.objective = objective;
     const cameras = setup.cameras.length;
     const targets = setup.targets.length;
     this.setup = setup;
@@ -38,10 +40,12 @@ export class Run {
     this.targets = [];
     this.covered = [[], [], [], []];
     this.sum = [];
+    this.score = []; // what the objective makes of a frame; empty where that is not known
   }
 
   /** Adds a frame of a live run: the record Frame, and the records Move of the steps since the frame before. */
-  push(frame, moves = []) {
+  push(frame, moves = [], score = NaN) {
+    this.score.push(score);
     this.step.push(frame.step);
     for (const name of ['online', 'level', 'detected', 'present', 'x', 'y', 'coverage']) {
       frame[name].forEach((value, i) => this[name][i].push(value));
@@ -85,7 +89,7 @@ export class Run {
     this.belief = Array.from({length: this.step.length}, (none, i) => this.belief[2 * i + rest]);
     for (const name of ['online', 'level', 'detected', 'present', 'x', 'y', 'coverage', 'covered', 'seeing']) this[name] = this[name].map(half);
     for (const name of ['estimates', 'counts']) this[name] = this[name].map(levels => levels.map(half));
-    for (const name of ['kMin', 'targets', 'sum']) this[name] = half(this[name]);
+    for (const name of ['kMin', 'targets', 'sum', 'score']) this[name] = half(this[name]);
     this.count = this.step.length;
     this.every *= 2;
   }
@@ -125,6 +129,11 @@ export class Run {
       step: this.step[frame], k_min: this.kMin[frame], targets, covered_0: none, covered_1: one, covered_k: two + more,
       mean_k: targets ? this.sum[frame] / targets : 0,
     };
+  }
+
+  /** Whether there is a score of its own to be shown, next to k_min. */
+  get scored() {
+    return Boolean(this.objective && !this.objective.kMin && this.score.length);
   }
 
   /** Where a camera is in a frame. */

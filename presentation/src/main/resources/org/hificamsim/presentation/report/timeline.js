@@ -3,6 +3,7 @@ import { el, onThemeChange, rem, say, style, Surface } from './dom.js';
 import { COVER, scaleColour, levelShare } from './palette.js';
 import { SHOWN_RAW, smoothed } from './smooth.js';
 import { viewOf } from './views.js';
+import { scoreNumber } from './names.js';
 import { decimals, signed } from './numbers.js';
 
 const GUTTER = 6.5; // rem, as in the style sheet
@@ -219,27 +220,38 @@ function key() {
   return el('span', {class: 'key'}, 'narrow', ...stops, 'wide');
 }
 
+/** A quantity by step, pale, and what it tends to. */
+const curve = () => [
+  {stroke: () => style('--faint'), width: 1, alpha: 0.35, points: {show: false}, paths: uPlot.paths.stepped({align: 1})},
+  {stroke: () => style('--accent'), width: 2.2, points: {show: false}, paths: path},
+];
+
 /** All that is shown over time. */
 export class Timeline {
   /**
-   * @param on `select(camera)`
+   * @param on `select(camera)`, `objective` of the run, `ceiling()`
    */
   constructor(playhead, on) {
-    this.kMin = new Chart('k_min, the least number of cameras that cover a target', 'k_min over time', playhead, frame => this.tellKMin(frame), [
-      {stroke: () => style('--faint'), width: 1, alpha: 0.35, points: {show: false}, paths: uPlot.paths.stepped({align: 1})},
-      {stroke: () => style('--accent'), width: 2.2, points: {show: false}, paths: path},
-    ], {
+    this.kMin = new Chart('k_min, the least number of cameras that cover a target (cameras)', 'k_min over time', playhead, frame => this.tellKMin(frame), curve(), {
       scales: {y: {range: (plot, low, high) => [0, Math.max(1, high, on.ceiling?.() ?? 0) * 1.04]}},
       yAxis: {incrs: [1, 2, 5, 10, 20, 50]},
     });
+    this.score = on.objective && !on.objective.kMin ? this.scoreChart(on.objective, playhead) : null;
     const areas = COVER.map(cover => ({stroke: cover.colour, fill: cover.colour, width: 0, points: {show: false}, paths: path}));
-    this.cover = new Chart('targets covered by none, 1, 2, 3 or more cameras', 'share of targets by number of cameras over time', playhead, frame => this.tellCover(frame),
+    this.cover = new Chart('targets covered by none, 1, 2, 3 or more cameras (% of targets)', 'share of targets by number of cameras over time', playhead, frame => this.tellCover(frame),
       [...areas].reverse(), {
         scales: {y: {range: [0, 1]}},
         yAxis: {values: (plot, values) => values.map(value => `${Math.round(100 * value)} %`)},
       });
     this.zooms = new ZoomStrip(playhead, on);
-    this.element = el('section', {class: 'timeline', 'aria-label': 'over time'}, this.kMin.element, this.cover.element, this.zooms.element);
+    this.element = el('section', {class: 'timeline', 'aria-label': 'over time'}, this.score?.element, this.kMin.element, this.cover.element, this.zooms.element);
+  }
+
+  scoreChart({title, share}, playhead) {
+    return new Chart(title, `${title}, over time`, playhead, frame => this.tellScore(frame), curve(), {
+      scales: {y: {range: (plot, low, high) => [0, share ? 1 : Math.max(1, high) * 1.04]}},
+      yAxis: {values: (plot, values) => values.map(value => (share ? `${Math.round(100 * value)} %` : value))},
+    });
   }
 
   /** Shows a run, or what has been added to it. */
@@ -247,6 +259,7 @@ export class Timeline {
     this.run = run;
     const steps = run.step.slice();
     this.kMin.load([steps, run.kMin.slice(), smoothed(run.kMin)]);
+    if (run.scored) this.score.load([steps, run.score.slice(), smoothed(run.score)]);
     const shares = run.covered.map(list => smoothed(list.map((number, i) => (run.targets[i] ? number / run.targets[i] : 0))));
     const stacked = shares.map((share, i) => share.map((value, j) => shares.slice(0, i + 1).reduce((sum, list) => sum + list[j], 0)));
     this.cover.load([steps, ...stacked.reverse()]);
@@ -259,7 +272,11 @@ export class Timeline {
 
   show(frame) {
     if (!this.run?.count) return;
-    [this.kMin, this.cover, this.zooms].forEach(part => part.show(frame));
+    [this.score, this.kMin, this.cover, this.zooms].forEach(part => part?.show(frame));
+  }
+
+  tellScore(frame) {
+    return this.run.scored ? `step ${this.run.step[frame]}: ${scoreNumber(this.run.score[frame], this.run.objective)}` : '';
   }
 
   tellKMin(frame) {

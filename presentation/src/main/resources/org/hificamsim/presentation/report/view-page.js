@@ -9,6 +9,7 @@ import { degrees, tidy } from './pose-form.js';
 import { located } from './site.js';
 import { unpackHeat } from './heat.js';
 import { viewOf } from './views.js';
+import { scoreText } from './names.js';
 import { decimals, signed } from './numbers.js';
 
 const MAX_FRAMES = 8000;
@@ -40,21 +41,24 @@ class LiveView {
     this.twice = el('button', {type: 'button', id: 'compare', onclick: () => this.send({command: 'compare', on: this.runs.length < 2})});
     this.fault = el('p', {class: 'notice', role: 'alert', hidden: true});
     this.thinned = el('p', {class: 'notice', hidden: true});
+    this.warning = el('p', {class: 'notice warning', role: 'alert', hidden: true});
     this.said = el('p', {class: 'unseen', role: 'status'});
     this.pending = new Map();
     this.figure = ''; // of the heat map
     this.held = []; // cameras whose views are chosen by hand
     this.place = el('div', {class: 'live-view'});
-    root.append(this.header(), this.fault, this.thinned, this.said, this.place);
+    root.append(this.header(), el('div', {class: 'messages'}, this.fault, this.warning, this.thinned), this.said, this.place);
     this.playhead = new LivePlayhead(command => this.send(command));
     this.controls = new Controls(this.playhead, {count: 0, steps: 0, step: []});
     this.controls.listen();
     onKeys(event => this.keyed(event));
+    document.addEventListener('keydown', event => this.keyedBack(event));
   }
 
   header() {
     return el('header', {class: 'live'}, el('h1', {}, this.data.scenario, el('small', {}, 'live')),
       el('p', {class: 'badges'}, this.twice,
+        ...['undo', 'redo'].map(command => el('button', {type: 'button', id: command, onclick: () => this.send({command})}, command)),
         el('button', {type: 'button', id: 'restart', onclick: () => this.restart()}, 'restart'),
         el('label', {}, 'with seed ', this.seed), el('label', {}, this.keep, ' keep changes'),
         el('a', {href: 'scenario.xml', id: 'save', class: 'button', download: `${this.data.scenario}-edited.xml`}, 'save scenario')),
@@ -97,7 +101,7 @@ class LiveView {
   setup({fresh, sides}) {
     if (fresh) {
       this.chooseAdded(sides[0].setup);
-      this.runs = sides.map(({setup, estimated}) => new Run(setup, estimated));
+      this.runs = sides.map(({setup, estimated, objective}) => new Run(setup, estimated, objective));
       this.playhead.count = 0;
       this.playhead.frame = 0;
     } else {
@@ -121,6 +125,8 @@ class LiveView {
       move: (camera, x, y) => this.move(camera, x, y), turn: (camera, heading) => this.turn(camera, heading), add: camera => this.add(camera),
       hold: (camera, view) => this.hold(camera, view), held: camera => this.held.includes(camera),
       wall: (...ends) => this.wall(...ends), remove: obstacle => this.remove(obstacle),
+      removeCamera: camera => this.removeNamed('camera', this.runs[0].setup.cameras[camera], {command: 'removecamera', camera}),
+      removeTarget: target => this.removeNamed('target', this.runs[0].setup.targets[target], {command: 'removetarget', target}),
     };
     const ceiling = () => Math.max(...this.runs.map(run => run.highest));
     this.players = this.runs.map(run => new Player(run, this.playhead, {edit, ceiling, heat: figure => this.chooseHeat(figure), figures: this.data.figures, middle: pair ? null : this.controls.element}));
@@ -160,7 +166,7 @@ class LiveView {
   }
 
   push(steps) {
-    for (const {sides} of steps) sides.forEach(({frame, moves}, i) => this.runs[i].push(frame, moves));
+    for (const {sides} of steps) sides.forEach(({frame, moves, score}, i) => this.runs[i].push(frame, moves, score));
     if (this.runs[0].count > MAX_FRAMES) this.runs.forEach(run => run.thin());
     this.refresh();
   }
@@ -171,7 +177,7 @@ class LiveView {
       this.waiting = null;
       this.playhead.grow(this.runs[0].count);
       this.players.forEach(player => player.grew());
-      this.runs.forEach((run, i) => this.forms[i].recent(meanKMin(run)));
+      this.runs.forEach((run, i) => this.forms[i].recent(meanScore(run)));
       this.tellThinned(this.runs[0]);
       if (this.runs[0].count) this.root.dataset.ready = '';
     });
@@ -210,6 +216,8 @@ class LiveView {
     this.players.forEach(player => player.agent.show(this.playhead.frame));
     if (document.activeElement !== this.seed) this.seed.value = String(state.seed);
     if (state.fault) this.tell(state.fault);
+    this.warning.hidden = !state.warning;
+    say(this.warning, state.warning ?? '');
     if (!this.started && state.next <= 1 && !state.running) this.playhead.play();
     this.started = true;
   }
@@ -273,7 +281,7 @@ class LiveView {
   hold(camera, view) {
     const {name, pose} = this.runs[0].setup.cameras[camera];
     const {zoom, pan} = view < 0 ? {} : viewOf(pose, view);
-    say(this.said, view < 0 ? `camera ${name}: its views are left to the policy` : `camera ${name}: held at level ${zoom}, ${signed(pan)}`);
+    say(this.said, view < 0 ? `camera ${name}: its views are left to the policy` : `camera ${name}: held at level ${zoom}${pose.pans ? `, ${signed(pan)}` : ''}`);
     this.send({command: 'hold', camera, view});
   }
 
@@ -285,6 +293,18 @@ class LiveView {
   async remove(obstacle) {
     const place = located(this.runs[0].setup.obstacles[obstacle]);
     if (await this.send({command: 'remove', obstacle})) say(this.said, `${place}: removed`);
+  }
+
+  async removeNamed(kind, {name}, command) {
+    if (await this.send(command)) say(this.said, `${kind} ${name}: removed`);
+  }
+
+  /** Ctrl+Z takes the last change back, with shift, or Ctrl+Y, it is made again. */
+  keyedBack(event) {
+    const key = event.key.toLowerCase();
+    if (!(event.ctrlKey || event.metaKey) || !'zy'.includes(key) || event.target.tagName === 'INPUT') return;
+    event.preventDefault();
+    this.send({command: key === 'y' || event.shiftKey ? 'redo' : 'undo'});
   }
 
   /** Shows the camera so at once, and says it. */
@@ -309,8 +329,8 @@ class LiveView {
   }
 }
 
-/** The mean of k_min over the last steps that are known. */
-function meanKMin(run) {
-  const last = run.kMin.slice(-RECENT);
-  return last.length ? `mean k_min of the last ${last.length} steps: ${decimals(last.reduce((sum, k) => sum + k, 0) / last.length, 2)}` : '';
+/** The mean score of the last steps that are known. */
+function meanScore(run) {
+  const last = run.score.slice(-RECENT);
+  return last.length ? `${scoreText(last.reduce((sum, score) => sum + score, 0) / last.length, run.objective)}, the mean of the last ${last.length} steps` : '';
 }

@@ -20,6 +20,8 @@ import org.hificamsim.core.scenario.CameraSpec;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.core.scenario.ScenarioWriter;
+import org.hificamsim.core.scenario.TargetSpec;
+import org.hificamsim.core.scenario.Waypoint;
 import org.hificamsim.core.world.World;
 import org.hificamsim.presentation.replay.Frame;
 import org.hificamsim.presentation.replay.Move;
@@ -283,6 +285,79 @@ class LiveRunTest {
     live.wall(0.123, -1, 0.123, 1);
     assertThrows(InputException.class, () -> live.drag(0, 0.123, 0.5));
     assertThrows(InputException.class, () -> live.add(0, 0.123, 0.5));
+  }
+
+  @Test
+  void changesAreTakenBackAndMadeAgainOneByOne() {
+    LiveRun live = live("cluster-scripted", 0);
+    Scenario before = live.scenario();
+    live.drag(2, 1, 1);
+    live.drag(2, 2, 1);
+    live.turn(2, 30);
+    Scenario moved = live.scenario();
+    live.removeCamera(0);
+    live.removeTarget(1);
+    live.wall(-3, -3, -2, -3);
+    assertEquals(before.cameras().size() - 1, live.scenario().cameras().size());
+    assertEquals(before.everyTarget().count() - 1, live.step().sides().get(0).frame().x().length);
+    Scenario after = live.scenario();
+    live.undo();
+    live.undo();
+    live.undo();
+    assertEquals(moved, live.scenario());
+    assertEquals(2, pose(live, 2));
+    live.undo();
+    assertEquals(before, live.scenario(), "dragging and turning one camera is one change");
+    assertEquals(before.cameras().get(2).x(), pose(live, 2));
+    assertThrows(InputException.class, live::undo);
+    for (int i = 0; i < 4; i++) {
+      live.redo();
+    }
+    assertEquals(after, live.scenario());
+    assertThrows(InputException.class, live::redo);
+    live.undo();
+    live.removeTarget(0);
+    assertThrows(InputException.class, live::redo, "another change was made since");
+    assertThrows(InputException.class, () -> live.removeCamera(99));
+    assertThrows(InputException.class, () -> live.removeTarget(-1));
+  }
+
+  /** Where a camera is in the next step, x. */
+  private static double pose(LiveRun live, int camera) {
+    return live.step().sides().get(0).moves().get(camera).pose().x();
+  }
+
+  @Test
+  void whilePausedAChangeMakesTheSameStepAgain() {
+    LiveRun live = live("cluster-scripted", 0);
+    steps(live, 10);
+    live.paused(true);
+    live.wall(-3, -3, -2, -3);
+    assertEquals(9, live.step().number());
+    live.undo();
+    assertEquals(9, live.step().number());
+    live.paused(false);
+    live.redo();
+    assertEquals(10, live.step().number());
+  }
+
+  @Test
+  void aWayThroughAWallIsWarnedOfUntilTheWallIsGone() {
+    LiveRun live = live("cluster-scripted", 0);
+    assertEquals("", live.warning());
+    TargetSpec target = live.scenario().everyTarget().findFirst().orElseThrow();
+    Waypoint from = target.waypoints().get(0);
+    Waypoint to = target.waypoints().get(1);
+    double x = (from.x() + to.x()) / 2;
+    double y = (from.y() + to.y()) / 2;
+    live.wall(
+        x - 0.1 * (to.y() - from.y()),
+        y + 0.1 * (to.x() - from.x()),
+        x + 0.1 * (to.y() - from.y()),
+        y - 0.1 * (to.x() - from.x()));
+    assertTrue(live.warning().contains(" leads through a solid obstacle"), live.warning());
+    live.undo();
+    assertEquals("", live.warning());
   }
 
   @Test
