@@ -13,6 +13,7 @@ from .errors import Closed, Error, InputError, JavaError, WorkerDied
 from .worlds import Worlds, scenarios
 
 if TYPE_CHECKING:
+    from .experts import dataset
     from .parallel import CameraEnv, env, parallel_env
     from .registry import ids, make, register
     from .results import Results, compare, execute, read_results, run
@@ -23,6 +24,7 @@ __version__ = "0.2.0.dev0"
 
 _LATER = {
     "CameraEnv": "parallel",
+    "dataset": "experts",
     "env": "parallel",
     "parallel_env": "parallel",
     "ids": "registry",
@@ -55,6 +57,7 @@ __all__ = [
     "Results",
     "benchmarl_task",
     "compare",
+    "dataset",
     "env",
     "execute",
     "ids",

@@ -58,6 +58,8 @@ class Worlds:
     - ``masks`` uint8 (B, C, M): 1 for what a camera may be told
     - ``ends`` uint8 (B,): 1 where the episode ended in this step
     - ``measures`` float32 (B, 3): share of targets covered, k_min, score by the objective
+    - ``advice`` int32 (B, C): with an ``expert``, the view that it chose at the decision before; -1 for a camera that
+      was offline or on its way, and did not decide
     - ``states`` float32 (B, S): written by ``state``
 
     Settings are given by name; the simulator checks them and has their defaults:
@@ -68,6 +70,8 @@ class Worlds:
     - actions: view (the number of a view) or steps (pan and zoom, each down, stay or up)
     - targets, neighbours: how many of the nearest seen targets and of the nearest cameras are observed
     - auto_reset: whether the next episode begins within the call that ends one
+    - expert: a policy, as ``cooperative``, that is asked in each step what it would do: ``advice``; an action of -1
+      does it
     - paints: whether ``picture`` will be asked for
 
     :param scenario: a name of ``scenarios()`` or a file
@@ -111,6 +115,7 @@ class Worlds:
         self.masks = arrays["masks"]
         self.ends = arrays["ends"]
         self.measures = arrays["measures"]
+        self.advice = arrays["advice"]
         self.states = arrays["states"]
         #: Steps every world by one: reads ``actions`` and writes all but ``states``.
         self.step: Callable[[], None] = self._backend.step

@@ -73,7 +73,8 @@ public class WorldsBenchmark {
             ActionKind.VIEW,
             () -> Rewards.registry().create(reward),
             EPISODE,
-            true);
+            true,
+            null);
     worlds = new Worlds(settings, WORLDS, 1, 0, ByteBuffer::allocateDirect);
     Block.Section section = worlds.block().sections().get(0);
     actions = worlds.memory().slice(section.offset(), section.bytes());

@@ -11,12 +11,15 @@ import java.util.EnumSet;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.catalogue.Catalogue;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Spelling;
+import org.hificamsim.core.policy.HindsightZoomPolicy;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.scenario.ScenarioReader;
 import org.hificamsim.runs.DetectionSpec;
@@ -56,6 +59,7 @@ record Request(Settings asked, Environment own) {
    * @param targets that an observation has room for
    * @param neighbours that an observation has room for
    * @param paints whether pictures of the first world will be asked for
+   * @param expert the policy whose advice is written; null for none
    */
   record Environment(
       String scenario,
@@ -66,7 +70,8 @@ record Request(Settings asked, Environment own) {
       Integer targets,
       Integer neighbours,
       Boolean autoReset,
-      boolean paints) {
+      boolean paints,
+      String expert) {
     Environment {
       reward = Optional.ofNullable(reward).orElse("coverage");
       actions = Optional.ofNullable(actions).orElse("view");
@@ -123,6 +128,17 @@ record Request(Settings asked, Environment own) {
         Spelling.require(ActionKind.class, "actions", own.actions),
         () -> Rewards.registry().create(own.reward),
         Integer.parseInt(asked.value(Setting.STEPS, scenario)),
-        own.autoReset);
+        own.autoReset,
+        own.expert == null ? null : expert(catalogue));
+  }
+
+  /** Experts that can be asked step by step; a wrong name is refused here. */
+  private Supplier<ZoomPolicy> expert(Catalogue catalogue) {
+    if (catalogue.policies().create(own.expert) instanceof HindsightZoomPolicy) {
+      throw new InputException(
+          "expert is '%s', expected a policy that knows no whole run before it begins"
+              .formatted(own.expert));
+    }
+    return () -> catalogue.policies().create(own.expert);
   }
 }

@@ -50,6 +50,7 @@ public record Block(List<Section> sections) {
     builder.add("masks", "u1", cameras, Masks.width(of.network(), settings.actions()));
     builder.add("ends", "u1");
     builder.add("measures", "f4", OneWorld.MEASURES);
+    builder.add("advice", "i4", cameras);
     builder.add("states", "f4", OneWorld.stateSize(cameras, of.network().targets()));
     return new Block(builder.sections);
   }

@@ -52,7 +52,7 @@ final class OneWorld implements StepListener {
         first == null
             ? new World(settings.scenario(), settings.movements(), seed)
             : first.world.another(seed);
-    policy = new PlayedPolicy(settings.actions());
+    policy = new PlayedPolicy(settings.actions(), settings.expert());
     reward = settings.reward().get();
     int cameras = world.cameras().count();
     rewards = new float[cameras];
@@ -148,6 +148,11 @@ final class OneWorld implements StepListener {
   /** Filled in by the caller before a {@link #step}. */
   int[] actions() {
     return actions;
+  }
+
+  /** What the expert advised at the last decision. */
+  int[] advice() {
+    return policy.advice();
   }
 
   float[] rewards() {

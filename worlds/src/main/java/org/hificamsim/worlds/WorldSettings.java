@@ -4,6 +4,7 @@ import java.util.function.Supplier;
 import org.hificamsim.agents.observation.ObservationLayout;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.detection.Detection;
+import org.hificamsim.core.policy.ZoomPolicy;
 import org.hificamsim.core.registry.Registry;
 import org.hificamsim.core.scenario.Scenario;
 import org.hificamsim.core.world.Movement;
@@ -14,6 +15,7 @@ import org.hificamsim.core.world.Movement;
  * @param reward makes one for each world
  * @param steps of an episode, 1 or more
  * @param autoReset whether a world whose episode ends begins the next one within the same call
+ * @param expert makes one for each episode, whose advice is written; null for none
  */
 public record WorldSettings(
     Scenario scenario,
@@ -23,7 +25,8 @@ public record WorldSettings(
     ActionKind actions,
     Supplier<Reward> reward,
     int steps,
-    boolean autoReset) {
+    boolean autoReset,
+    Supplier<ZoomPolicy> expert) {
   /** Checks the length of an episode. */
   public WorldSettings {
     if (steps < 1) {

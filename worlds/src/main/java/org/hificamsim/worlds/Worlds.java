@@ -34,6 +34,7 @@ public final class Worlds implements AutoCloseable {
   private final ByteBuffer ends;
   private final FloatBuffer measures;
   private final FloatBuffer states;
+  private final IntBuffer advice;
   private final int[] choices;
   private final int[] maskedRevision;
   private final boolean maskOften;
@@ -97,6 +98,7 @@ public final class Worlds implements AutoCloseable {
     masks = block.part(memory, "masks");
     ends = block.part(memory, "ends");
     measures = block.part(memory, "measures").asFloatBuffer();
+    advice = block.part(memory, "advice").asIntBuffer();
     states = block.part(memory, "states").asFloatBuffer();
     choices = settings.actions().choices(network);
     maskedRevision = new int[count];
@@ -184,6 +186,7 @@ public final class Worlds implements AutoCloseable {
     world.step();
     rewards.put(i * world.rewards().length, world.rewards());
     measures.put(i * OneWorld.MEASURES, world.measures());
+    advice.put(i * world.advice().length, world.advice());
     ends.put(i, (byte) (world.over() ? 1 : 0));
     if (world.over() && settings.autoReset()) {
       observe(i, finals, worker);
@@ -224,7 +227,8 @@ public final class Worlds implements AutoCloseable {
   private void checkActions(int world, int first, int at) {
     for (int number = 0; number < choices.length; number++) {
       int action = actions.get(first + at + number);
-      if (action < 0 || action >= choices[number]) {
+      int least = settings.expert() == null ? 0 : PlayedPolicy.AS_ADVISED;
+      if (action < least || action >= choices[number]) {
         refuse(world, at + number, action);
       }
     }

@@ -34,7 +34,8 @@ final class Played implements AutoCloseable {
         actions,
         () -> Rewards.registry().create(reward),
         steps,
-        auto);
+        auto,
+        null);
   }
 
   static Scenario scenario(String name) {

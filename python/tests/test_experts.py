@@ -1,0 +1,53 @@
+"""Experts: what they see and do, as data."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+import hificamsim
+
+SETTINGS = {"steps": 60, "seed": 7}
+
+
+def test_an_expert_that_plays_is_the_run_of_its_policy() -> None:
+    with hificamsim.Worlds("junction", 2, expert="cooperative", auto_reset=False, **SETTINGS) as worlds:
+        worlds.begin(None)
+        worlds.actions[...] = -1
+        scores = np.zeros(2)
+        for _ in range(60):
+            worlds.step()
+            scores += worlds.measures[:, 2]
+    played = hificamsim.run("junction", policy="cooperative", repeat=2, **SETTINGS)
+    assert np.allclose(scores, played["steps"].groupby("run")["score"].sum(), rtol=1e-5)
+
+
+def test_pairs_are_decisions_that_masks_allow() -> None:
+    pairs = hificamsim.dataset("junction", episodes=2, **SETTINGS)
+    count = len(pairs["actions"])
+    assert {len(array) for array in pairs.values()} == {count} and count > 100
+    assert pairs["masks"][np.arange(count), pairs["actions"]].all()
+    first = hificamsim.dataset("junction", **SETTINGS)
+    mine = pairs["episode"] == 0
+    assert (pairs["observations"][mine] == first["observations"]).all()
+    assert (pairs["actions"][mine] == first["actions"]).all()
+
+
+def test_an_expert_advises_whoever_plays() -> None:
+    with hificamsim.Worlds("junction", expert="zoom-in", **SETTINGS) as worlds:
+        worlds.actions[...] = worlds.choices[0] - 1
+        worlds.step()
+        assert (worlds.advice >= 0).all()
+
+
+def test_without_an_expert_there_is_no_advice_to_take() -> None:
+    with hificamsim.Worlds("junction", **SETTINGS) as worlds:
+        worlds.actions[...] = -1
+        with pytest.raises(hificamsim.InputError, match="action -1 of camera"):
+            worlds.step()
+
+
+@pytest.mark.parametrize("name", ["best-fixed", "nobody"])
+def test_who_cannot_be_asked_step_by_step_is_refused(name: str) -> None:
+    with pytest.raises(hificamsim.InputError, match=f"'{name}'"):
+        hificamsim.Worlds("junction", expert=name)
