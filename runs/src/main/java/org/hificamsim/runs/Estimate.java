@@ -3,6 +3,7 @@ package org.hificamsim.runs;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
+import java.util.regex.Pattern;
 import org.apache.commons.math3.distribution.TDistribution;
 import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
 import org.apache.commons.math3.stat.descriptive.moment.Skewness;
@@ -25,6 +26,9 @@ public record Estimate(double mean, double low, double high) {
 
   /** The skewness of so few values is chance alone. */
   private static final int TOO_FEW = 3;
+
+  /** The sign of a number that is 0 to the digits shown. */
+  private static final Pattern NO_MINUS = Pattern.compile("-(?=0(\\.0*)?(?![.\\d]))");
 
   /** Below it, the transformation is none to the precision of its formula. */
   private static final double EVEN = 1e-6;
@@ -147,6 +151,8 @@ public record Estimate(double mean, double low, double high) {
     } else if (!Double.isNaN(low)) {
       pattern += " [" + format + ", " + format + "]";
     }
-    return Double.isNaN(mean) ? "-" : String.format(Locale.ROOT, pattern, mean, low, high);
+    return Double.isNaN(mean)
+        ? "-"
+        : NO_MINUS.matcher(String.format(Locale.ROOT, pattern, mean, low, high)).replaceAll("");
   }
 }

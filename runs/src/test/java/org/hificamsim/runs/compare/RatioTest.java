@@ -27,6 +27,8 @@ class RatioTest {
     Estimate same = new Ratio(new double[] {9, 9, 9}, new double[] {10, 10, 10}).estimate();
     assertEquals(new Estimate(0.9, 0.9, 0.9), same);
     assertEquals("0.90 in every seed", same.text("%.2f"));
+    assertEquals("0.00 [0.00, 0.10]", new Estimate(-0.001, -0.004, 0.1).text("%.2f"));
+    assertEquals("-0.10 [-1.00, -0.01]", new Estimate(-0.1, -1, -0.01).text("%.2f"));
     assertEquals("0.1 in every seed", Estimate.mean(new double[] {0.1, 0.1, 0.1}).text("%.1f"));
   }
 
