@@ -108,6 +108,27 @@ class ChanceTest {
     assertTrue(Files.readString(out.resolve("report.html")).contains("hifi:orb-lin@chance"));
   }
 
+  /** Two cameras and a target 1.9 km away from both, for 2,000 steps. */
+  @ParameterizedTest
+  @ValueSource(strings = {"hifi:orb-lin", "hifi:sift-pinhole", "lab:orb-pinhole"})
+  void aTargetFarBeyondReachIsCoveredInNoStep(String model) throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("far.xml"),
+            """
+            <root><simulation min_x="0" max_x="4000" min_y="0" max_y="100"><zoom>2000 3000</zoom>
+            <camera name="a" x="10" y="60" heading="0" viewing_angle="360" range="9"/>
+            <camera name="b" x="20" y="60" heading="0" viewing_angle="360" range="9"/>
+            <object features="1" x="1920" y="5" heading="0" speed="0"/>
+            </simulation></root>
+            """);
+    Path out = folder.resolve("out");
+    run("run", file, "--detection", model, "--detect", "chance", "--steps", 2000, "--out", out);
+    JsonNode summary = new ObjectMapper().readTree(out.resolve("summary.json").toFile());
+    assertEquals(1, summary.get("covered_0").asDouble());
+    assertEquals(1, summary.get("expected_covered_0").asDouble(), 1e-4);
+  }
+
   @Test
   void withoutARuleNothingIsWrittenOfChance() throws IOException {
     Path out = folder.resolve("out");

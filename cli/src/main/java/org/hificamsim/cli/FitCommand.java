@@ -144,6 +144,7 @@ final class FitCommand implements Callable<Integer> {
         .filter(model -> !model.fit().refused() && !model.onMeasuredPip())
         .forEach(model -> out.println(row(column, model)));
     Recommendation.all(result).forEach(one -> out.println(one.sentence()));
+    out.println(Recommendation.lens(result));
     trials.forEach(one -> out.println(one.sentence()));
     out.printf("%s in %s%n", Counted.of(models, "model"), folder.resolve(FittedModel.FOLDER));
     out.printf("report: %s%n", folder.resolve("report.html"));

@@ -52,6 +52,12 @@ public record Calibration(double[] chances, double[] detected) {
         .toList();
   }
 
+  /** The same with false alarms among the detections that are expected. */
+  public Calibration withFalseAlarms(double rate) {
+    return new Calibration(
+        Arrays.stream(chances).map(chance -> rate + chance * (1 - rate)).toArray(), detected);
+  }
+
   /** The greatest error of a fifth, whatever its sign. */
   public double worstFifth() {
     return fifths().stream().mapToDouble(part -> Math.abs(part.error())).max().orElseThrow();

@@ -36,6 +36,13 @@ final class Advice {
           + " were not timed. Detections are tabulated before a run, so that a slow model costs"
           + " start-up and not steps.";
 
+  static final String SCATTERS =
+      "What --detect chance expects of photos whose object neither g nor the scatter has seen: the"
+          + " share whose measured confidence reaches the threshold, over all photos and where a"
+          + " fifth of them, in order of the chance, is farthest off. Log loss is the mean of -ln"
+          + " of the chance of what happened; the scatter with the lower one is taken. In the first"
+          + " row of each model false alarms count as detections, as they did in version 0.1.";
+
   private Advice() {}
 
   /** The one sentence that says which model to take. */

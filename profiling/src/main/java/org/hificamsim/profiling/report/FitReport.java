@@ -55,6 +55,7 @@ public final class FitReport {
     shapes();
     ownFeatures();
     models();
+    scatters();
     simulation();
     data();
     page.heading("Beside the thesis");
@@ -78,6 +79,7 @@ public final class FitReport {
     Recommendation.all(result).stream()
         .filter(one -> !one.detector().equals(first.detector()))
         .forEach(one -> page.paragraph(one.sentence()));
+    page.paragraph(Recommendation.lens(result));
     trials.forEach(one -> page.paragraph(one.sentence()));
     page.paragraph(Advice.unseen(result));
   }
@@ -119,6 +121,18 @@ public final class FitReport {
             steps.stream().filter(step -> step.detector().equals(first)).toList(), first);
     picture("ladder.png", png);
     page.figure(png, "The fidelity ladder: what each step costs and buys.");
+  }
+
+  private void scatters() throws IOException {
+    if (!own.recommended().isEmpty()) {
+      page.heading("How confidences scatter, and how good the chances are");
+      own.scatters(page);
+      page.paragraph(Advice.SCATTERS);
+      byte[] png = ReportFigures.reliability(own.recommended());
+      picture("reliability.png", png);
+      page.figure(
+          png, "Reliability in fifths of the unseen photos: on the line, chances are right.");
+    }
   }
 
   private void simulation() {

@@ -4,22 +4,29 @@ import static org.hificamsim.profiling.report.CellText.fixed;
 import static org.hificamsim.profiling.report.CellText.significant;
 import static org.hificamsim.profiling.report.CellText.span;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
+import org.hificamsim.core.detection.DetectionRule.Chance;
 import org.hificamsim.profiling.dataset.TableLayout;
+import org.hificamsim.profiling.fit.Calibration;
 import org.hificamsim.profiling.fit.CrossValidation;
+import org.hificamsim.profiling.fit.DetectorFit;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.RisingSlope;
+import org.hificamsim.profiling.fit.ScatterFit;
 import org.hificamsim.profiling.fit.ShapeFit;
 import org.hificamsim.profiling.measure.Measurement;
 
 /** The tables of the data set's own numbers. */
 final class OwnTables {
+  static final String BEFORE = "constant, false alarms count";
+
   private final FitResult result;
 
   OwnTables(FitResult result) {
@@ -41,7 +48,7 @@ final class OwnTables {
             .with("SD between objects", model -> fixed(model.fit().scatter().between(), 4))
             .with("SD within", model -> fixed(model.fit().scatter().within(), 4))
             .with("detect or not, unseen", model -> fixed(accuracy(model), 3)),
-        Recommendation.all(result).stream().flatMap(one -> one.model().stream()).toList());
+        recommended());
   }
 
   /** Every shape of g on measured PIP. */
@@ -117,6 +124,53 @@ final class OwnTables {
             .with("ns", step -> significant(step.nanoseconds()))
             .with("", step -> step.refused() ? "refused" : ""),
         steps);
+  }
+
+  /** A scatter of a model, and what its chances are worth. */
+  private record ScatterRow(String model, String scatter, Calibration of, boolean taken) {}
+
+  /** How good the chances are that follow from each kind of scatter, for the recommended models. */
+  void scatters(HtmlPage page) {
+    List<ScatterRow> rows = new ArrayList<>();
+    for (FittedModel model : recommended()) {
+      DetectorFit fit = model.fit();
+      rows.add(new ScatterRow(model.name(), BEFORE, before(fit), false));
+      for (ScatterFit one : fit.scatters()) {
+        boolean taken = one.equals(fit.drawnFrom());
+        rows.add(new ScatterRow(model.name(), text(one), one.calibration(), taken));
+      }
+    }
+    page.table(
+        new TableLayout<ScatterRow>()
+            .with("model", ScatterRow::model)
+            .with("scatter", ScatterRow::scatter)
+            .with("expected, %", row -> fixed(100 * row.of.all().expected(), 1))
+            .with("measured, %", row -> fixed(100 * row.of.all().detected(), 1))
+            .with("error, points", row -> fixed(100 * row.of.all().error(), 1))
+            .with("worst fifth, points", row -> fixed(100 * row.of.worstFifth(), 1))
+            .with("log loss", row -> fixed(row.of.logLoss(), 3))
+            .with("", row -> row.taken ? "taken" : ""),
+        rows);
+  }
+
+  List<FittedModel> recommended() {
+    return Recommendation.all(result).stream().flatMap(one -> one.model().stream()).toList();
+  }
+
+  /** One number, with false alarms for detections: how {@code --detect chance} was before. */
+  static Calibration before(DetectorFit fit) {
+    return fit.scatters().get(0).calibration().withFalseAlarms(Chance.DEFAULT_ALPHA);
+  }
+
+  private static String text(ScatterFit one) {
+    return one.name()
+        + (one.residuals().grow()
+            ? ": "
+                + fixed(one.residuals().least(), 4)
+                + " + "
+                + fixed(one.residuals().growth(), 3)
+                + " (g - g(0))"
+            : ": " + fixed(one.residuals().rmse(), 4));
   }
 
   private double accuracy(FittedModel model) {

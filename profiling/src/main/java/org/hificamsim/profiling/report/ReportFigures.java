@@ -10,10 +10,12 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.hifi.detector.DetectorModel;
+import org.hificamsim.profiling.fit.Calibration;
 import org.hificamsim.profiling.fit.Coefficient;
 import org.hificamsim.profiling.fit.CurveBand;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
+import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.LeastSquares;
 import org.hificamsim.profiling.measure.Measurement;
 import org.knowm.xchart.XYChart;
@@ -211,6 +213,30 @@ final class ReportFigures {
     Charts.line(chart, "95% low", pip, band.low(), Charts.DOTS);
     Charts.line(chart, "95% high", pip, band.high(), Charts.DOTS);
     return Charts.png(List.of(chart), 1);
+  }
+
+  /**
+   * Reliability: in fifths of the photos, how many are detected over how many are expected to be;
+   * before false alarms were taken off, and as the scatter that is taken has it.
+   */
+  static byte[] reliability(List<FittedModel> models) {
+    return Charts.png(models.stream().map(ReportFigures::reliability).toList(), models.size());
+  }
+
+  private static XYChart reliability(FittedModel model) {
+    XYChart chart = Charts.plot(model.name(), "expected share", "detected share");
+    chart.getStyler().setLegendVisible(true);
+    chart.getStyler().setMarkerSize(7);
+    Charts.line(chart, "equal", new double[] {0, 1}, new double[] {0, 1}, Charts.DOTS);
+    fifths(chart, "before", OwnTables.before(model.fit()), Charts.ORANGE);
+    fifths(chart, "now", model.fit().drawnFrom().calibration(), Charts.BLUE);
+    return chart;
+  }
+
+  private static void fifths(XYChart chart, String name, Calibration of, Color colour) {
+    double[] x = of.fifths().stream().mapToDouble(Calibration.Part::expected).toArray();
+    double[] y = of.fifths().stream().mapToDouble(Calibration.Part::detected).toArray();
+    Charts.points(chart, name, x, y, colour);
   }
 
   private static double[] logarithmic(double[] ends) {

@@ -32,6 +32,7 @@ import org.hificamsim.profiling.fit.FitSettings.SupportVectorSettings;
 import org.hificamsim.profiling.fit.FitSettings.SymbolicSettings;
 import org.hificamsim.profiling.fit.Fitting;
 import org.hificamsim.profiling.fit.Photos;
+import org.hificamsim.profiling.fit.Recommendation;
 import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.measure.Measurement;
 import org.hificamsim.profiling.measure.PipReading;
@@ -89,7 +90,7 @@ class FitReportTest {
     assertFalse(page.contains("http"), "a page elsewhere");
     long pictures =
         page.lines().mapToLong(line -> line.split("data:image/png", -1).length - 1).sum();
-    assertEquals(3 + 1 + 11, pictures);
+    assertEquals(3 + 1 + 1 + 11, pictures);
   }
 
   @Test
@@ -102,6 +103,20 @@ class FitReportTest {
     assertTrue(page.contains("160 photos of 4 objects."), "how many photos");
     assertFalse(words(page).matches("(?s).*\\b[Oo]urs?\\b.*"), "whose data are these");
     assertTrue(page.contains("shipped lab models"), "whose nanoseconds are these");
+  }
+
+  @Test
+  void theChancesAreJudgedOnUnseenPhotosAndTheLensIsYours() throws IOException {
+    String page = Files.readString(folder.resolve("report.html"));
+    assertTrue(page.contains("constant, false alarms count"), "before");
+    assertTrue(page.contains("log loss"), "and what is taken by");
+    assertTrue(Files.exists(folder.resolve("reliability.png")));
+    String lens = Recommendation.lens(result);
+    assertTrue(page.contains(lens.substring(0, 60)), lens);
+    assertTrue(
+        lens.startsWith("In your photos PIP grows with the focal length to the power 1.96 ["),
+        lens);
+    assertTrue(lens.contains("it is 1.32"), lens);
   }
 
   @Test
