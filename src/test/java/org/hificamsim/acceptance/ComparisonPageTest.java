@@ -77,6 +77,23 @@ class ComparisonPageTest {
   }
 
   @Test
+  void theFirstNumberIsTheBestScoreOfAPolicyInTheWordsOfTheObjective() throws IOException {
+    open();
+    double best =
+        Files.readAllLines(out.resolve("summary.csv")).stream()
+            .map(row -> row.split(",", -1))
+            .filter(row -> row[0].equals("ring-random") && row[3].equals("score"))
+            .filter(row -> !row[2].equals("optimal") && row[1].equals("hifi:orb-lin"))
+            .mapToDouble(row -> Double.parseDouble(row[5]))
+            .max()
+            .orElseThrow();
+    assertEquals(best / 120, Double.parseDouble(browser.text(".answer b")), 0.005);
+    assertTrue(
+        browser.text(".answer").contains("cameras on the target with the fewest (k_min) in ring"),
+        browser.text(".answer"));
+  }
+
+  @Test
   void sortsByClickAndByKey() {
     open();
     WebElement head = browser.findAll(".sortable thead button").get(4);

@@ -3,7 +3,7 @@ import { el, onThemeChange, rem, style } from './dom.js';
 import { inflate } from './inflate.js';
 import { movingMean } from './smooth.js';
 import { rowsOf, sortable } from './table.js';
-import { besideUnit, isShare, spelled, told, words } from './names.js';
+import { besideUnit, isShare, scoreNumber, spelled, tipped, told, words } from './names.js';
 import { decimals } from './numbers.js';
 
 /** The metrics that a comparison begins with: the first one that is not 0 or missing everywhere. */
@@ -14,6 +14,7 @@ const OPTIMAL = 'optimal';
 /** The page; `data` is what ComparisonReport wrote. */
 export async function comparisonPage(root, data) {
   root.append(el('header', {}, el('h1', {}, kind(data), el('small', {}, data.title)), badges(data)));
+  if (kind(data) === 'Comparison') root.append(...answers(data));
   const adapting = data.tables.find(table => table.name === 'adapting.csv');
   if (adapting) root.append(el('p', {class: 'notice'}, worthOfAdapting(rowsOf(adapting))));
   const cases = [data.summary && comparison(data), data.curves && curves(data)];
@@ -39,6 +40,26 @@ function kind({tables}) {
   return has('sensitivity.csv') ? 'Sensitivity' : has('table-8.1.csv') ? 'Reproduction' : 'Comparison';
 }
 
+const ANSWERS = 4;
+
+/** For each of the first scenarios the best score that a policy of a network reached, in the objective's words. */
+function answers({summary, settings}) {
+  if (!summary || !settings?.[0]?.score_words) return [];
+  const scores = rowsOf(summary).filter(({metric, mean}) => metric === 'score' && mean !== '');
+  return distinct(scores, 'scenario').slice(0, ANSWERS).flatMap(scenario => {
+    const of = scores.filter(row => row.scenario === scenario && row.detection === scores[0].detection && !YARDSTICKS.includes(row.policy));
+    return of.length ? [answer(of.reduce((best, row) => (Number(row.mean) > Number(best.mean) ? row : best)), of, settings)] : [];
+  });
+}
+
+function answer(best, cases, settings) {
+  const {steps, score_words: title, score_unit: unit, objective} = settings.find(({scenario}) => scenario === best.scenario);
+  const number = sum => scoreNumber(Number(sum) / steps, {share: unit === 'share'});
+  const interval = best.low !== best.high ? ` (95 % interval ${number(best.low)} to ${number(best.high)})` : '';
+  return el('p', {class: 'answer'}, el('b', {}, number(best.mean)), ' ', tipped(title, objective), ` in ${best.scenario}: `, tipped(spelled(best.policy), best.policy),
+    `${cases.length > 1 ? `, the best of ${cases.length} policies` : ''}, ${spelled(best.detection)}, the mean of ${steps} steps${interval}`);
+}
+
 /** What a reader has to know before any proportion of the optimum. */
 function worthOfAdapting(rows) {
   const same = rows.filter(row => row.same_every_step === 'true').length;
@@ -57,22 +78,24 @@ function badges({summary, settings}) {
 }
 
 /** The cases of one metric, each with its interval drawn to one scale. */
-function comparison({summary, colours, names}) {
+function comparison({summary, settings, colours, names}) {
   const rows = rowsOf(summary);
   const metrics = distinct(rows, 'metric');
-  const pick = choice('metric', metrics, FAVOURITES.find(name => tells(rows, name)) || metrics[0], () => fill(), name => names[name]?.title ?? words(name));
+  const asked = settings?.some(({objective}) => objective !== 'kmin') ? ['score', ...FAVOURITES] : FAVOURITES;
+  const pick = choice('metric', metrics, asked.find(name => tells(rows, name)) || metrics[0], () => fill(), name => names[name]?.title ?? words(name));
   const scenarios = choice('scenario', ['all', ...distinct(rows, 'scenario')], 'all', () => fill());
   const place = el('div', {class: 'scroll'});
 
   function fill() {
     const shown = rows.filter(row => row.metric === pick.value && (scenarios.value === 'all' || row.scenario === scenarios.value));
-    const {title, unit, meaning} = names[pick.value] ?? {title: words(pick.value), unit: ''};
+    const words = settings?.find(({scenario}) => scenario === shown[0]?.scenario)?.score_words;
+    const {title, unit, meaning} = pick.value === 'score' && words ? {...names.score, title: `score: ${words}`, unit: 'sum over the steps'} : names[pick.value] ?? {title: pick.value, unit: ''};
     place.replaceChildren(sortable(`${title}${unit ? ` (${isShare(unit) ? `% ${besideUnit(unit)}`.trim() : unit})` : ''}: mean and 95 % interval over seeds`, summaryColumns(shown, colours, unit), shown));
     place.title = `${pick.value}: ${meaning ?? ''}`;
   }
 
   fill();
-  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), blank(rows, pick.value, names), shortened(summary), place);
+  return card('Side by side', el('p', {class: 'pick'}, pick.label, scenarios.label), asked === FAVOURITES ? blank(rows, pick.value, names) : null, shortened(summary), place);
 }
 
 /** Whether some case has another value than 0. */
@@ -173,6 +196,7 @@ function nameYardsticks({ctx, data, bbox, series, valToPos}, shown) {
   ctx.save();
   ctx.font = `${0.8 * rem() * devicePixelRatio}px sans-serif`;
   ctx.textBaseline = 'middle';
+  ctx.textAlign = 'left';
   ctx.fillStyle = style('--ink');
   shown.forEach(({policy}, i) => {
     const last = data[i + 1].at(-1);
