@@ -205,6 +205,7 @@ public record ZoomPolicyContract(Supplier<ZoomPolicy> policies, boolean global) 
       check(network, before);
       network.observe();
       policy.learn(network);
+      network.nextStep();
       history[step] = network.currentLevels();
       network.scatter();
       if (disturbed) {

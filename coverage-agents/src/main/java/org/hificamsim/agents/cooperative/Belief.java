@@ -1,5 +1,6 @@
 package org.hificamsim.agents.cooperative;
 
+import java.util.Arrays;
 import java.util.stream.IntStream;
 import org.hificamsim.core.policy.BeliefListener;
 import org.hificamsim.core.policy.NetworkView;
@@ -11,43 +12,31 @@ import org.hificamsim.core.policy.NetworkView;
  * <p>In each step {@link #begin}, then {@link #receive} for each report, then {@link #end}.
  */
 final class Belief {
-  private static final double FIRST_SIZE = 1; // metres
-  private static final double NEW_SIZE = 0.2; // change of the mean size that cells are found for
+  private static final double UNKNOWN_SIZE = 1; // metres
   private static final double MAX_SPREAD = 0.8;
+  private static final int FIRST_REPORTS = 16;
 
-  private final Grid grid;
-  private final SiteSight sight;
+  private final Site site;
   private final TargetTracks tracks;
-  private final CellSight cells;
   private final SearchMap map;
-  private final boolean[] free;
+  private final LearnedSight learned;
   private final double[] chances; // room for those of a camera
-  private double sizes;
-  private long sized;
-  private double cellSize = Double.NaN;
+  private Report[] arrived = new Report[FIRST_REPORTS];
+  private long[] sentAt = new long[FIRST_REPORTS]; // step
+  private int reports;
 
-  Belief(Parameters parameters, NetworkView network) {
-    int cameras = network.cameras();
-    sight = new SiteSight(network.obstacles(), cameras);
-    grid = Grid.over(network.field(), parameters.cells());
-    free = new boolean[grid.cells()];
-    for (int cell = 0; cell < free.length; cell++) {
-      free[cell] = sight.isFree(grid.x(cell, 0.5), grid.y(cell, 0.5));
-    }
-    tracks = new TargetTracks(parameters, sight, network.targets());
-    cells = new CellSight(grid, cameras);
-    map = new SearchMap(parameters, grid, free, cameras);
-    chances = new double[IntStream.range(0, cameras).map(network::views).max().orElse(0)];
+  Belief(Parameters parameters, Site site, NetworkView network) {
+    this.site = site;
+    tracks = new TargetTracks(parameters, site.sight(), network.targets());
+    learned = new LearnedSight(parameters.learn(), site.grid(), network.cameras());
+    map = new SearchMap(parameters, site.grid(), site.free(), network.cameras());
+    chances = new double[IntStream.range(0, network.cameras()).map(network::views).max().orElse(0)];
   }
 
-  /** A step begins: what is known of cameras, and where targets have gone. */
-  void begin(NetworkView network) {
-    double size = sized == 0 ? FIRST_SIZE : sizes / sized;
-    if (sight.refresh(network) || !(Math.abs(size - cellSize) <= NEW_SIZE * cellSize)) {
-      cellSize = size;
-      cells.find(network, sight, free, size);
-    }
+  /** A step begins: targets have gone on. */
+  void begin() {
     tracks.step();
+    reports = 0;
   }
 
   /**
@@ -57,48 +46,81 @@ final class Belief {
    */
   void receive(NetworkView network, Report report, long sent) {
     for (int i = 0; i < report.count(); i++) {
-      double size = report.size(i) > 0 ? report.size(i) : FIRST_SIZE;
-      sizes += size;
-      sized++;
-      tracks.see(report.target(i), sent, network.step(), report.x(i), report.y(i), size);
+      double size = report.size(i) > 0 ? report.size(i) : UNKNOWN_SIZE;
+      if (tracks.see(report.target(i), sent, network.step(), report.x(i), report.y(i), size)) {
+        map.sight(report.x(i), report.y(i));
+      }
     }
     if (report.view() >= 0) {
-      map.look(
-          cells.cells(report.camera(), report.view()),
-          cells.chances(report.camera(), report.view()));
+      note(report, sent);
     }
   }
 
-  /** All reports of the step are in: what they should have seen and do not, and what is lost. */
+  private void note(Report report, long sent) {
+    if (reports == arrived.length) {
+      arrived = Arrays.copyOf(arrived, 2 * reports);
+      sentAt = Arrays.copyOf(sentAt, 2 * reports);
+    }
+    arrived[reports] = report;
+    sentAt[reports++] = sent;
+  }
+
+  /** All reports of the step are in: what they should have seen and did not is elsewhere. */
   void end(NetworkView network) {
-    for (int camera = 0; camera < network.cameras(); camera++) {
-      int view = network.online(camera) ? network.seeing(camera) : -1;
-      if (view >= 0) {
-        miss(network, camera, view);
-      }
+    long now = network.step();
+    for (int i = 0; i < reports; i++) {
+      int camera = arrived[i].camera();
+      int[] looked = site.cells().cells(camera, arrived[i].view());
+      map.look(looked, site.cells().chances(camera, arrived[i].view()), learned, camera);
+      compare(network, arrived[i], sentAt[i]);
     }
     double known = 0;
     for (int i = 0; i < tracks.count(); i++) {
-      int track = tracks.at(i);
-      known += tracks.weight(track);
-      if (tracks.seenAt(track) == network.step()) {
-        map.sight(tracks.x(track), tracks.y(track));
-      }
+      known += tracks.weight(tracks.at(i));
     }
-    tracks.forget(network.step(), map);
-    map.step(Math.min(MAX_SPREAD, tracks.meanWay() / grid.side()), known);
+    tracks.forget(now, map);
+    map.step(Math.min(MAX_SPREAD, tracks.meanWay() / site.grid().side()), known);
   }
 
-  private void miss(NetworkView network, int camera, int view) {
+  /**
+   * Compares what a camera said in a step with what it should have seen; where targets were then
+   * follows from how they move.
+   */
+  private void compare(NetworkView network, Report report, long step) {
+    long ago = network.step() - step;
     for (int i = 0; i < tracks.count(); i++) {
       int track = tracks.at(i);
-      double x = tracks.x(track);
-      double y = tracks.y(track);
-      if (tracks.seenAt(track) < network.step()
-          && sight.chances(network, camera, x, y, tracks.size(track), chances)) {
-        map.absorb(x, y, tracks.miss(track, chances[view]));
+      double x = tracks.x(track, ago);
+      double y = tracks.y(track, ago);
+      int camera = report.camera();
+      if (site.sight().chances(network, camera, x, y, tracks.size(track), chances)) {
+        double chance = chances[report.view()];
+        miss(track, chance * learned.share(camera, x, y), step);
+        learned.see(camera, x, y, chance * tracks.weight(track), report.has(track));
       }
     }
+  }
+
+  private void miss(int track, double chance, long step) {
+    if (tracks.seenAt(track) < step && chance > 0) {
+      map.absorb(tracks.x(track), tracks.y(track), tracks.miss(track, Math.min(1, chance)));
+    }
+  }
+
+  /** As {@link SiteSight#chances}, corrected by what was learned. */
+  boolean chances(
+      NetworkView network, int camera, double x, double y, double size, double[] into) {
+    boolean any = site.sight().chances(network, camera, x, y, size, into);
+    double share = any ? learned.share(camera, x, y) : 1;
+    for (int view = 0; view < into.length && share != 1; view++) {
+      into[view] = Math.min(1, share * into[view]);
+    }
+    return any;
+  }
+
+  /** How much of what the map lets a camera see in cells it does see. */
+  LearnedSight learned() {
+    return learned;
   }
 
   /** Tells a listener what is believed. */
@@ -108,21 +130,20 @@ final class Belief {
       double spread = (now - tracks.seenAt(track)) * tracks.meanWay();
       listener.followed(tracks.x(track), tracks.y(track), tracks.weight(track), spread);
     }
-    for (int cell = 0; cell < free.length; cell++) {
-      listener.unseen(grid.x(cell, 0.5), grid.y(cell, 0.5), map.unseen()[cell]);
+    Grid grid = site.grid();
+    for (int cell = 0; cell < grid.cells(); cell++) {
+      if (site.free()[cell]) {
+        listener.unseen(grid.x(cell, 0.5), grid.y(cell, 0.5), map.unseen()[cell]);
+      }
     }
   }
 
-  SiteSight sight() {
-    return sight;
+  Site site() {
+    return site;
   }
 
   TargetTracks tracks() {
     return tracks;
-  }
-
-  CellSight cells() {
-    return cells;
   }
 
   SearchMap map() {

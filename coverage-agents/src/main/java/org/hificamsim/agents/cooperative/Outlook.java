@@ -15,13 +15,13 @@ final class Outlook {
   private double[] chances = {}; // by row and view
 
   /** Looks at all slots of a forecast from where the camera is now. */
-  void update(NetworkView network, int camera, SiteSight sight, Forecast forecast) {
+  void update(NetworkView network, int camera, Belief belief, Forecast forecast) {
     prepare(network, camera);
     rows = 0;
     for (int slot = 0; slot < forecast.slots(); slot++) {
       double x = forecast.x(slot);
       double y = forecast.y(slot);
-      if (sight.chances(network, camera, x, y, forecast.size(slot), now)) {
+      if (belief.chances(network, camera, x, y, forecast.size(slot), now)) {
         add(slot, forecast.step(slot));
       }
     }

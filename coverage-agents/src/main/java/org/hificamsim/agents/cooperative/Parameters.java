@@ -15,6 +15,7 @@ import org.hificamsim.core.registry.Options;
  * @param cells of the search map, about
  * @param relax part of the way from a cell's expectation to its learned occupancy in each step
  * @param prior number of looks that the mean occupancy counts as
+ * @param learn whether cameras learn where they see less than their map says
  */
 record Parameters(
     int horizon,
@@ -26,7 +27,8 @@ record Parameters(
     int memory,
     int cells,
     double relax,
-    double prior) {
+    double prior,
+    boolean learn) {
   private static final int MAX_HORIZON = 1000;
   private static final int MAX_CELLS = 1_000_000;
   private static final double MANY = 1e9;
@@ -34,14 +36,22 @@ record Parameters(
   static Parameters from(Options options) {
     return new Parameters(
         options.integer("horizon", 3, 1, MAX_HORIZON, "steps that views are compared by"),
-        options.number("discount", 0.9, 0, 1, "weight of a step, compared with the one before"),
-        options.number("search", 0.25, 0, MANY, "weight of targets that nobody sees"),
+        options.number("discount", 0.8, 0, 1, "weight of a step, compared with the one before"),
+        options.number("search", 0.2, 0, MANY, "weight of targets that nobody sees"),
         options.integer("rounds", 5, 1, MAX_HORIZON, "how often cameras choose in turn at most"),
         options.number("lead", 0.2, 0, 1, "worth of a target with one camera less than it needs"),
-        options.number("decay", 0.9, 0, 1, "weight of a target that was seen a step ago"),
-        options.integer("memory", 12, 0, (int) MANY, "steps until a target is forgotten"),
+        options.number("decay", 0.97, 0, 1, "weight of a target that was seen a step ago"),
+        options.integer("memory", 30, 0, (int) MANY, "steps until a target is forgotten"),
         options.integer("cells", 2000, 1, MAX_CELLS, "cells of the search map, about"),
         options.number("relax", 0.15, 0, 1, "how fast the search map goes to the learned one"),
-        options.number("prior", 20, 1e-6, MANY, "looks that the mean occupancy counts as"));
+        options.number("prior", 50, 1e-6, MANY, "looks that the mean occupancy counts as"),
+        options.choice("learn", Learn.NONE, "none; sight: where less is seen than the map says")
+            == Learn.SIGHT);
+  }
+
+  /** What cameras learn beyond where targets are. */
+  private enum Learn {
+    NONE,
+    SIGHT
   }
 }

@@ -25,6 +25,7 @@ final class Plan {
   private double[] unseen = {}; // by cell: targets that nobody looks at, if all do as planned
   private double[] gains = {};
   private CellSight cells;
+  private LearnedSight learned;
 
   Plan(Parameters parameters, Worth worth, int cameras) {
     this.parameters = parameters;
@@ -39,14 +40,15 @@ final class Plan {
   void begin(NetworkView network, Belief belief) {
     forecast.update(belief.tracks());
     coverage.clear(forecast.slots());
-    cells = belief.cells();
+    cells = belief.site().cells();
+    learned = belief.learned();
     double[] expected = belief.map().unseen();
     unseen = unseen.length == expected.length ? unseen : new double[expected.length];
     System.arraycopy(expected, 0, unseen, 0, unseen.length);
     Arrays.fill(planned, NONE);
     for (int camera = 0; camera < planned.length; camera++) {
       if (network.online(camera)) {
-        outlooks[camera].update(network, camera, belief.sight(), forecast);
+        outlooks[camera].update(network, camera, belief, forecast);
       }
     }
   }
@@ -56,33 +58,36 @@ final class Plan {
     return planned[camera];
   }
 
-  /** Plans another view for a camera, or none. */
-  void change(int camera, int view) {
-    if (planned[camera] != view) {
+  /** Plans a view for a camera in place of the one before. */
+  void choose(int camera, int view) {
+    withdraw(camera);
+    apply(camera, view, true);
+    planned[camera] = view;
+  }
+
+  private void withdraw(int camera) {
+    if (planned[camera] != NONE) {
       apply(camera, planned[camera], false);
-      apply(camera, view, true);
-      planned[camera] = view;
+      planned[camera] = NONE;
     }
   }
 
   private void apply(int camera, int view, boolean added) {
-    if (view == NONE) {
-      return;
-    }
     Outlook outlook = outlooks[camera];
     outlook.cover(view, coverage, added);
     if (outlook.delay(view) < forecast.horizon()) {
       int[] seen = cells.cells(camera, view);
       float[] chances = cells.chances(camera, view);
       for (int i = 0; i < seen.length; i++) {
-        double left = SearchMap.leftAfterLook(chances[i]);
+        double left = SearchMap.leftAfterLook(chances[i] * learned.share(camera, seen[i]));
         unseen[seen[i]] = added ? unseen[seen[i]] * left : unseen[seen[i]] / left;
       }
     }
   }
 
-  /** What each view of a camera, for which none is planned, adds. */
+  /** What each view of a camera adds to those of the others; from now on none is planned for it. */
   double[] gains(NetworkView network, int camera) {
+    withdraw(camera);
     int views = network.views(camera);
     gains = gains.length < views ? new double[views] : gains;
     outlooks[camera].gains(forecast, coverage, gains);
@@ -100,14 +105,20 @@ final class Plan {
     float[] chances = cells.chances(camera, view);
     double sum = 0;
     for (int i = 0; i < seen.length; i++) {
-      sum += unseen[seen[i]] * chances[i];
+      sum += unseen[seen[i]] * chances[i] * learned.share(camera, seen[i]);
     }
     return sum;
   }
 
+  /** What a view adds, of the camera that was last asked for. */
+  double gain(int view) {
+    return gains[view];
+  }
+
   /**
-   * The view of a camera that adds most. Of equally good ones it is the one that the camera chose
-   * last, or the one that takes least time, the first of these.
+   * The view of a camera that adds most to those of the others; from now on none is planned for it.
+   * Of equally good ones it is the one that the camera chose last, or the one that takes least
+   * time, the first of these.
    */
   int best(NetworkView network, int camera) {
     double[] gain = gains(network, camera);

@@ -1,6 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
 import java.util.Arrays;
+import org.hificamsim.core.channel.Fields;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
@@ -39,6 +40,27 @@ final class Report {
     y[count++] = network.cameraY(camera) + ahead * aheadY - right * aheadX;
   }
 
+  /** The same as it is now: the others may have it later. */
+  Report copy() {
+    Report copy = new Report();
+    copy.camera = camera;
+    copy.view = view;
+    copy.count = count;
+    copy.targets = Arrays.copyOf(targets, count);
+    copy.x = Arrays.copyOf(x, count);
+    copy.y = Arrays.copyOf(y, count);
+    copy.sizes = Arrays.copyOf(sizes, count);
+    return copy;
+  }
+
+  /** Its length: the view, or none, and each target with its place and size. */
+  int bits(NetworkView network) {
+    int ofTarget = Fields.of(network.targets()) + 3 * Fields.REAL;
+    return Fields.address(network.cameras())
+        + Fields.of(network.views(camera) + 1L)
+        + count * ofTarget;
+  }
+
   private void grow(int length) {
     targets = Arrays.copyOf(targets, length);
     x = Arrays.copyOf(x, length);
@@ -53,6 +75,15 @@ final class Report {
   /** The view that it looks through; -1 for none. */
   int view() {
     return view;
+  }
+
+  /** Whether it sees a target. */
+  boolean has(int target) {
+    boolean has = false;
+    for (int i = 0; i < count; i++) {
+      has |= targets[i] == target;
+    }
+    return has;
   }
 
   /** How many targets it sees. */

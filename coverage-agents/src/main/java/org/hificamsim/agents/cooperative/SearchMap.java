@@ -67,9 +67,9 @@ final class SearchMap {
   }
 
   /** A camera looks at cells. */
-  void look(int[] cells, float[] chances) {
+  void look(int[] cells, float[] chances, LearnedSight learned, int camera) {
     for (int i = 0; i < cells.length; i++) {
-      missed[cells[i]] *= 1 - chances[i];
+      missed[cells[i]] *= 1 - chances[i] * learned.share(camera, cells[i]);
     }
   }
 

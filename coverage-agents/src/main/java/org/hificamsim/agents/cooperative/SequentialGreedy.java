@@ -3,33 +3,31 @@ package org.hificamsim.agents.cooperative;
 import org.hificamsim.core.policy.NetworkView;
 
 /**
- * Cameras choose one after the other, each the view that adds most to the choices before it; then
- * again, each knowing what all others chose, until nobody changes. The first round is at least half
- * as good as the best plan where the worth is submodular (Fisher, Nemhauser and Wolsey, 1978), and
- * no later one is worse.
+ * Cameras choose one after the other, each the view that adds most to the choices that it knows of;
+ * then again, until nobody changes. Where the worth is submodular, a first choice in turn is at
+ * least half as good as the best plan (Fisher, Nemhauser and Wolsey, 1978), and so is a plan that
+ * nobody would leave (Vetta, 2002).
  */
-final class SequentialGreedy {
+final class SequentialGreedy implements Agreement {
   private final int rounds;
 
-  SequentialGreedy(Parameters parameters) {
-    rounds = parameters.rounds();
+  SequentialGreedy(int rounds) {
+    this.rounds = rounds;
   }
 
-  void agree(NetworkView network, Plan plan) {
+  @Override
+  public void agree(NetworkView network, Team team) {
     boolean changed = true;
     for (int round = 0; round < rounds && changed; round++) {
-      changed = choose(network, plan);
+      changed = chooseInTurn(network, team);
     }
   }
 
-  private static boolean choose(NetworkView network, Plan plan) {
+  private static boolean chooseInTurn(NetworkView network, Team team) {
     boolean changed = false;
     for (int camera = 0; camera < network.cameras(); camera++) {
       if (network.online(camera)) {
-        int before = plan.view(camera);
-        plan.change(camera, Plan.NONE);
-        plan.change(camera, plan.best(network, camera));
-        changed |= plan.view(camera) != before;
+        changed |= team.choose(network, camera, team.plan(camera).best(network, camera));
       }
     }
     return changed;

@@ -62,10 +62,11 @@ final class TargetTracks {
    *
    * @param step in which it was
    * @param now the step that is under way
+   * @return whether that is new
    */
-  void see(int track, long step, long now, double atX, double atY, double itsSize) {
+  boolean see(int track, long step, long now, double atX, double atY, double itsSize) {
     if (known[track] && seenAt[track] >= step) {
-      return;
+      return false;
     }
     if (known[track]) {
       turn(track, step - seenAt[track], atX - seenX[track], atY - seenY[track]);
@@ -80,6 +81,7 @@ final class TargetTracks {
     seenAt[track] = step;
     size[track] = itsSize;
     place(track, now - step);
+    return true;
   }
 
   private void turn(int track, long passed, double dx, double dy) {
@@ -156,6 +158,15 @@ final class TargetTracks {
 
   double y(int track) {
     return y[track];
+  }
+
+  /** Where it was some steps ago, metres, as far as is known. */
+  double x(int track, long ago) {
+    return x[track] - ago * wayX[track];
+  }
+
+  double y(int track, long ago) {
+    return y[track] - ago * wayY[track];
   }
 
   double size(int track) {

@@ -124,6 +124,11 @@ public class ToyNetwork implements OracleView {
     decide(policy);
     observe();
     policy.learn(this);
+    nextStep();
+  }
+
+  /** Another step begins. */
+  public final void nextStep() {
     step++;
   }
 

@@ -1,0 +1,89 @@
+package org.hificamsim.agents.cooperative;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * What a camera believes and plans, and what it last heard of the others' choices. Over a perfect
+ * channel one mind serves all cameras.
+ */
+final class Mind {
+  private record Letter(long sent, Report report) {}
+
+  private static final Comparator<Letter> ORDER =
+      Comparator.comparingLong(Letter::sent).thenComparingInt(letter -> letter.report.camera());
+
+  private final Belief belief;
+  private final Plan plan;
+  private final List<Letter> inbox = new ArrayList<>();
+  private final int[] heard; // the last choice of each camera that was heard of
+  private final long[] heardAt; // the step in which it was made
+
+  Mind(Parameters parameters, Worth worth, Site site, NetworkView network) {
+    belief = new Belief(parameters, site, network);
+    plan = new Plan(parameters, worth, network.cameras());
+    heard = new int[network.cameras()];
+    heardAt = new long[heard.length];
+    Arrays.fill(heard, Plan.NONE);
+  }
+
+  /** A report has arrived. */
+  void receive(Report report, long sent) {
+    inbox.add(new Letter(sent, report));
+  }
+
+  /**
+   * A camera's choice is known: its own, or another one's that has arrived. One of an earlier step
+   * is what the next plan begins with.
+   */
+  void hear(int camera, int view, long sent, long now) {
+    if (sent >= heardAt[camera]) {
+      heard[camera] = view;
+      heardAt[camera] = sent;
+    }
+    if (sent == now) {
+      plan.choose(camera, view);
+    }
+  }
+
+  /** Comes to a belief from what has arrived, in the order in which it was sent. */
+  void believe(NetworkView network) {
+    inbox.sort(ORDER);
+    belief.begin();
+    for (Letter letter : inbox) {
+      belief.receive(network, letter.report, letter.sent);
+    }
+    belief.end(network);
+    inbox.clear();
+  }
+
+  /** The same from the reports of all cameras in this step. */
+  void believe(NetworkView network, Report[] reports) {
+    belief.begin();
+    for (Report report : reports) {
+      belief.receive(network, report, network.step());
+    }
+    belief.end(network);
+  }
+
+  /** Begins a plan in which all go on to what they last chose, as far as is known. */
+  void plan(NetworkView network) {
+    plan.begin(network, belief);
+    for (int camera = 0; camera < heard.length; camera++) {
+      if (network.online(camera) && heard[camera] != Plan.NONE) {
+        plan.choose(camera, Math.min(heard[camera], network.views(camera) - 1));
+      }
+    }
+  }
+
+  Belief belief() {
+    return belief;
+  }
+
+  Plan plan() {
+    return plan;
+  }
+}

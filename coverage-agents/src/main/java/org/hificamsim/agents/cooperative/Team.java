@@ -1,0 +1,159 @@
+package org.hificamsim.agents.cooperative;
+
+import java.util.Arrays;
+import org.hificamsim.core.channel.Channel;
+import org.hificamsim.core.channel.ChannelModel;
+import org.hificamsim.core.channel.Fields;
+import org.hificamsim.core.channel.Post;
+import org.hificamsim.core.policy.NetworkView;
+
+/**
+ * The cameras of a network with what each believes, and all that they say to each other. Over a
+ * perfect channel all believe the same, and have one {@link Mind}.
+ */
+final class Team {
+  private final Mind[] minds;
+  private final Site site;
+  private final Channel channel;
+  private final Post<Report> reports;
+  private final Post<Integer> choices;
+  private final int[] chosen; // in this step
+  private final boolean[] heard; // by sender and receiver: who heard the last bid
+  private long messages;
+  private long bits;
+
+  /**
+   * @param each whether each camera has a mind of its own
+   */
+  Team(Parameters parameters, Site site, NetworkView network, boolean each) {
+    this.site = site;
+    boolean perfect = network.channel().isPerfect();
+    channel = perfect ? new Channel(ChannelModel.PERFECT, network, 0) : network.channel();
+    reports = new Post<>(network, channel);
+    choices = new Post<>(network, channel);
+    chosen = new int[network.cameras()];
+    heard = new boolean[each ? chosen.length * chosen.length : 0];
+    Worth worth = new Worth(network.objective(), parameters.lead());
+    minds = new Mind[each ? chosen.length : Math.min(1, chosen.length)];
+    Arrays.setAll(minds, camera -> new Mind(parameters, worth, site, network));
+  }
+
+  /** How many minds the cameras have between them. */
+  int minds() {
+    return minds.length;
+  }
+
+  private boolean each() {
+    return minds.length > 1;
+  }
+
+  /** The mind of a camera. */
+  Mind mind(int camera) {
+    return minds[each() ? camera : 0];
+  }
+
+  Plan plan(int camera) {
+    return mind(camera).plan();
+  }
+
+  /** All tell each other what they see, come to a belief, and begin to plan. */
+  void share(NetworkView network, Report[] seen) {
+    site.refresh(network);
+    Arrays.fill(chosen, Plan.NONE);
+    for (int camera = 0; camera < seen.length; camera++) {
+      if (network.online(camera)) {
+        count(seen[camera].bits(network));
+      }
+    }
+    if (each()) {
+      send(network, seen);
+    } else if (minds.length == 1) {
+      minds[0].believe(network, seen);
+      minds[0].plan(network);
+    }
+  }
+
+  private void send(NetworkView network, Report[] seen) {
+    for (int camera = 0; camera < seen.length; camera++) {
+      if (network.online(camera)) {
+        Report report = seen[camera].copy();
+        minds[camera].receive(report, network.step());
+        reports.broadcast(camera, report.bits(network), report);
+      }
+    }
+    reports.deliver((from, to, sent, report) -> minds[to].receive(report, sent));
+    deliverChoices(network);
+    for (int camera = 0; camera < minds.length; camera++) {
+      minds[camera].believe(network);
+      minds[camera].plan(network);
+    }
+  }
+
+  private void deliverChoices(NetworkView network) {
+    choices.deliver((from, to, sent, choice) -> minds[to].hear(from, choice, sent, network.step()));
+  }
+
+  /**
+   * A camera chooses a view, and tells the others.
+   *
+   * @return whether it is another one than it chose in this step before
+   */
+  boolean choose(NetworkView network, int camera, int view) {
+    boolean changed = chosen[camera] != view;
+    chosen[camera] = view;
+    mind(camera).hear(camera, view, network.step(), network.step());
+    if (changed) {
+      tell(network, camera, view);
+    }
+    return changed;
+  }
+
+  private void tell(NetworkView network, int camera, int view) {
+    int length = Fields.address(chosen.length) + Fields.of(network.views(camera));
+    count(length);
+    if (each()) {
+      choices.broadcast(camera, length, view);
+      deliverChoices(network);
+    }
+  }
+
+  /** A camera does its part of a plan that nobody has to be told of. */
+  void follow(int camera) {
+    chosen[camera] = plan(camera).view(camera);
+  }
+
+  /** A camera tells the others a number. */
+  void bid(NetworkView network, int camera) {
+    int length = Fields.address(chosen.length) + Fields.REAL;
+    count(length);
+    if (each()) {
+      boolean sent = channel.send(camera, length);
+      for (int to = 0; to < chosen.length; to++) {
+        heard[camera * chosen.length + to] = sent && channel.delay(camera, to) == 0;
+      }
+    }
+  }
+
+  /** Whether a camera heard the last bid of another one in time. */
+  boolean hears(int camera, int other) {
+    return !each() || heard[other * chosen.length + camera];
+  }
+
+  private void count(int length) {
+    messages++;
+    bits += length;
+  }
+
+  /** The view that a camera chose in this step. */
+  int chosen(int camera) {
+    return chosen[camera];
+  }
+
+  long messages() {
+    return messages;
+  }
+
+  long bits() {
+    return bits;
+  }
+}

@@ -1,0 +1,105 @@
+package org.hificamsim.agents.cooperative;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.hificamsim.agents.ZoomPolicyContract;
+import org.hificamsim.agents.toy.RealWorld;
+import org.hificamsim.core.engine.Simulation;
+import org.hificamsim.core.registry.Options;
+import org.junit.jupiter.api.DynamicContainer;
+import org.junit.jupiter.api.DynamicNode;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CooperativeZoomPolicyTest {
+  private static final String SITE =
+      "<obstacles><wall x1='-5' y1='-20' x2='-5' y2='5'/><pillar x='8' y='3'"
+          + " radius='1'/></obstacles><cameras><optics name='dome' law='pinhole' pixels='1920'"
+          + " hfov='60 30 15' reach='25' pan='-90:90:30' pan_speed='60' zoom_time='2'/><camera"
+          + " name='a' x='-19' y='-19' heading='45' optics='dome'/><camera name='b' x='19' y='-19'"
+          + " heading='315' optics='dome'/><camera name='c' x='0' y='19' heading='180'"
+          + " optics='dome'/></cameras><objects>"
+          + target(1, -15, 0)
+          + target(2, 10, 10)
+          + target(3, 15, -10)
+          + target(4, 0, 0)
+          + "</objects>";
+
+  private static String target(int name, int x, int y) {
+    return "<object features='"
+        + name
+        + "' x='"
+        + x
+        + "' y='"
+        + y
+        + "' heading='0' speed='1.2' move='RandomWaypoint'/>";
+  }
+
+  @TestFactory
+  Stream<DynamicNode> everyAgreementKeepsTheContract() {
+    return Stream.of("cbba", "log-linear", "none")
+        .map(
+            rule ->
+                DynamicContainer.dynamicContainer(
+                    rule,
+                    new ZoomPolicyContract(() -> policy("agree=" + rule, false), false).tests()));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"greedy", "cbba", "log-linear", "none"})
+  void mindsOfTheirOwnChooseTheSameOverAPerfectChannel(String rule) {
+    List<Integer> together = views(policy("agree=" + rule, false), SITE);
+    assertEquals(together, views(policy("agree=" + rule, true), SITE));
+    assertTrue(together.stream().distinct().count() > 5, "hardly ever moved");
+  }
+
+  /** Nobody sees the target but one camera; the other learns of it, and covers it too. */
+  @Test
+  void aCameraTurnsToWhatAnotherOneSees() {
+    String site =
+        "<cameras><optics name='fixed' law='pinhole' pixels='1920' hfov='60' reach='40'/>"
+            + "<optics name='dome' law='pinhole' pixels='1920' hfov='20' reach='40'"
+            + " pan='-90:90:15' pan_speed='90'/>"
+            + "<camera name='a' x='-19' y='0' heading='90' optics='fixed'/>"
+            + "<camera name='b' x='19' y='-19' heading='315' optics='dome'/></cameras>"
+            + "<objects><object features='1' x='0' y='1' heading='0' speed='0'/></objects>";
+    Simulation simulation = RealWorld.run(site, policy("search=0", false), 1);
+    simulation.run(5);
+    assertEquals(2, simulation.network().coverage(0));
+  }
+
+  @Test
+  void countsAReportAndAChoiceOfEachCamera() {
+    CooperativeZoomPolicy policy = policy("agree=none", false);
+    RealWorld.run(SITE, policy, 1).run(10);
+    assertEquals(3 * 10, policy.messages());
+    CooperativeZoomPolicy inTurn = policy("", false);
+    RealWorld.run(SITE, inTurn, 1).run(10);
+    assertTrue(inTurn.messages() >= 2 * 3 * 10, inTurn.messages() + " messages");
+    assertTrue(inTurn.bits() > policy.bits());
+  }
+
+  private static CooperativeZoomPolicy policy(String options, boolean each) {
+    return new CooperativeZoomPolicy(
+        options.isEmpty() ? Options.none("cooperative") : Options.parse("cooperative", options),
+        each);
+  }
+
+  private static List<Integer> views(CooperativeZoomPolicy policy, String site) {
+    Simulation simulation = RealWorld.run(site, policy, 7);
+    List<Integer> views = new ArrayList<>();
+    for (int step = 0; step < 200; step++) {
+      simulation.step();
+      for (int camera = 0; camera < simulation.network().cameras(); camera++) {
+        views.add(simulation.network().view(camera));
+      }
+    }
+    return views;
+  }
+}

@@ -1,0 +1,121 @@
+package org.hificamsim.agents.cooperative;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.SplittableRandom;
+import org.hificamsim.agents.toy.ToyNetwork;
+import org.hificamsim.core.metrics.Objective;
+import org.hificamsim.core.registry.Options;
+import org.junit.jupiter.api.Test;
+
+/** Plans of a few cameras, whose worth is submodular, against all there are. */
+class SequentialGreedyTest {
+  private static final int CAMERAS = 4;
+  private static final int VIEWS = 5;
+  private static final int TARGETS = 8;
+  private static final Parameters PARAMETERS =
+      Parameters.from(Options.parse("cooperative", "search=0"));
+
+  /** Each view of a camera detects any targets, or any of those that are the camera's own. */
+  private static final class RandomSets extends ToyNetwork {
+    private final boolean[][][] seen = new boolean[CAMERAS][VIEWS][TARGETS];
+
+    RandomSets(int seed, boolean apart) {
+      super(TARGETS, VIEWS, VIEWS, VIEWS, VIEWS);
+      scoredBy(Objective.parse("covered:k=1"));
+      SplittableRandom random = new SplittableRandom(seed);
+      for (int camera = 0; camera < CAMERAS; camera++) {
+        for (boolean[] targets : seen[camera]) {
+          for (int target = 0; target < TARGETS; target++) {
+            boolean own = !apart || target % CAMERAS == camera;
+            targets[target] = own && random.nextInt(3) == 0;
+          }
+        }
+      }
+    }
+
+    /** Targets stand at their numbers. */
+    @Override
+    public boolean chancesAt(
+        int camera, double x, double y, double size, double transmittance, double[] chances) {
+      for (int view = 0; view < VIEWS; view++) {
+        chances[view] = x == Math.rint(x) && seen[camera][view][(int) x] ? 1 : 0;
+      }
+      return true;
+    }
+  }
+
+  @Test
+  void isAtLeastHalfOfTheBestPlan() {
+    for (int seed = 0; seed < 200; seed++) {
+      RandomSets network = new RandomSets(seed, false);
+      double best = best(network, plan(network), 0, 0);
+      assertTrue(agreed(network) >= best / 2 - 1e-9, "seed " + seed + ": " + best);
+    }
+  }
+
+  @Test
+  void isTheBestPlanWhereCamerasSeeNothingInCommon() {
+    for (int seed = 0; seed < 200; seed++) {
+      RandomSets network = new RandomSets(seed, true);
+      double best = best(network, plan(network), 0, 0);
+      assertTrue(best > 0, "nothing to see");
+      assertEquals(best, agreed(network), 1e-9, "seed " + seed);
+    }
+  }
+
+  /** The worth of what cameras agree on: each adds to those before it. */
+  private static double agreed(RandomSets network) {
+    Team team = new Team(PARAMETERS, site(network), network, false);
+    Report[] reports = new Report[network.cameras()];
+    for (int camera = 0; camera < reports.length; camera++) {
+      reports[camera] = new Report();
+      reports[camera].begin(network, camera);
+    }
+    team.share(network, reports);
+    seeAll(network, team.mind(0).belief());
+    team.plan(0).begin(network, team.mind(0).belief());
+    new SequentialGreedy(5).agree(network, team);
+    Plan plan = plan(network);
+    double worth = 0;
+    for (int camera = 0; camera < network.cameras(); camera++) {
+      worth += plan.gains(network, camera)[team.chosen(camera)];
+      plan.choose(camera, team.chosen(camera));
+    }
+    return worth;
+  }
+
+  /** The most that views of cameras from one on add to those of the cameras before it. */
+  private static double best(RandomSets network, Plan plan, int camera, double before) {
+    double most = before;
+    for (int view = 0; camera < network.cameras() && view < network.views(camera); view++) {
+      double added = plan.gains(network, camera)[view];
+      plan.choose(camera, view);
+      most = Math.max(most, best(network, plan, camera + 1, before + added));
+      plan.gains(network, camera); // none is planned for it any more
+    }
+    return most;
+  }
+
+  private static Plan plan(RandomSets network) {
+    Worth worth = new Worth(network.objective(), PARAMETERS.lead());
+    Belief belief = new Belief(PARAMETERS, site(network), network);
+    seeAll(network, belief);
+    Plan plan = new Plan(PARAMETERS, worth, network.cameras());
+    plan.begin(network, belief);
+    return plan;
+  }
+
+  private static Site site(RandomSets network) {
+    Site site = new Site(network, network.obstacles(), 20);
+    site.refresh(network);
+    return site;
+  }
+
+  private static void seeAll(RandomSets network, Belief belief) {
+    for (int target = 0; target < network.targets(); target++) {
+      belief.tracks().see(target, 0, 0, target, 0, 1);
+    }
+  }
+}
