@@ -38,10 +38,12 @@ class ScenarioQuestionTest {
     assertEquals("scenario", summary.path("steps_from").asText());
     double mean = summary.path("score").asDouble() / summary.path("steps").asInt();
     boolean share = summary.path("score_unit").asText().equals("share");
-    String shown = String.format(Locale.ROOT, share ? "%.1f %%" : "%.3f", share ? 100 * mean : mean);
+    String shown =
+        String.format(Locale.ROOT, share ? "%.1f %%" : "%.3f", share ? 100 * mean : mean);
     assertTrue(mean > 0, name);
     assertTrue(
-        run.out().startsWith("score            " + summary.path("score_words").asText() + ": " + shown),
+        run.out()
+            .startsWith("score            " + summary.path("score_words").asText() + ": " + shown),
         run.out());
   }
 

@@ -108,8 +108,7 @@ final class Belief {
   }
 
   /** As {@link SiteSight#chances}, corrected by what was learned. */
-  boolean chances(
-      NetworkView network, int camera, double x, double y, double size, double[] into) {
+  boolean chances(NetworkView network, int camera, double x, double y, double size, double[] into) {
     boolean any = site.sight().chances(network, camera, x, y, size, into);
     double share = any ? learned.share(camera, x, y) : 1;
     for (int view = 0; view < into.length && share != 1; view++) {

@@ -38,8 +38,6 @@ final class LearnedSight {
   }
 
   double share(int camera, int cell) {
-    return promised == null
-        ? 1
-        : (TRUST + seen[camera][cell]) / (TRUST + promised[camera][cell]);
+    return promised == null ? 1 : (TRUST + seen[camera][cell]) / (TRUST + promised[camera][cell]);
   }
 }

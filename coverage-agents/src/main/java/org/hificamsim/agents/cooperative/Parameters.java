@@ -45,7 +45,7 @@ record Parameters(
         options.integer("cells", 2000, 1, MAX_CELLS, "cells of the search map, about"),
         options.number("relax", 0.15, 0, 1, "how fast the search map goes to the learned one"),
         options.number("prior", 50, 1e-6, MANY, "looks that the mean occupancy counts as"),
-        options.choice("learn", Learn.NONE, "none; sight: where less is seen than the map says")
+        options.choice("learn", Learn.SIGHT, "sight: where less is seen than the map says; none")
             == Learn.SIGHT);
   }
 

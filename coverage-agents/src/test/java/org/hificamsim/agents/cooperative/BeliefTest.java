@@ -20,12 +20,13 @@ class BeliefTest {
   @Test
   void theSearchMapIsWhatBayesRuleSaysOfATargetThatNobodySees() {
     SearchMap map = map();
+    LearnedSight nothing = new LearnedSight(false, GRID, 1);
     double[] exact = new double[GRID.cells()];
     for (int cell = 0; cell < exact.length; cell++) {
       walk(cell, 0, 1.0 / exact.length, exact);
     }
     for (int step = 0; step < 5; step++) {
-      map.look(looked(step), new float[] {0.6f, 0.9f, 0.25f});
+      map.look(looked(step), new float[] {0.6f, 0.9f, 0.25f}, nothing, 0);
       map.step(SPREAD, 0);
     }
     assertEquals(1, Arrays.stream(map.unseen()).sum() / Arrays.stream(exact).sum(), 1e-6);

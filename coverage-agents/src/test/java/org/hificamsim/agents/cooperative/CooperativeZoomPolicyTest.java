@@ -1,6 +1,7 @@
 package org.hificamsim.agents.cooperative;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.util.ArrayList;
@@ -8,6 +9,7 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.hificamsim.agents.ZoomPolicyContract;
 import org.hificamsim.agents.toy.RealWorld;
+import org.hificamsim.core.InputException;
 import org.hificamsim.core.engine.Simulation;
 import org.hificamsim.core.registry.Options;
 import org.junit.jupiter.api.DynamicContainer;
@@ -72,6 +74,26 @@ class CooperativeZoomPolicyTest {
     Simulation simulation = RealWorld.run(site, policy("search=0", false), 1);
     simulation.run(5);
     assertEquals(2, simulation.network().coverage(0));
+  }
+
+  /** A wall that is not on its map hides a target from one of two cameras. */
+  @Test
+  void learnsThatItSeesLessThanItsMapSays() {
+    LearnedSight learned = new LearnedSight(true, new Grid(0, 0, 1, 10, 10), 2);
+    for (int step = 0; step < 20; step++) {
+      learned.see(0, 3.5, 3.5, 1, false);
+      learned.see(1, 3.5, 3.5, 1, true);
+    }
+    assertEquals(3 / 23.0, learned.share(0, 3.5, 3.5), 1e-12);
+    assertEquals(1, learned.share(1, 3.5, 3.5), 1e-12);
+    assertEquals(1, learned.share(0, 8.5, 3.5), 1e-12);
+  }
+
+  @Test
+  void aMapThatIsNoScenarioIsRefused() {
+    InputException error =
+        assertThrows(InputException.class, () -> policy("map=no-such-file.xml", false));
+    assertTrue(error.getMessage().contains("no-such-file.xml"), error.getMessage());
   }
 
   @Test

@@ -41,7 +41,8 @@ public final class Snapshots {
 
   /** The network as it is now. */
   public Frame take(NetworkView network) {
-    Frame frame = Frame.blank(setup, network.step(), !estimated(network).isEmpty(), believed(network));
+    Frame frame =
+        Frame.blank(setup, network.step(), !estimated(network).isEmpty(), believed(network));
     for (int camera = 0; camera < network.cameras(); camera++) {
       frame.online()[camera] = network.online(camera);
       frame.level()[camera] = network.view(camera);

@@ -67,7 +67,8 @@ public final class ChannelExperiment {
 
   private static final List<Sweep> SWEEPS =
       List.of(
-          new Sweep("loss (share of messages)", "loss", List.of(0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)),
+          new Sweep(
+              "loss (share of messages)", "loss", List.of(0.0, 0.1, 0.2, 0.35, 0.5, 0.75, 1.0)),
           new Sweep("delay (steps)", "delay", List.of(0.0, 1.0, 2.0, 5.0, 10.0, 20.0)),
           new Sweep(
               "bandwidth (bits a step and camera, log2)",
@@ -212,7 +213,8 @@ public final class ChannelExperiment {
           CamSimScenario.read(file, null, false, settings, catalogue, nowhere)
               .with(Scenario.CHANNEL, channel);
       DetectionSpec spec =
-          DetectionSpec.parse(Settings.NONE.value(Setting.DETECTION, scenario), catalogue::detection);
+          DetectionSpec.parse(
+              Settings.NONE.value(Setting.DETECTION, scenario), catalogue::detection);
       for (int seed = 0; seed < seeds; seed++) {
         NetworkRun run =
             new NetworkRun(
@@ -248,7 +250,9 @@ public final class ChannelExperiment {
   }
 
   private static double rounded(double value) {
-    return Double.isNaN(value) ? value : Double.parseDouble(String.format(Locale.ROOT, "%.4f", value));
+    return Double.isNaN(value)
+        ? value
+        : Double.parseDouble(String.format(Locale.ROOT, "%.4f", value));
   }
 
   private Figure figure(List<Outcome> outcomes) {

@@ -51,28 +51,37 @@ public final class RunTables {
   public static final Table<StepCursor> STEPS_BY_CHANCE =
       RECORDED
           .with(
-          expected(
-              "expected_k_min",
-              "cameras",
-              "k_min as it was to be expected before luck was drawn",
-              ExpectedCoverage::kMin),
-          expected(
-              "expected_covered_0", "targets", "covered_0, expected", ExpectedCoverage::covered0),
-          expected(
-              "expected_covered_1", "targets", "covered_1, expected", ExpectedCoverage::covered1),
-          expected(
-              "expected_covered_k", "targets", "covered_k, expected", ExpectedCoverage::coveredK),
-          expected("expected_mean_k", "cameras", "mean_k, expected", ExpectedCoverage::meanK),
-          expected(
-              "least_expected_k",
-              "cameras",
-              "the least expected number of cameras that cover a target",
-              ExpectedCoverage::leastK),
-          expected(
-              "least_chance",
-              "probability",
-              "the least one of a target to be covered",
-              ExpectedCoverage::leastChance))
+              expected(
+                  "expected_k_min",
+                  "cameras",
+                  "k_min as it was to be expected before luck was drawn",
+                  ExpectedCoverage::kMin),
+              expected(
+                  "expected_covered_0",
+                  "targets",
+                  "covered_0, expected",
+                  ExpectedCoverage::covered0),
+              expected(
+                  "expected_covered_1",
+                  "targets",
+                  "covered_1, expected",
+                  ExpectedCoverage::covered1),
+              expected(
+                  "expected_covered_k",
+                  "targets",
+                  "covered_k, expected",
+                  ExpectedCoverage::coveredK),
+              expected("expected_mean_k", "cameras", "mean_k, expected", ExpectedCoverage::meanK),
+              expected(
+                  "least_expected_k",
+                  "cameras",
+                  "the least expected number of cameras that cover a target",
+                  ExpectedCoverage::leastK),
+              expected(
+                  "least_chance",
+                  "probability",
+                  "the least one of a target to be covered",
+                  ExpectedCoverage::leastChance))
           .with(SCORE);
 
   /** A row per run, step and camera. */
