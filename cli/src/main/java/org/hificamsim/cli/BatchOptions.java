@@ -9,6 +9,7 @@ import org.hificamsim.core.InputException;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.EngineSettings;
 import org.hificamsim.runs.compare.Engines;
+import org.hificamsim.runs.compare.LocalEngine;
 import org.hificamsim.runs.compare.MergedShards;
 import org.hificamsim.runs.compare.RunEngine;
 import org.hificamsim.runs.compare.Shard;
@@ -56,6 +57,11 @@ final class BatchOptions {
 
   boolean resume() {
     return resume;
+  }
+
+  /** Whether all runs are still to be computed, by this machine. */
+  boolean computesHere() {
+    return merge == null && !resume && engine.equals(LocalEngine.NAME);
   }
 
   /** The part of the comparison that was asked for, if not the whole. */

@@ -23,6 +23,7 @@ import org.hificamsim.runs.compare.ComparisonFiles;
 import org.hificamsim.runs.compare.PolicyScores;
 import org.hificamsim.runs.compare.ReferencePolicies;
 import org.hificamsim.runs.compare.SummaryTables;
+import org.hificamsim.runs.compare.Yardstick;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -52,6 +53,15 @@ final class CompareCommand implements Callable<Integer> {
       description = "Zoom policies with their options, P:key=value,key=value,Q.")
   private String policies;
 
+  @Option(
+      names = "--yardsticks",
+      paramLabel = "Y,Z",
+      description =
+          "What scores are compared with: optimal, the exact optimum of each step; bound, what it"
+              + " cannot exceed, in a small part of the time; best-fixed, the best configuration"
+              + " that never changes; or none.")
+  private String yardsticks;
+
   @Option(names = "--latex", description = "Write summary.tex too: the tables, for booktabs.")
   private boolean latex;
 
@@ -77,7 +87,11 @@ final class CompareCommand implements Callable<Integer> {
     Catalogue catalogue = Catalogue.load();
     List<RunPlan> plans = plans(catalogue);
     Optional<PrintWidth> width = figureWidth.map(PrintWidth::parse);
-    return new BatchRun(screen, batch, catalogue, ReferencePolicies.OPTIMUM_AND_BEST_FIXED)
+    ReferencePolicies references = ReferencePolicies.parse("--yardsticks", yardsticks);
+    if (batch.computesHere()) {
+      new OptimumTime(catalogue, batch.threads()).tell(plans, references, screen.err());
+    }
+    return new BatchRun(screen, batch, catalogue, references)
         .execute(
             plans,
             (folder, results) -> {
@@ -139,9 +153,11 @@ final class CompareCommand implements Callable<Integer> {
     }
     List<PolicyScores> policies =
         PolicyScores.of(cases.stream().filter(one -> !one.isOptimum()).toList());
-    if (policies.stream().anyMatch(one -> one.cases().size() > 1)) {
+    SummaryTables.atLeast(cases).forEach(out::println);
+    Optional<Yardstick> yardstick = Yardstick.of(cases);
+    if (yardstick.isPresent() && policies.stream().anyMatch(one -> one.cases().size() > 1)) {
       out.println();
-      out.println("all scenarios, of the optimum:");
+      out.println("all scenarios, " + yardstick.get().title() + ":");
       SummaryTables.aggregates(policies).print(out);
     }
   }

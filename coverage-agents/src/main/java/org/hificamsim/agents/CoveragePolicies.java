@@ -52,6 +52,10 @@ public final class CoveragePolicies {
             "the best score of each step (k_min by default), exactly, with global knowledge",
             OptimalZoomPolicy::from)
         .register(
+            "bound",
+            "a good configuration and a bound on the best score of each step, without a search",
+            OptimalZoomPolicy::bound)
+        .register(
             "optimal-expected",
             "the exactly best least expected coverage of each step, before luck is drawn",
             OptimalExpectedZoomPolicy::new)

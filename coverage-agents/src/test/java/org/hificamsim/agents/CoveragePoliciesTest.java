@@ -18,7 +18,7 @@ import org.junit.jupiter.api.TestFactory;
 
 class CoveragePoliciesTest {
   private static final Set<String> GLOBAL =
-      Set.of("optimal", "optimal-expected", "one-hop", "best-fixed", "independent-greedy");
+      Set.of("optimal", "bound", "optimal-expected", "one-hop", "best-fixed", "independent-greedy");
 
   private final Registry<ZoomPolicy> registry = CoveragePolicies.register(new Registry<>("policy"));
 

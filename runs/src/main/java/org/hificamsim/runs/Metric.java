@@ -24,8 +24,11 @@ public enum Metric {
       "the score (the performance, unless there is another [objective](objectives.md)) divided by"
           + " that of the exact optimum of the same scenario, detection model and seed; empty where"
           + " that is 0",
-      compared(ScoredRun::proportionOfOptimal)),
-  REGRET("that of `score`", "the optimum's score minus this one", compared(ScoredRun::regret)),
+      compared(ScoredRun::optimum, ScoredRun::proportionOfOptimal)),
+  REGRET(
+      "that of `score`",
+      "the optimum's score minus this one",
+      compared(ScoredRun::optimum, ScoredRun::regret)),
   MEAN_K_MIN(
       "cameras",
       "performance per step",
@@ -138,7 +141,13 @@ public enum Metric {
       "number",
       "over a [channel](channel.md) that is not perfect alone: those that found no place in the"
           + " queue of their sender",
-      measured(run -> run.traffic().dropped()));
+      measured(run -> run.traffic().dropped())),
+  PROPORTION_OF_BOUND(
+      "share",
+      "with `compare --yardsticks bound` alone: score over [a bound](objectives.md#a-bound) on the"
+          + " optimum's of the same scenario, detection model and seed, so that it is at least this"
+          + " share of what is possible; empty where the bound is 0",
+      compared(ScoredRun::bound, ScoredRun::proportionOfBound));
 
   private static final String EXPECTED = "EXPECTED_";
 
@@ -179,6 +188,12 @@ public enum Metric {
 
   private static Source compared(ToDoubleFunction<ScoredRun> figure) {
     return new Source(null, figure, (run, optimum) -> true);
+  }
+
+  /** Of a run that has a yardstick: its score is not NaN. */
+  private static Source compared(
+      ToDoubleFunction<ScoredRun> yardstick, ToDoubleFunction<ScoredRun> figure) {
+    return new Source(null, figure, (run, optimum) -> !Double.isNaN(yardstick.applyAsDouble(run)));
   }
 
   private static Source overBestFixed(boolean ofOptimum, ToDoubleFunction<ScoredRun> figure) {

@@ -79,8 +79,17 @@ public record RunPlan(
 
   /** The same plan under another policy. */
   public RunPlan withPolicy(String policy) {
+    return with(Setting.POLICY, policy);
+  }
+
+  /** The same plan with another number of steps. */
+  public RunPlan withSteps(int steps) {
+    return with(Setting.STEPS, Integer.toString(steps));
+  }
+
+  private RunPlan with(Setting setting, String value) {
     Map<Setting, String> changed = new EnumMap<>(own);
-    changed.put(Setting.POLICY, policy);
+    changed.put(setting, value);
     return new RunPlan(scenario, detection, changed, sources);
   }
 }

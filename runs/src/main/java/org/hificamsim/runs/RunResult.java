@@ -41,6 +41,11 @@ public record RunResult(int run, long seed, EnumMap<Metric, Double> values, doub
     return value(Metric.SCORE);
   }
 
+  /** What the score could have been at most; NaN under a policy that claims nothing. */
+  public double bound() {
+    return has(Metric.UNPROVEN_STEPS) ? score() + gap : Double.NaN;
+  }
+
   /** What the policy proved; empty under one that does not claim to be the best. */
   public Optional<Proof> proof() {
     return has(Metric.UNPROVEN_STEPS)

@@ -1,8 +1,9 @@
 package org.hificamsim.core.scenario;
 
+import java.util.Collections;
 import java.util.List;
 
-/** Usual lenses, for cameras that a program places. */
+/** Usual lenses, and cameras with them that a program places. */
 public final class DraftOptics {
   /** A camera that pans, from 60 to 6 degrees. */
   public static final OpticsSpec DOME =
@@ -21,4 +22,13 @@ public final class DraftOptics {
           .with(OpticsSpec.ZOOM_TIME, 3);
 
   private DraftOptics() {}
+
+  /** A camera at a place, metres, that looks at another. */
+  public static CameraSpec camera(
+      String name, OpticsSpec optics, double x, double y, double atX, double atY) {
+    return new CameraSpec(name, x, y, 0)
+        .with(CameraSpec.HEADING, Math.rint(Math.toDegrees(Math.atan2(atX - x, atY - y))))
+        .with(CameraSpec.VIEWING_ANGLE, Collections.max(optics.anglesOfView()))
+        .with(CameraSpec.OPTICS, optics);
+  }
 }

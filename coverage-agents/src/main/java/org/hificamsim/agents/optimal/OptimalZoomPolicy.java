@@ -1,7 +1,12 @@
 package org.hificamsim.agents.optimal;
 
 import java.util.SplittableRandom;
+import java.util.function.BiFunction;
+import org.hificamsim.agents.search.BoundSolver;
+import org.hificamsim.agents.search.CoverageProblem;
+import org.hificamsim.agents.search.Solver;
 import org.hificamsim.agents.search.StepSolver;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ProvingZoomPolicy;
 import org.hificamsim.core.registry.Options;
@@ -16,6 +21,9 @@ import org.hificamsim.core.registry.Options;
  * another one dominates are left out, and among configurations of the remaining views with the best
  * score it is the one in which camera 0 detects most targets, then at its narrowest view, then
  * camera 1, and so on.
+ *
+ * <p>As {@code bound} it does not search: it takes a good configuration, and what it says that the
+ * score could have been at most is a bound on the optimum, in a small part of the time.
  */
 public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
   /** The pan angles that cameras may turn to. */
@@ -24,7 +32,8 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     CONTINUOUS
   }
 
-  private final int nodes;
+  private final String name;
+  private final BiFunction<Objective, CoverageProblem, Solver> solver;
   private DetectionSets sets;
   private int revision;
   private boolean settled;
@@ -34,7 +43,17 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
    * @param nodes search nodes after which a step's proof is given up, 0 or more
    */
   OptimalZoomPolicy(int nodes) {
-    this.nodes = nodes;
+    this("optimal", (objective, problem) -> new StepSolver(objective, problem, nodes));
+  }
+
+  private OptimalZoomPolicy(String name, BiFunction<Objective, CoverageProblem, Solver> solver) {
+    this.name = name;
+    this.solver = solver;
+  }
+
+  /** The policy that bounds the optimum. */
+  public static OptimalZoomPolicy bound() {
+    return new OptimalZoomPolicy("bound", BoundSolver::new);
   }
 
   /** The policy with its options {@code nodes} and {@code pan}. */
@@ -48,7 +67,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
 
   @Override
   public String name() {
-    return "optimal";
+    return name;
   }
 
   /** A bound on what is possible: its cameras need no time for a move. */
@@ -71,7 +90,7 @@ public final class OptimalZoomPolicy extends AbstractExactZoomPolicy {
     if (!settled) {
       if (!prepared) {
         prepared = true;
-        search(network, sets, new StepSolver(network.objective(), sets.problem(), nodes));
+        search(network, sets, solver.apply(network.objective(), sets.problem()));
       }
       super.decide(network, views);
     } else if (anyPresent(network)) {

@@ -34,7 +34,9 @@ final class Stage {
   private final int[] sold;
   private final long[] setPrice;
   private final long[] dearest;
+  private boolean coverableAlone;
   private boolean priced;
+  private long tightest;
   private long goal;
   private long sure;
   private long top;
@@ -62,6 +64,15 @@ final class Stage {
     dearest = new long[problem.maxCameras()];
   }
 
+  /** From now on a target that no set has does not count for the least k. */
+  void countCoverableAlone() {
+    coverableAlone = true;
+  }
+
+  private boolean counts(int target) {
+    return !coverableAlone || remaining.supply(target) > 0;
+  }
+
   /** Forgets the prices. */
   void reset() {
     priced = false;
@@ -71,10 +82,18 @@ final class Stage {
   void require(long value) {
     if (byLeast) {
       worth.cut((int) value);
-      goal = worth.of((int) value) * problem.targets();
+      goal = worth.of((int) value) * counted();
     } else {
       goal = value;
     }
+  }
+
+  private int counted() {
+    int counted = problem.targets();
+    for (int target = 0; coverableAlone && target < problem.targets(); target++) {
+      counted -= counts(target) ? 0 : 1;
+    }
+    return counted;
   }
 
   /** The least difference between two values. */
@@ -104,7 +123,7 @@ final class Stage {
   private long least(int[] coverage) {
     int least = problem.cameras();
     for (int target = 0; target < problem.targets(); target++) {
-      least = Math.min(least, coverage[target]);
+      least = counts(target) ? Math.min(least, coverage[target]) : least;
     }
     return least;
   }
@@ -313,6 +332,7 @@ final class Stage {
    */
   boolean tune(int rounds) {
     double least = Double.POSITIVE_INFINITY;
+    tightest = Long.MAX_VALUE;
     for (int target = 0; target < problem.targets(); target++) {
       maxPrice[target] = worth.slope(0, remaining.supply(target));
       price[target] = maxPrice[target] / 2;
@@ -321,6 +341,7 @@ final class Stage {
     for (int round = 0; round < rounds; round++) {
       sell();
       long surplus = priceBound() - goal;
+      tightest = Math.min(tightest, surplus + goal);
       if (surplus < 0) {
         return false;
       }
@@ -337,6 +358,11 @@ final class Stage {
     System.arraycopy(bestPrice, 0, price, 0, problem.targets());
     sell();
     return true;
+  }
+
+  /** The lowest bound of the sum by prices that {@link #tune} met. */
+  long tightest() {
+    return tightest;
   }
 
   /** Every camera sells its dearest set. */

@@ -12,6 +12,7 @@ import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.FigureFile;
 import org.hificamsim.presentation.plot.PrintWidth;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Yardstick;
 
 /**
  * The pictures of a comparison: k_min over time, proportions of the optimum, shares covered,
@@ -47,10 +48,11 @@ public final class ComparisonFigures {
             (name, group) ->
                 figures.put(
                     "k_min-" + name, () -> OverTime.figure("k_min over time, " + name, group)));
-    figures.put("proportion", () -> ProportionFigure.of(cases));
+    Optional<Yardstick> yardstick = Yardstick.of(cases);
+    yardstick.ifPresent(by -> figures.put("proportion", () -> ProportionFigure.of(cases, by)));
     figures.put("coverage", () -> coverage(cases));
-    if (cases.stream().anyMatch(one -> !one.isOptimum())) {
-      figures.put("profile", () -> ProfileFigure.of(cases));
+    if (yardstick.isPresent() && cases.stream().anyMatch(one -> !one.isOptimum())) {
+      figures.put("profile", () -> ProfileFigure.of(cases, yardstick.get()));
     }
     return figures;
   }

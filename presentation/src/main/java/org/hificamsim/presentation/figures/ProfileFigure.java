@@ -10,10 +10,11 @@ import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.PolicyScores;
+import org.hificamsim.runs.compare.Yardstick;
 import org.hificamsim.runs.statistics.PerformanceProfile;
 import org.knowm.xchart.XYChart;
 
-/** Performance profiles: the share of runs that reach a proportion of the optimum. */
+/** Performance profiles: the share of runs that reach a proportion of the yardstick. */
 final class ProfileFigure {
   private static final int WIDTH = 430;
   private static final int HEIGHT = 290;
@@ -21,15 +22,17 @@ final class ProfileFigure {
   private ProfileFigure() {}
 
   /** The figure of all scenarios together, a panel per detection. */
-  static Figure of(List<CaseResult> cases) {
+  static Figure of(List<CaseResult> cases, Yardstick yardstick) {
     List<CaseResult> shown = cases.stream().filter(one -> !one.isOptimum()).toList();
     PolicyColors colors = OverTime.colors(shown);
     List<XYChart> panels = new ArrayList<>();
-    CaseGroups.byDetection(shown).forEach((name, group) -> panels.add(panel(name, group, colors)));
+    CaseGroups.byDetection(shown)
+        .forEach((name, group) -> panels.add(panel(name, group, colors, yardstick)));
     return new Figure(
         "Performance profile",
-        "Share of all runs whose proportion of the optimum is tau or more; bands: 95%"
-            + " intervals, point by point.",
+        "Share of all runs whose proportion of "
+            + yardstick.noun()
+            + " is tau or more; bands: 95% intervals, point by point.",
         colors.legend(),
         panels,
         Math.min(2, panels.size()),
@@ -37,8 +40,10 @@ final class ProfileFigure {
         HEIGHT);
   }
 
-  private static XyPanel panel(String title, List<CaseResult> cases, PolicyColors colors) {
-    XyPanel panel = new XyPanel(title, "tau (of the optimum)", "share of runs").x(0, 1).y(0, 1);
+  private static XyPanel panel(
+      String title, List<CaseResult> cases, PolicyColors colors, Yardstick yardstick) {
+    XyPanel panel =
+        new XyPanel(title, "tau (of " + yardstick.noun() + ")", "share of runs").x(0, 1).y(0, 1);
     List<PolicyScores> policies =
         PolicyScores.of(cases).stream().filter(one -> one.scores().runs() > 0).toList();
     List<PerformanceProfile> profiles =

@@ -5,40 +5,56 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.DoubleStream;
 import org.hificamsim.presentation.plot.Figure;
 import org.hificamsim.presentation.plot.LegendEntry;
 import org.hificamsim.presentation.plot.Palette;
 import org.hificamsim.presentation.plot.XyPanel;
 import org.hificamsim.runs.Estimate;
-import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.compare.CaseResult;
+import org.hificamsim.runs.compare.Yardstick;
 import org.knowm.xchart.XYChart;
 
-/** The proportion of the optimum by policy and detection model, a panel per scenario. */
+/** The share of the leading yardstick by policy and detection model, a panel per scenario. */
 final class ProportionFigure {
   private static final int WIDTH = 430;
   private static final int ROW = 26;
   private static final int FRAME = 90;
   private static final double APART = 0.18;
 
+  private final Yardstick yardstick;
   private final List<String> policies;
   private final List<String> detections;
+  private final double most;
 
-  private ProportionFigure(List<CaseResult> cases) {
+  private ProportionFigure(List<CaseResult> cases, Yardstick yardstick) {
+    this.yardstick = yardstick;
+    most =
+        cases.stream()
+            .map(this::share)
+            .flatMapToDouble(share -> DoubleStream.of(share.mean(), share.high()))
+            .filter(Double::isFinite)
+            .reduce(1, Math::max);
     policies = new ArrayList<>(CaseGroups.byPolicy(cases).keySet());
     policies.removeIf(PolicyColors::isOptimal);
     Collections.reverse(policies);
     detections = List.copyOf(CaseGroups.byDetection(cases).keySet());
   }
 
-  static Figure of(List<CaseResult> cases) {
-    ProportionFigure figure = new ProportionFigure(cases);
+  private Estimate share(CaseResult one) {
+    return Estimate.mean(one.figures(yardstick.share()));
+  }
+
+  static Figure of(List<CaseResult> cases, Yardstick yardstick) {
+    ProportionFigure figure = new ProportionFigure(cases, yardstick);
     List<XYChart> panels = new ArrayList<>();
     CaseGroups.byScenario(cases).forEach((name, group) -> panels.add(figure.panel(name, group)));
     return new Figure(
-        "Proportion of the optimum",
-        "Means over seeds with 95% intervals; the optimum is that of the same detection"
-            + " model.",
+        "Proportion of " + yardstick.noun(),
+        "Means over seeds with 95% intervals; "
+            + yardstick.noun()
+            + " is that of the same detection model"
+            + (yardstick.isBound() ? ", and perhaps nothing reaches it." : "."),
         figure.legend(),
         panels,
         Math.min(2, panels.size()),
@@ -58,7 +74,7 @@ final class ProportionFigure {
 
   private XYChart panel(String scenario, List<CaseResult> cases) {
     XyPanel panel =
-        new XyPanel(scenario, "performance / that of the optimum", "").x(0, 1).rows(policies);
+        new XyPanel(scenario, "score / that of " + yardstick.noun(), "").x(0, most).rows(policies);
     Map<String, List<CaseResult>> groups = CaseGroups.byDetection(cases);
     groups.forEach((name, group) -> group.forEach(one -> dot(panel, one)));
     return panel;
@@ -66,7 +82,7 @@ final class ProportionFigure {
 
   private void dot(XyPanel panel, CaseResult one) {
     int row = policies.indexOf(one.plan().policy());
-    Estimate estimate = Estimate.mean(one.figures(Metric.PROPORTION_OF_OPTIMAL));
+    Estimate estimate = share(one);
     if (row >= 0 && !Double.isNaN(estimate.mean())) {
       int detection = detections.indexOf(one.plan().detection().name());
       double y = row + 1 + APART * ((detections.size() - 1) / 2.0 - detection);

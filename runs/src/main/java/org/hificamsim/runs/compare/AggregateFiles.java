@@ -24,6 +24,10 @@ public final class AggregateFiles {
           Column.ofText("policy", "the zoom policy with its options", PolicyScores::policy));
   private static final String OTHER = "the policy that it is compared with";
 
+  private static final String MEASURE =
+      "what is compared: `proportion_of_optimal`; without the optimum as a yardstick"
+          + " `proportion_of_bound`, else `value_of_learning`, else `score`";
+
   /** A statistic of a policy. */
   record Statistic(PolicyScores of, Aggregate aggregate, Estimate value) {}
 
@@ -48,9 +52,9 @@ public final class AggregateFiles {
               Column.ofInt(
                   "scenarios", "", "how many have a value", row -> row.of.scores().scenarios()),
               Column.ofInt("runs", "", "how many have a value", row -> row.of.scores().runs()))
+          .with(Column.ofEstimate("value", "low", "high", "share", "of `metric`", Statistic::value))
           .with(
-              Column.ofEstimate(
-                  "value", "low", "high", "share", "of `proportion_of_optimal`", Statistic::value));
+              Column.<Statistic>ofText("metric", MEASURE, row -> row.of.metric().label()).later());
 
   /** A row per detection, policy and tau. */
   public static final Table<Point> PROFILE =
@@ -63,7 +67,8 @@ public final class AggregateFiles {
                   "low",
                   "high",
                   "share",
-                  "of runs whose proportion of the optimum is `tau` or more",
+                  "of runs whose proportion of the optimum (`metric` of `aggregate.csv`) is `tau`"
+                      + " or more",
                   Point::share));
 
   /** A row per detection and pair of policies. */
@@ -93,7 +98,7 @@ public final class AggregateFiles {
           .with(ComparisonFiles.CASE, row -> row.pair.one().plan())
           .with(
               Column.ofText("other", OTHER, row -> row.pair.other().plan().policy()),
-              Column.ofText("metric", "`proportion_of_optimal`", row -> PolicyPair.SCORE.label()),
+              Column.ofText("metric", MEASURE, row -> row.pair.metric().label()),
               Column.ofInt("runs", "", "seeds with a value", row -> row.pair.differences().length))
           .with(
               Column.ofEstimate(
@@ -129,10 +134,13 @@ public final class AggregateFiles {
       throws IOException {
     List<PolicyScores> policies = PolicyScores.of(cases);
     List<PolicyPair> pairs = PolicyPair.of(policies);
-    List<List<Statistic>> statistics = Parallel.map(policies, threads, AggregateFiles::statistics);
-    AGGREGATE.write(folder, statistics.stream().flatMap(List::stream));
-    List<List<Point>> points = Parallel.map(policies, threads, AggregateFiles::points);
-    PROFILE.write(folder, points.stream().flatMap(List::stream));
+    if (Yardstick.of(cases).isPresent()) { // scores themselves are no shares of anything
+      List<List<Statistic>> statistics =
+          Parallel.map(policies, threads, AggregateFiles::statistics);
+      AGGREGATE.write(folder, statistics.stream().flatMap(List::stream));
+      List<List<Point>> points = Parallel.map(policies, threads, AggregateFiles::points);
+      PROFILE.write(folder, points.stream().flatMap(List::stream));
+    }
     List<Against> improvements = Parallel.map(pairs, threads, AggregateFiles::against);
     IMPROVEMENT.write(folder, improvements.stream());
     PAIRS.write(folder, differences(pairs, threads));

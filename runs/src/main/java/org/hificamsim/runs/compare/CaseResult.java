@@ -27,7 +27,7 @@ public record CaseResult(RunPlan plan, List<ScoredRun> runs, double[] meanKMin, 
 
   /** Whether this is the exact optimum that the others are measured by. */
   public boolean isOptimum() {
-    return plan.policy().equals(ReferencePolicies.OPTIMAL);
+    return plan.policy().equals(Yardstick.OPTIMAL.policy());
   }
 
   /** What is proven of all runs together. */

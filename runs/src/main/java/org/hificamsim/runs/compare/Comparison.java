@@ -6,14 +6,14 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.function.ToDoubleFunction;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 import org.hificamsim.runs.ScoredRun;
 
 /**
- * Runs plans side by side, every repeat a task of its own, and scores each run against the exact
- * optimum of its scenario, detection model and seed.
+ * Runs plans side by side, every repeat a task of its own, and scores each run against the
+ * yardsticks of its scenario, detection model and seed.
  *
  * <p>The results do not depend on the engine or its threads: a run depends on its plan and seed
  * alone, and sums over runs are sums of whole numbers, or added in the order of seeds.
@@ -34,7 +34,7 @@ public final class Comparison {
     List<RunPlan> plans = references.with(asked);
     List<CaseUnderWay> cases = plans.stream().map(CaseUnderWay::new).toList();
     engine.run(plans, tasks(plans), (task, run) -> cases.get(task.plan()).take(task.repeat(), run));
-    return score(cases).subList(0, ReferencePolicies.withOptimum(asked).size());
+    return score(cases).subList(0, references.withOptimum(asked).size());
   }
 
   /** Every run, seed by seed, so that all cases make headway together. */
@@ -49,22 +49,23 @@ public final class Comparison {
   }
 
   private static List<CaseResult> score(List<CaseUnderWay> cases) {
-    Map<ReferencePolicies.Group, CaseUnderWay> optima = byGroup(cases, ReferencePolicies.OPTIMAL);
-    Map<ReferencePolicies.Group, CaseUnderWay> fixed = byGroup(cases, ReferencePolicies.BEST_FIXED);
+    Map<ReferencePolicies.Group, CaseUnderWay> optima = byGroup(cases, Yardstick.OPTIMAL);
+    Map<ReferencePolicies.Group, CaseUnderWay> bounds = byGroup(cases, Yardstick.BOUND);
+    Map<ReferencePolicies.Group, CaseUnderWay> fixed = byGroup(cases, Yardstick.BEST_FIXED);
     return cases.stream()
         .map(
             one -> {
               ReferencePolicies.Group group = ReferencePolicies.Group.of(one.plan);
-              return one.scored(optima.get(group), Optional.ofNullable(fixed.get(group)));
+              return one.scored(optima.get(group), bounds.get(group), fixed.get(group));
             })
         .toList();
   }
 
   private static Map<ReferencePolicies.Group, CaseUnderWay> byGroup(
-      List<CaseUnderWay> cases, String policy) {
+      List<CaseUnderWay> cases, Yardstick yardstick) {
     Map<ReferencePolicies.Group, CaseUnderWay> found = new LinkedHashMap<>();
     cases.stream()
-        .filter(one -> one.plan.policy().equals(policy))
+        .filter(one -> one.plan.policy().equals(yardstick.policy()))
         .forEach(one -> found.put(ReferencePolicies.Group.of(one.plan), one));
     return found;
   }
@@ -94,22 +95,25 @@ public final class Comparison {
       results[repeat] = run.result().asRun(repeat);
     }
 
-    CaseResult scored(CaseUnderWay optimum, Optional<CaseUnderWay> fixed) {
+    /** Beside yardsticks; null for those that were not run. */
+    CaseResult scored(CaseUnderWay optimum, CaseUnderWay bound, CaseUnderWay fixed) {
       List<ScoredRun> runs = new ArrayList<>();
       for (int repeat = 0; repeat < results.length; repeat++) {
         runs.add(
             new ScoredRun(
                 results[repeat],
-                optimum.score(repeat),
-                fixed.isPresent() ? fixed.get().score(repeat) : Double.NaN,
+                of(optimum, repeat, RunResult::score),
+                of(bound, repeat, RunResult::bound),
+                of(fixed, repeat, RunResult::score),
                 settling[repeat]));
       }
       Arrays.setAll(sums, step -> sums[step] / runs.size());
       return new CaseResult(plan, runs, sums, levels);
     }
 
-    private double score(int repeat) {
-      return results[repeat].score();
+    private static double of(
+        CaseUnderWay yardstick, int repeat, ToDoubleFunction<RunResult> figure) {
+      return yardstick == null ? Double.NaN : figure.applyAsDouble(yardstick.results[repeat]);
     }
   }
 }

@@ -1,7 +1,9 @@
 package org.hificamsim.runs.compare;
 
 import java.io.IOException;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -65,6 +67,9 @@ public final class ComparisonFiles {
     }
   }
 
+  /** What a yardstick came to beside a run. */
+  record Measure(Run run, Yardstick yardstick) {}
+
   /** One step of a case. */
   record CaseStep(CaseResult of, int step) {}
 
@@ -78,7 +83,8 @@ public final class ComparisonFiles {
               Column.<Run>ofPlain(
                       "optimum",
                       "that of `score`",
-                      "the optimum's score, which the proportion is of",
+                      "the optimum's score, which the proportion is of; empty where it is no"
+                          + " yardstick",
                       run -> run.run.optimum())
                   .later(),
               Column.<Run>ofText(
@@ -87,6 +93,29 @@ public final class ComparisonFiles {
                       run -> run.plan().objective().text())
                   .later(),
               ofMetric(Metric.SCORE).later());
+
+  /** A row per scenario, detection, yardstick and seed. */
+  public static final Table<Measure> YARDSTICKS =
+      Table.<Measure>of("yardsticks.csv")
+          .with(CASE.subList(0, 2), row -> row.run.plan())
+          .with(
+              Column.ofText(
+                  "yardstick",
+                  "`optimal`, `bound` or `best-fixed`: what scores are compared with"
+                      + " (`compare --yardsticks`)",
+                  row -> row.yardstick.policy()))
+          .with(List.of(seed()), Measure::run)
+          .with(
+              Column.ofPlain(
+                  "score",
+                  "that of `score`",
+                  "what it came to",
+                  row -> row.yardstick.score(row.run.run)),
+              Column.ofText(
+                  "is",
+                  "`reached`: a configuration of each step has it; `at most`: none has more, and"
+                      + " perhaps none as much",
+                  row -> row.yardstick.isBound() ? "at most" : "reached"));
 
   /** A row per run and metric, the optima's included. */
   public static final Table<RunMetric> METRICS =
@@ -146,6 +175,7 @@ public final class ComparisonFiles {
       throws IOException {
     SettingsFile.write(folder, all.stream().map(CaseResult::plan).toList());
     RESULTS.write(folder, runs(asked));
+    YARDSTICKS.write(folder, measures(asked));
     METRICS.write(
         folder,
         runs(all).flatMap(run -> run.of.metrics().stream().map(one -> new RunMetric(run, one))));
@@ -164,6 +194,19 @@ public final class ComparisonFiles {
 
   private static Stream<Run> runs(List<CaseResult> cases) {
     return cases.stream().flatMap(one -> one.runs().stream().map(run -> new Run(one, run)));
+  }
+
+  /** Of the first policy of each scenario and detection: they are the same of all. */
+  private static Stream<Measure> measures(List<CaseResult> cases) {
+    Map<ReferencePolicies.Group, CaseResult> groups = new LinkedHashMap<>();
+    cases.forEach(one -> groups.putIfAbsent(ReferencePolicies.Group.of(one.plan()), one));
+    return groups.values().stream()
+        .flatMap(
+            one ->
+                Stream.of(Yardstick.values())
+                    .flatMap(
+                        yardstick -> runs(List.of(one)).map(run -> new Measure(run, yardstick))))
+        .filter(row -> !Double.isNaN(row.yardstick.score(row.run.run)));
   }
 
   private static Column<Run> seed() {

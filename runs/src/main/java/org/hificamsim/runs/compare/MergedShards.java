@@ -67,7 +67,7 @@ public final class MergedShards implements RunEngine {
                             .formatted(folder)));
     if (!shard.isOf(plans)) {
       throw new InputException(
-          "--merge '%s' is shard %s of another comparison%s, expected this one's scenarios, models, policies, steps, seeds and version"
+          "--merge '%s' is shard %s of another comparison%s, expected this one's scenarios, models, policies, yardsticks, steps, seeds and version"
               .formatted(folder, shard.shard(), shard.changed(plans)));
     }
     return shard;

@@ -8,14 +8,15 @@ import org.hificamsim.runs.Metric;
 
 /** Two policies under one detection, over the same scenarios. */
 record PolicyPair(PolicyScores one, PolicyScores other) {
-  /** The figure whose differences are looked at. */
-  static final Metric SCORE = Metric.PROPORTION_OF_OPTIMAL;
-
-  /** The two in one scenario. */
-  record InScenario(CaseResult one, CaseResult other) {
+  /**
+   * The two in one scenario.
+   *
+   * @param metric whose differences are looked at
+   */
+  record InScenario(CaseResult one, CaseResult other, Metric metric) {
     /** What the first has more than the other, by seed, where both have a value. */
     double[] differences() {
-      return Estimate.differences(one.figures(SCORE), other.figures(SCORE));
+      return Estimate.differences(one.figures(metric), other.figures(metric));
     }
   }
 
@@ -35,7 +36,7 @@ record PolicyPair(PolicyScores one, PolicyScores other) {
   /** The pair scenario by scenario. */
   List<InScenario> inScenarios() {
     return IntStream.range(0, one.cases().size())
-        .mapToObj(i -> new InScenario(one.cases().get(i), other.cases().get(i)))
+        .mapToObj(i -> new InScenario(one.cases().get(i), other.cases().get(i), one.metric()))
         .toList();
   }
 }

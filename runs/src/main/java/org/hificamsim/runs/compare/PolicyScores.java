@@ -36,8 +36,14 @@ public record PolicyScores(List<CaseResult> cases) {
     return cases.get(0).plan().policy();
   }
 
-  /** The proportions of the optimum, by scenario. */
+  /** What policies are compared by: their share of the leading yardstick, else the score. */
+  Metric metric() {
+    return Yardstick.metric(cases);
+  }
+
+  /** The same figures, by scenario. */
   public Strata scores() {
-    return Strata.of(cases.stream().map(one -> one.figures(Metric.PROPORTION_OF_OPTIMAL)).toList());
+    Metric metric = metric();
+    return Strata.of(cases.stream().map(one -> one.figures(metric)).toList());
   }
 }

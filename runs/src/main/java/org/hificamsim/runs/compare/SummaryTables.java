@@ -4,12 +4,15 @@ import java.io.IOException;
 import java.io.Writer;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
+import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.output.TextTable;
 import org.hificamsim.runs.statistics.Aggregate;
 
@@ -24,18 +27,21 @@ public final class SummaryTables {
 
   private static final Figure PERFORMANCE = new Figure("performance", "%.0f", Metric.PERFORMANCE);
   private static final Figure SCORE = new Figure("score", "%.2f", Metric.SCORE);
-  private static final Figure PROPORTION =
-      new Figure("of the optimum", "%.3f", Metric.PROPORTION_OF_OPTIMAL);
+  private static final Figure PROPORTION = share(Yardstick.OPTIMAL);
+  private static final Figure OF_BOUND = share(Yardstick.BOUND);
 
   /** Of the optimum it is what adapting is worth. */
-  private static final Figure OVER_FIXED =
-      new Figure("over best-fixed", "%.3f", Metric.VALUE_OF_LEARNING);
+  private static final Figure OVER_FIXED = share(Yardstick.BEST_FIXED);
 
   private SummaryTables() {}
 
+  private static Figure share(Yardstick of) {
+    return new Figure(of.title(), "%.3f", of.share());
+  }
+
   /** One row per case, its score compared with the reference policies. */
   public static TextTable cases(List<CaseResult> cases) {
-    return table(cases, shown(cases, PERFORMANCE, SCORE, PROPORTION, OVER_FIXED), true);
+    return table(cases, shown(cases, PERFORMANCE, SCORE, PROPORTION, OF_BOUND, OVER_FIXED), true);
   }
 
   /** One row per case: what is covered, for cases whose score says nothing. */
@@ -45,6 +51,34 @@ public final class SummaryTables {
             .map(metric -> new Figure(metric.title(), metric.format(), metric))
             .toList();
     return table(cases, figures, true);
+  }
+
+  /** How much of what is possible the best policy of each scenario and detection reaches. */
+  public static List<String> atLeast(List<CaseResult> cases) {
+    Map<ReferencePolicies.Group, CaseResult> best = new LinkedHashMap<>();
+    cases.stream()
+        .filter(one -> !Double.isNaN(ofBound(one)))
+        .forEach(
+            one ->
+                best.merge(
+                    ReferencePolicies.Group.of(one.plan()),
+                    one,
+                    (had, other) -> ofBound(other) > ofBound(had) ? other : had));
+    return best.values().stream().map(SummaryTables::atLeast).toList();
+  }
+
+  private static double ofBound(CaseResult one) {
+    return Estimate.mean(one.figures(Metric.PROPORTION_OF_BOUND)).mean();
+  }
+
+  private static String atLeast(CaseResult one) {
+    RunPlan plan = one.plan();
+    return "%s, %s: %s reaches at least %s %% of what is possible"
+        .formatted(
+            plan.scenario().name(),
+            plan.detection().name(),
+            plan.policy(),
+            (int) Math.floor(100 * ofBound(one)));
   }
 
   /** One row per detection and policy, over all scenarios. */
@@ -76,15 +110,19 @@ public final class SummaryTables {
     String ofCases =
         "Means over %s seeds with 95%% intervals. Performance is k_min summed over %s steps."
             .formatted(first.runs().size(), first.plan().steps());
-    String ofAggregates =
-        "All scenarios together, proportions of the optimum: interquartile mean and optimality"
-            + " gap with 95% intervals.";
-    List<Figure> figures = shown(all, PERFORMANCE, PROPORTION, OVER_FIXED, SCORE);
+    Optional<Yardstick> yardstick = Yardstick.of(asked);
+    List<Figure> figures = shown(all, PERFORMANCE, PROPORTION, OF_BOUND, OVER_FIXED, SCORE);
     try (Writer out = folder.open(LATEX)) {
       out.write("% \\usepackage{booktabs}\n");
       out.write(table(byScenario(all), figures, false).latex(ofCases, "tab:hificamsim"));
-      TextTable aggregates = aggregates(PolicyScores.of(asked));
-      out.write("\n" + aggregates.latex(ofAggregates, "tab:hificamsim-aggregate"));
+      if (yardstick.isPresent()) {
+        String ofAggregates =
+            "All scenarios together, proportions of "
+                + yardstick.get().noun()
+                + ": interquartile mean and optimality gap with 95% intervals.";
+        TextTable aggregates = aggregates(PolicyScores.of(asked));
+        out.write("\n" + aggregates.latex(ofAggregates, "tab:hificamsim-aggregate"));
+      }
     }
   }
 
@@ -94,8 +132,8 @@ public final class SummaryTables {
     if (cases.stream().noneMatch(one -> one.plan().objective().hasOwnFigure())) {
       shown.remove(SCORE);
     }
-    if (cases.stream().allMatch(one -> Double.isNaN(one.runs().get(0).bestFixed()))) {
-      shown.remove(OVER_FIXED);
+    for (Yardstick one : Yardstick.values()) {
+      shown.removeIf(figure -> figure.metric == one.share() && !one.isIn(cases));
     }
     return shown;
   }

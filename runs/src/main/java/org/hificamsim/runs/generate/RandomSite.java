@@ -82,13 +82,13 @@ public record RandomSite(RandomField size, int walls) {
     }
 
     CameraSpec camera(int number, double[] at) {
-      double dx = draw(field.minX(), field.maxX()) - at[0]; // it looks at any place
-      double dy = draw(field.minY(), field.maxY()) - at[1];
-      return new CameraSpec("C" + number, at[0], at[1], 0)
-          .with(CameraSpec.HEADING, Math.rint(Math.toDegrees(Math.atan2(dx, dy))))
-          .with(CameraSpec.OPTICS, number % 4 == 0 ? DraftOptics.BULLET : DraftOptics.DOME)
-          .without(CameraSpec.VIEWING_ANGLE)
-          .without(CameraSpec.RANGE);
+      return DraftOptics.camera(
+          "C" + number,
+          number % 4 == 0 ? DraftOptics.BULLET : DraftOptics.DOME,
+          at[0],
+          at[1],
+          draw(field.minX(), field.maxX()), // it looks at any place
+          draw(field.minY(), field.maxY()));
     }
 
     TargetSpec person(int number, double[] at) {

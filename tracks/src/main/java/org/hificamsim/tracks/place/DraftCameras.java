@@ -51,12 +51,8 @@ public final class DraftCameras {
   }
 
   private static CameraSpec camera(String name, Point at, Field field) {
-    double dx = (field.minX() + field.maxX()) / 2 - at.x();
-    double dy = (field.minY() + field.maxY()) / 2 - at.y();
-    double heading = Math.rint(Math.toDegrees(Math.atan2(dx, dy)));
-    return new CameraSpec(name, at.x(), at.y(), 0)
-        .with(CameraSpec.HEADING, heading)
-        .with(CameraSpec.VIEWING_ANGLE, 60)
-        .with(CameraSpec.OPTICS, DraftOptics.DOME);
+    double middleX = (field.minX() + field.maxX()) / 2;
+    double middleY = (field.minY() + field.maxY()) / 2;
+    return DraftOptics.camera(name, DraftOptics.DOME, at.x(), at.y(), middleX, middleY);
   }
 }

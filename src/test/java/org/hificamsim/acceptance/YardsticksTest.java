@@ -1,0 +1,195 @@
+package org.hificamsim.acceptance;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** {@code compare --yardsticks}. */
+class YardsticksTest {
+  @TempDir static Path folder;
+  private static Path scenario;
+  private static Path usual;
+  private static Path bound;
+  private static Cli bounded;
+
+  @BeforeAll
+  static void compareBothWays() {
+    scenario = folder.resolve("site.xml");
+    Cli.run("generate", scenario, "--lenses", "--cameras", 5, "--targets", 9, "--walls", 12);
+    usual = folder.resolve("usual");
+    bound = folder.resolve("bound");
+    assertEquals(0, compare(usual).exit());
+    bounded = compare(bound, "--yardsticks", "bound");
+    assertEquals(0, bounded.exit(), bounded.err());
+  }
+
+  private static Cli compare(Path out, Object... further) {
+    List<Object> words =
+        new ArrayList<>(
+            List.of(
+                "compare",
+                scenario,
+                "--detections",
+                "oodpcvs-2025:level=discern",
+                "--policies",
+                "greedy,zoom-out",
+                "--steps",
+                40,
+                "--repeat",
+                3,
+                "--latex",
+                "--out",
+                out));
+    words.addAll(List.of(further));
+    return Cli.run(words.toArray());
+  }
+
+  @Test
+  void byDefaultTheyAreTheOptimumAndTheBestFixedConfiguration() throws IOException {
+    Path named = folder.resolve("named");
+    compare(named, "--yardsticks", "optimal,best-fixed");
+    for (String file : List.of("results.csv", "metrics.csv", "summary.csv", "yardsticks.csv")) {
+      assertEquals(-1, Files.mismatch(usual.resolve(file), named.resolve(file)), file);
+    }
+    assertEquals(
+        "optimal reached, optimal reached, optimal reached, best-fixed reached, "
+            + "best-fixed reached, best-fixed reached",
+        yardsticks(usual));
+  }
+
+  @Test
+  void theBoundIsNotBelowTheOptimumAndIsCalledABoundEverywhere() throws IOException {
+    assertEquals("bound at most, bound at most, bound at most", yardsticks(bound));
+    double[] optima = column(usual, "yardsticks.csv", "score");
+    double[] bounds = column(bound, "yardsticks.csv", "score");
+    for (int seed = 0; seed < 3; seed++) {
+      assertTrue(bounds[seed] >= optima[seed], bounds[seed] + " below " + optima[seed]);
+      assertTrue(bounds[seed] <= 1.3 * optima[seed], bounds[seed] + " for " + optima[seed]);
+    }
+    assertTrue(bounded.out().contains("of the optimum, at least"), bounded.out());
+    String shown = "greedy reaches at least \\d+ % of what is possible";
+    assertTrue(bounded.out().lines().anyMatch(line -> line.matches(".*" + shown)), bounded.out());
+    assertTrue(Files.readString(bound.resolve("summary.tex")).contains("a bound on the optimum"));
+    assertTrue(Files.readString(bound.resolve("proportion.svg")).contains("bound"));
+    assertTrue(Files.readString(bound.resolve("profile.svg")).contains("bound"));
+  }
+
+  @Test
+  void resultsKeepTheirRowsAndColumnsAndSayNothingOfAnOptimum() throws IOException {
+    List<Map<String, String>> rows = rows(bound, "results.csv");
+    assertEquals(
+        Files.readAllLines(usual.resolve("results.csv")).get(0),
+        Files.readAllLines(bound.resolve("results.csv")).get(0));
+    assertEquals(6, rows.size());
+    for (Map<String, String> row : rows) {
+      assertEquals("", row.get("optimum"));
+      assertEquals("", row.get("proportion_of_optimal"));
+    }
+    Map<String, Double> shares = metric(bound, "proportion_of_bound");
+    assertEquals(6, shares.size());
+    metric(usual, "proportion_of_optimal")
+        .forEach((run, share) -> assertTrue(run.contains("optimal") || shares.get(run) <= share));
+    assertTrue(metric(usual, "proportion_of_bound").isEmpty());
+    assertTrue(metric(bound, "proportion_of_optimal").isEmpty());
+    assertTrue(metric(bound, "regret").isEmpty());
+    assertEquals("proportion_of_bound", rows(bound, "pairs.csv").get(0).get("metric"));
+    assertEquals("proportion_of_bound", rows(bound, "aggregate.csv").get(0).get("metric"));
+  }
+
+  @Test
+  void withoutAnyPoliciesAreComparedByTheirScores() throws IOException {
+    Path none = folder.resolve("none");
+    Cli compare = compare(none, "--yardsticks", "none");
+    assertEquals(0, compare.exit(), compare.err());
+    assertFalse(compare.out().contains("optimum"), compare.out());
+    assertEquals("score", rows(none, "pairs.csv").get(0).get("metric"));
+    assertTrue(rows(none, "yardsticks.csv").isEmpty());
+    for (String file : List.of("aggregate.csv", "profile.csv", "proportion.svg", "profile.svg")) {
+      assertFalse(Files.exists(none.resolve(file)), file);
+    }
+    assertTrue(Files.exists(none.resolve("report.html")));
+  }
+
+  @Test
+  void theBestFixedConfigurationAloneIsAYardstickToo() throws IOException {
+    Path fixed = folder.resolve("fixed");
+    Cli compare = compare(fixed, "--yardsticks", "best-fixed");
+    assertTrue(compare.out().contains("over best-fixed"), compare.out());
+    assertEquals("value_of_learning", rows(fixed, "pairs.csv").get(0).get("metric"));
+    assertEquals(metric(usual, "value_of_learning"), metric(fixed, "value_of_learning"));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"best", "optimal,optimal", "optimal,", "none,bound", ""})
+  void othersAreRefused(String text) {
+    Cli compare = compare(folder.resolve("refused"), "--yardsticks", text);
+    assertEquals(2, compare.exit());
+    assertEquals(1, compare.err().lines().count(), compare.err());
+    assertTrue(
+        compare.err().startsWith("error: --yardsticks is '" + text + "', expected optimal"),
+        compare.err());
+  }
+
+  @Test
+  void partsOfComparisonsWithOtherYardsticksAreNotMerged() {
+    Path one = folder.resolve("one");
+    Path two = folder.resolve("two");
+    compare(one, "--yardsticks", "bound", "--shard", "1/2");
+    compare(two, "--yardsticks", "bound", "--shard", "2/2");
+    Path merged = folder.resolve("merged");
+    Cli other = compare(merged, "--merge", one, "--merge", two);
+    assertEquals(2, other.exit());
+    assertTrue(other.err().contains("another comparison"), other.err());
+    Cli same = compare(merged, "--yardsticks", "bound", "--merge", one, "--merge", two);
+    assertEquals(0, same.exit(), same.err());
+  }
+
+  private static String yardsticks(Path out) throws IOException {
+    return rows(out, "yardsticks.csv").stream()
+        .map(row -> row.get("yardstick") + " " + row.get("is"))
+        .collect(Collectors.joining(", "));
+  }
+
+  private static double[] column(Path out, String file, String name) throws IOException {
+    return rows(out, file).stream().mapToDouble(row -> Double.parseDouble(row.get(name))).toArray();
+  }
+
+  /** By policy and seed. */
+  private static Map<String, Double> metric(Path out, String metric) throws IOException {
+    Map<String, Double> values = new HashMap<>();
+    for (Map<String, String> row : rows(out, "metrics.csv")) {
+      if (row.get("metric").equals(metric)) {
+        values.put(row.get("policy") + " " + row.get("seed"), Double.parseDouble(row.get("value")));
+      }
+    }
+    return values;
+  }
+
+  private static List<Map<String, String>> rows(Path out, String file) throws IOException {
+    List<String> lines = Files.readAllLines(out.resolve(file));
+    String[] columns = lines.get(0).split(",");
+    List<Map<String, String>> rows = new ArrayList<>();
+    for (String line : lines.subList(1, lines.size())) {
+      Map<String, String> row = new HashMap<>();
+      String[] cells = line.split(",", -1);
+      Arrays.setAll(cells, i -> row.merge(columns[i], cells[i], (one, other) -> other));
+      rows.add(row);
+    }
+    return rows;
+  }
+}
