@@ -7,7 +7,7 @@ import { besideUnit, isShare, scoreNumber, spelled, tipped, told, words } from '
 import { decimals } from './numbers.js';
 
 /** The metrics that a comparison begins with: the first one that is not 0 or missing everywhere. */
-const FAVOURITES = ['proportion_of_optimal', 'performance', 'covered_k', 'mean_k', 'covered_1', 'covered_0'];
+const FAVOURITES = ['proportion_of_optimal', 'proportion_of_bound', 'performance', 'covered_k', 'mean_k', 'covered_1', 'covered_0'];
 const SHORT = 4;
 const OPTIMAL = 'optimal';
 
@@ -29,7 +29,7 @@ export async function comparisonPage(root, data) {
 }
 
 const card = (title, ...children) => el('section', {class: 'card'}, el('h2', {}, title), ...children);
-const TITLES = {'aggregate.csv': 'All scenarios together: proportion of the optimum', 'improvement.csv': 'Probability that one policy beats another',
+const TITLES = {'aggregate.csv': 'All scenarios together', 'improvement.csv': 'Probability that one policy beats another',
   'pairs.csv': 'Differences between policies, paired by seed'};
 const titleOf = name => TITLES[name] ?? name.replace(/\.(csv|svg)$/, '').replace(/[_-]/g, ' ');
 const distinct = (rows, name) => [...new Set(rows.map(row => row[name]))];
