@@ -31,6 +31,8 @@ class RandomSiteTest {
     assertEquals(0, validated.exit(), validated.err());
     Scenario site = read(file);
     assertEquals("covered:k=1", site.objective().text());
+    assertEquals("oodpcvs-2025:level=discern", site.get(Scenario.DETECTION));
+    assertEquals(300, site.get(Scenario.STEPS));
     assertEquals(8, site.cameras().size());
     assertEquals(12, site.targets().size());
     assertEquals(40, site.obstacles().size());

@@ -50,8 +50,9 @@ final class GenerateCommand implements Callable<Integer> {
   @Option(
       names = "--lenses",
       description =
-          "Cameras with lenses, which zoom, pan and need time for it; people who walk; and"
-              + " covered:k=1 as the objective.")
+          "Cameras with lenses, which zoom, pan and need time for it, people who walk, and the"
+              + " question how many of them are discerned (oodpcvs-2025, covered:k=1) in 300"
+              + " steps.")
   private boolean lenses;
 
   @Option(

@@ -21,7 +21,7 @@ class OptimumTimeTest {
 
   @Test
   void saysInOneLineHowLongOptimaTakeAndWhatBoundsThem() {
-    String said = said(ReferencePolicies.OPTIMUM, RunPlan.MAX_STEPS);
+    String said = said(ReferencePolicies.OPTIMUM, Scenario.MAX_STEPS);
     assertEquals(1, said.lines().count(), said);
     assertTrue(
         said.matches(
@@ -33,8 +33,8 @@ class OptimumTimeTest {
   @Test
   void saysNothingWhereTheyAreQuickOrNotRun() {
     assertEquals("", said(ReferencePolicies.OPTIMUM, 10));
-    assertEquals("", said(ReferencePolicies.parse("", "bound"), RunPlan.MAX_STEPS));
-    assertEquals("", said(ReferencePolicies.parse("", "none"), RunPlan.MAX_STEPS));
+    assertEquals("", said(ReferencePolicies.parse("", "bound"), Scenario.MAX_STEPS));
+    assertEquals("", said(ReferencePolicies.parse("", "none"), Scenario.MAX_STEPS));
   }
 
   private static String said(ReferencePolicies references, int steps) {

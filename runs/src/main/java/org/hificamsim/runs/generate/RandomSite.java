@@ -25,6 +25,7 @@ public record RandomSite(RandomField size, int walls) {
   /** Square metres for each camera, as on a campus. */
   public static final double AREA = 2_400;
 
+  private static final int STEPS = 300;
   private static final double PEOPLE_PER_CAMERA = 1.5;
   private static final Extent PERSON = new Extent(0.5, 1.75);
   private static final double SLOWEST = 0.8; // m/s
@@ -51,7 +52,9 @@ public record RandomSite(RandomField size, int walls) {
     Strewn strewn = new Strewn(field, obstacles, random);
     return new Scenario("random-" + size.cameras(), field)
         .with(Scenario.ORDER, StepOrder.COVERAGE)
+        .with(Scenario.DETECTION, "oodpcvs-2025:level=discern")
         .with(Scenario.OBJECTIVE, Objective.parse("covered:k=1"))
+        .with(Scenario.STEPS, STEPS)
         .with(Scenario.OBSTACLES, obstacles.all())
         .with(Scenario.CAMERAS, strewn.all(size.cameras(), strewn::camera))
         .with(Scenario.TARGETS, strewn.all(size.targets(), strewn::person));
