@@ -93,10 +93,11 @@ class RandomSiteTest {
   }
 
   private Cli generate(Object... options) {
-    Object[] words = new Object[options.length + 2];
+    Object[] words = new Object[options.length + 3];
     words[0] = "generate";
     words[1] = folder.resolve("site.xml");
-    System.arraycopy(options, 0, words, 2, options.length);
+    words[2] = "--force";
+    System.arraycopy(options, 0, words, 3, options.length);
     return Cli.run(words);
   }
 

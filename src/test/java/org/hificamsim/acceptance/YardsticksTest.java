@@ -47,7 +47,7 @@ class YardsticksTest {
                 "--detections",
                 "oodpcvs-2025:level=discern",
                 "--policies",
-                "greedy,zoom-out",
+                "independent-greedy,zoom-out",
                 "--steps",
                 40,
                 "--repeat",
@@ -82,7 +82,7 @@ class YardsticksTest {
       assertTrue(bounds[seed] <= 1.3 * optima[seed], bounds[seed] + " for " + optima[seed]);
     }
     assertTrue(bounded.out().contains("of the optimum, at least"), bounded.out());
-    String shown = "greedy reaches at least \\d+ % of what is possible";
+    String shown = "independent-greedy reaches at least \\d+ % of what is possible";
     assertTrue(bounded.out().lines().anyMatch(line -> line.matches(".*" + shown)), bounded.out());
     assertTrue(Files.readString(bound.resolve("summary.tex")).contains("a bound on the optimum"));
     assertTrue(Files.readString(bound.resolve("proportion.svg")).contains("bound"));

@@ -44,7 +44,7 @@ class OptimumTimeTest {
     StringWriter err = new StringWriter();
     new OptimumTime(CATALOGUE, 2)
         .tell(
-            List.of(new RunPlan(site, detection, "greedy", steps, 0, 1)),
+            List.of(new RunPlan(site, detection, "independent-greedy", steps, 0, 1)),
             references,
             new PrintWriter(err, true));
     return err.toString();
