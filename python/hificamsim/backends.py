@@ -199,7 +199,7 @@ class ProcessBackend:
     def _start(self, file: str, room: int, descriptor: int) -> subprocess.Popen[bytes]:
         command = [java.executable(), *java.options(), "-cp", os.pathsep.join(java.class_path())]
         return subprocess.Popen(
-            [*command, "org.hificamsim.python.Server", file, str(room)],
+            [*command, "org.hificamsim.python.Server", file, str(room), str(os.getpid())],
             pass_fds=(descriptor,),
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,

@@ -60,7 +60,7 @@ class CameraVectorEnv(VectorEnv[Any, Any, Any]):
         self._observations = self.worlds.observations.reshape(self.observation_space.shape)
         self._finals = self.worlds.finals.reshape(self.observation_space.shape)
         self._masks = self.worlds.masks.reshape(self.num_envs, -1)
-        self._counts = spaces.counts(self.action_space)
+        self._counts = np.broadcast_to(spaces.counts(self.single_action_space), self.action_space.shape)
         self._never = np.zeros(self.num_envs, np.bool_)
 
     def reset(

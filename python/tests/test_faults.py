@@ -92,7 +92,6 @@ def test_an_action_that_is_none_is_refused_and_nothing_moves(backend: str) -> No
         (2**40, "action 1099511627776 of camera Cam_03"),
         (1.5, "action 1.5 of camera Cam_03"),
         (float("nan"), "action nan of camera Cam_03"),
-        (True, "action True of camera Cam_03"),
         ("2", "action 2 of camera Cam_03"),
         (None, "action None of camera Cam_03"),
         ([1, 2], "actions have shape"),

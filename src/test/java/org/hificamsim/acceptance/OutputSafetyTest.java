@@ -14,6 +14,7 @@ import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -180,7 +181,8 @@ class OutputSafetyTest {
         "import DIR/street.xml --format fcd --out DIR | street.xml",
         "import DIR/t.csv --format csv --out DIR | t.xml",
         "import DIR/t.csv --format csv --out DIR --walls DIR/t.tracks | t.tracks",
-        "import DIR/t.csv --format csv --out DIR --name plan --floorplan DIR/plan.png | plan.png",
+        "import DIR/t.csv --format csv --out DIR --name plan --floorplan DIR/plan.png --scale 0.1 |"
+            + " plan.png",
         "profile lab --scale 0.05 --objects 1 --out DIR | dataset.csv",
         "generate DIR/mine.xml | mine.xml",
         "run SCENARIO --steps 3 --out DIR | steps.csv",
@@ -287,6 +289,64 @@ class OutputSafetyTest {
     after.remove("steps.csv.svg");
     assertEquals(before, after);
     assertEquals(-1, Files.mismatch(Cli.scenario("tutorial-camsim"), folder.resolve("in.xml")));
+  }
+
+  @Test
+  void aReportOfChangedFilesNamesThem() throws IOException {
+    Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", folder);
+    assertEquals("", Cli.run("report", folder).err());
+    Files.writeString(folder.resolve("zooms.csv"), "\n", StandardOpenOption.APPEND);
+    Cli report = Cli.run("report", folder);
+    assertEquals(0, report.exit(), report.err());
+    assertEquals(
+        "warning: '" + folder + "': not as it was written: zooms.csv (.hificamsim.sha256)\n",
+        report.err());
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "<polygon points=''/> | 0",
+        "<polygon points='1 1'/> | 0",
+        "<polygon points='a b c'/> | 2",
+        "<path d='M 1e5000 0 L 1 1'/> | 2",
+        "<g transform='scale(1e9)'><line transform='scale(1e9)' x1='1' x2='5'/></g> | 2"
+      })
+  void oddDrawingsAreTakenOrRefusedInOneLine(String shape, int exit) throws IOException {
+    Path walls = folder.resolve("walls.svg");
+    Files.writeString(walls, "<svg viewBox='0 0 9 9'>" + shape + "</svg>");
+    Path tracks = Files.writeString(folder.resolve("t.csv"), "time,id,x,y\n0,1,0,0\n1,1,1,1\n");
+    Cli done =
+        Cli.run(
+            "import",
+            tracks,
+            "--format",
+            "csv",
+            "--unit",
+            "m",
+            "--walls",
+            walls,
+            "--scale",
+            1,
+            "--out",
+            folder.resolve("out"));
+    assertEquals(exit, done.exit(), done.err());
+    assertEquals(exit == 0 ? 0 : 1, done.err().lines().count(), done.err());
+  }
+
+  @Test
+  void whatIsDamagedOrTooFarIsToldWithItsPlace() throws IOException {
+    Cli.run("run", SCENARIO, "--steps", 3, "--record", "--out", folder);
+    Files.write(folder.resolve("steps.csv"), new byte[] {(byte) 255}, StandardOpenOption.APPEND);
+    Cli.run("report", folder).assertRefused("steps.csv:5:1: ", folder.resolve("none"));
+    Path street = folder.resolve("street.xml");
+    String text = Files.readString(Cli.scenario("street"));
+    Files.writeString(street, text.replaceFirst(" step=\"[0-9.]+\"", " step=\"1e-20\""));
+    Files.copy(
+        Cli.scenario("street").resolveSibling("street.tracks"), folder.resolve("street.tracks"));
+    Cli far = Cli.run("run", street, "--out", folder.resolve("none"));
+    far.assertRefused("expected one below 2147483647: a longer step", folder.resolve("none"));
   }
 
   @Test

@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.hificamsim.core.Place;
+import org.hificamsim.core.file.FileRecord;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.presentation.report.Report;
@@ -44,6 +46,7 @@ final class ReportCommand implements Callable<Integer> {
     pictures.claim(destination);
     OutputFile page = out == null ? null : destination.file("--out", out);
     OutputFolder.settle(folder);
+    List<String> changed = FileRecord.of(folder).changed(folder);
     if (pictures.asked()) {
       pictures.write(folder, destination, spec.commandLine().getOut());
     }
@@ -52,6 +55,13 @@ final class ReportCommand implements Callable<Integer> {
       spec.commandLine().getOut().println(out);
     } else if (!pictures.asked()) {
       writeBesideResults();
+    }
+    if (!changed.isEmpty()) {
+      spec.commandLine()
+          .getErr()
+          .printf(
+              "warning: '%s': not as it was written: %s (%s)%n",
+              folder, Place.printable(String.join(", ", changed)), FileRecord.NAME);
     }
     return 0;
   }

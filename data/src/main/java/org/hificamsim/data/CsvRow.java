@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.Place;
+import org.hificamsim.core.file.CsvTable;
 import org.hificamsim.core.file.Fields;
 
 /**
@@ -35,7 +36,7 @@ public final class CsvRow implements Fields {
 
   @Override
   public String text(int cell) {
-    return texts[cell];
+    return CsvTable.original(texts[cell]);
   }
 
   @Override

@@ -43,18 +43,30 @@ public final class Server {
 
   /**
    * Serves one session, and ends with the process that started it, whatever it is at. The arguments
-   * are the file to be mapped, which exists, and how many bytes there are for it.
+   * are the file to be mapped, which exists, how many bytes there are for it, and that process.
    */
   public static void main(String[] args) throws IOException {
     OutputStream out = new FileOutputStream(FileDescriptor.out);
     System.setOut(
         new PrintStream(System.err, true, StandardCharsets.UTF_8)); // a user's part may print
-    ProcessHandle.current()
-        .parent()
-        .ifPresent(python -> python.onExit().thenRun(() -> Runtime.getRuntime().halt(1)));
+    Thread watch = new Thread(() -> endWith(Long.parseLong(args[2])), "end of Python");
+    watch.setDaemon(true);
+    watch.start();
     long room = Long.parseLong(args[1]);
     new Server(new FileInputStream(FileDescriptor.in), out, args[0], room).serve();
     System.exit(0);
+  }
+
+  /** Looks twice a second, since a session that builds its worlds does not see its input end. */
+  private static void endWith(long python) {
+    try {
+      while (ProcessHandle.current().parent().filter(one -> one.pid() == python).isPresent()) {
+        Thread.sleep(500);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+    Runtime.getRuntime().halt(1);
   }
 
   private void serve() throws IOException {

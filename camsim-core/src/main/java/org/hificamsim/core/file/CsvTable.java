@@ -8,7 +8,8 @@ import java.io.Writer;
  * A table as text, row by row; no object is made for a number.
  *
  * <p>Numbers are written as {@link Long#toString} and {@link Double#toString} write them; NaN is an
- * empty cell, which pandas and R read as missing. Texts are quoted where they have to be.
+ * empty cell, which pandas and R read as missing. Texts are quoted where they have to be, and
+ * formulas made harmless.
  */
 public final class CsvTable implements Rows {
   private final Writer out;
@@ -42,9 +43,26 @@ public final class CsvTable implements Rows {
   }
 
   @Override
-  public void add(String text) {
+  public void add(String content) {
+    String text = harmless(content);
     boolean plain = text.indexOf(separator) < 0 && text.indexOf('"') < 0 && text.indexOf('\n') < 0;
     row.append(plain ? text : '"' + text.replace("\"", "\"\"") + '"').append(separator);
+  }
+
+  /**
+   * A text that no spreadsheet takes for a formula: with a {@code '} before what begins like one.
+   */
+  public static String harmless(String text) {
+    return isFormula(text, 0) && Double.isNaN(Fields.value(text)) ? "'" + text : text;
+  }
+
+  /** The text that was made {@link #harmless}. */
+  public static String original(String text) {
+    return text.startsWith("'") && isFormula(text, 1) ? text.substring(1) : text;
+  }
+
+  private static boolean isFormula(String text, int at) {
+    return text.length() > at && "=+-@\t\r".indexOf(text.charAt(at)) >= 0;
   }
 
   @Override

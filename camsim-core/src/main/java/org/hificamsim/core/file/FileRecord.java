@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -65,6 +67,17 @@ public final class FileRecord {
     Path file = folder.resolve(name);
     return Files.isRegularFile(file, LinkOption.NOFOLLOW_LINKS)
         && Sha256.of(file).equals(hashes.get(name));
+  }
+
+  /** The files of a folder that are there, and not as commands wrote them. */
+  public List<String> changed(Path folder) throws IOException {
+    List<String> changed = new ArrayList<>();
+    for (String name : names()) {
+      if (Files.exists(folder.resolve(name)) && !isUnchanged(folder, name)) {
+        changed.add(name);
+      }
+    }
+    return changed;
   }
 
   void put(String name, String hash) {

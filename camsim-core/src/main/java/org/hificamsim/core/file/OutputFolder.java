@@ -294,6 +294,9 @@ public final class OutputFolder implements Closeable {
 
   /** Makes the folder what was decided; as often as it takes. */
   private void moveAll() throws IOException {
+    if (!Files.isRegularFile(drafts.resolve(DECIDED), LinkOption.NOFOLLOW_LINKS)) {
+      throw new IOException("'" + DECIDED + "' is a link or a folder");
+    }
     FileRecord next = FileRecord.read(drafts.resolve(DECIDED));
     for (String name : next.names()) {
       if (Files.exists(draft(name), LinkOption.NOFOLLOW_LINKS)) {

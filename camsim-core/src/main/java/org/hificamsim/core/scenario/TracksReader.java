@@ -61,6 +61,7 @@ final class TracksReader {
   }
 
   private List<ScenarioEvent> events(XmlElement element, List<TrackReader.Tracked> tracks) {
+    tracks.forEach(TracksReader::requireNear);
     StepPlaces.keep(tracks.stream().map(TrackReader.Tracked::track).toList());
     List<ScenarioEvent> events = new ArrayList<>();
     int missed = 0;
@@ -90,13 +91,20 @@ final class TracksReader {
     return true;
   }
 
+  private static void requireNear(TrackReader.Tracked one) {
+    long last = Math.max(one.track().firstStep(), one.track().lastStep());
+    if (last >= Integer.MAX_VALUE) {
+      throw one.place()
+          .error(
+              "the target stays until step %s of %s s, expected one below %s: a longer step"
+                  .formatted(last, one.track().stepTime(), Integer.MAX_VALUE));
+    }
+  }
+
   /** A target goes at the beginning of the step after its last; at that step it may come again. */
   private static void addEvents(TrackReader.Tracked one, List<ScenarioEvent> events) {
     Track track = one.track();
     if (track.lastStep() >= track.firstStep()) {
-      if (track.lastStep() >= Integer.MAX_VALUE) {
-        throw one.place().error("the target stays until step " + track.lastStep() + ", too far");
-      }
       events.add(new ScenarioEvent.AddTarget((int) track.firstStep(), target(one)));
       events.add(track.removal(one.features()));
     }

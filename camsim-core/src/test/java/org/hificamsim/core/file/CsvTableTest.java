@@ -6,6 +6,8 @@ import java.io.IOException;
 import java.io.StringWriter;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class CsvTableTest {
   @Test
@@ -85,5 +87,16 @@ class CsvTableTest {
       filling.fill(rows);
     }
     return text.toString();
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '"',
+      value = {"=1+1 | '=1+1", "@sum | '@sum", "+a | '+a", "-b | '-b", "-3.5 | -3.5", "a=b | a=b"})
+  void aTextThatASpreadsheetWouldTakeForAFormulaIsMadeHarmlessAndReadAsItWas(
+      String text, String written) {
+    assertEquals(written, CsvTable.harmless(text));
+    assertEquals(text, CsvTable.original(written));
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
 import java.util.stream.Collectors;
+import org.hificamsim.core.file.CsvTable;
 
 /**
  * A table as data: each column's name, and the cell that a row has there.
@@ -22,7 +23,8 @@ public final class TableLayout<R> {
   }
 
   /** A text as a cell that reads back from a table between commas or semicolons. */
-  public static String quoted(String text) {
+  public static String quoted(String content) {
+    String text = CsvTable.harmless(content);
     return text.matches("[^,;\"\\n\\r]*") ? text : '"' + text.replace("\"", "\"\"") + '"';
   }
 

@@ -9,6 +9,7 @@ import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.profiling.detector.BoxDetector.Box;
 import org.hificamsim.profiling.opencv.Mats;
+import org.opencv.core.CvException;
 import org.opencv.core.Mat;
 import org.opencv.core.MatOfDouble;
 import org.opencv.core.MatOfInt;
@@ -61,10 +62,7 @@ final class OpenCvBoxes {
    * neighbouring windows agree on scores n / (n + 3).
    */
   static BoxDetector cascade(Path file) {
-    CascadeClassifier cascade = new CascadeClassifier(file.toString());
-    if (cascade.empty()) {
-      throw new InputException(file + ": no cascade, expected OpenCV's XML of one");
-    }
+    CascadeClassifier cascade = loaded(file);
     return photo -> {
       try (Mats mats = new Mats()) {
         MatOfRect found = mats.own(new MatOfRect());
@@ -75,6 +73,19 @@ final class OpenCvBoxes {
             found, i -> neighbours.get(i, 0)[0] / (neighbours.get(i, 0)[0] + MIN_NEIGHBOURS));
       }
     };
+  }
+
+  private static CascadeClassifier loaded(Path file) {
+    String fault = file + ": no cascade, expected OpenCV's XML of one";
+    try {
+      CascadeClassifier cascade = new CascadeClassifier(file.toString());
+      if (!cascade.empty()) {
+        return cascade;
+      }
+    } catch (CvException e) {
+      throw new InputException(fault, e);
+    }
+    throw new InputException(fault);
   }
 
   private static List<Box> boxes(MatOfRect found, IntToDoubleFunction score) {

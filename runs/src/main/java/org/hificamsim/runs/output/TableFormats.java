@@ -2,6 +2,9 @@ package org.hificamsim.runs.output;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -80,7 +83,9 @@ public final class TableFormats {
 
     @Override
     public void each(Path file, Consumer<String> row) throws IOException {
-      try (BufferedReader reader = Files.newBufferedReader(file)) {
+      try (InputStream in = Files.newInputStream(file);
+          BufferedReader reader = // that takes any byte: what is wrong is said with its place
+              new BufferedReader(new InputStreamReader(in, StandardCharsets.UTF_8), 1 << 16)) {
         reader.readLine();
         for (String line; (line = reader.readLine()) != null; ) {
           row.accept(line);

@@ -2,12 +2,12 @@ package org.hificamsim.tracks.place;
 
 import java.awt.geom.AffineTransform;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.obstacle.Point;
 
@@ -23,14 +23,18 @@ final class SvgText {
 
   private SvgText() {}
 
-  /** The numbers of a list; none where it holds anything else. */
+  /** The numbers of a list; none where it holds anything else, or one above 1e9 in size. */
   static double[] numbers(String text) {
-    return LIST.matcher(text).matches()
-        ? Stream.of(text)
-            .flatMap(one -> NUMBERS.matcher(one).results())
+    if (!LIST.matcher(text).matches()) {
+      return new double[0];
+    }
+    double[] numbers =
+        NUMBERS
+            .matcher(text)
+            .results()
             .mapToDouble(one -> Double.parseDouble(one.group()))
-            .toArray()
-        : new double[0];
+            .toArray();
+    return Arrays.stream(numbers).allMatch(n -> Math.abs(n) <= 1e9) ? numbers : new double[0];
   }
 
   /** What {@code transform} says. */

@@ -122,6 +122,10 @@ final class SvgWalls extends PlainXml {
   private Point point(double x, double y) {
     double[] at = {x, y};
     transforms.peek().transform(at, 0, at, 0, 1);
+    if (!(Math.abs(at[0]) <= 1e9 && Math.abs(at[1]) <= 1e9)) {
+      throw place()
+          .error("a point is at %s, %s, expected numbers from -1e9 to 1e9".formatted(at[0], at[1]));
+    }
     return WallCollector.rounded(
         frame.x() + (at[0] - minX) * frame.scale(),
         frame.y() + (minY + height - at[1]) * frame.scale());
@@ -129,7 +133,7 @@ final class SvgWalls extends PlainXml {
 
   private List<Point> points(String name, String text) {
     double[] numbers = SvgText.numbers(text);
-    if (numbers.length % 2 == 1) {
+    if (numbers.length % 2 == 1 || (numbers.length == 0 && !text.isBlank())) {
       throw invalid(name, "points", text);
     }
     List<Point> points = new ArrayList<>();

@@ -45,7 +45,7 @@ final class WallCollector {
     }
   }
 
-  /** Adds a solid polygon; where its sides touch each other, its sides. */
+  /** Adds a solid polygon; where its sides touch each other, its sides. A point is no polygon. */
   void ring(List<Point> points) {
     List<Point> corners = new ArrayList<>();
     for (Point point : points) {
@@ -55,6 +55,9 @@ final class WallCollector {
     }
     if (corners.size() > 1 && corners.get(0).equals(corners.get(corners.size() - 1))) {
       corners.remove(corners.size() - 1);
+    }
+    if (corners.size() < 2) {
+      return;
     }
     try {
       all.add(new Obstacle.Polygon(corners, 0));
