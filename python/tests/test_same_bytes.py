@@ -74,7 +74,7 @@ def test_the_parallel_environment_gives_what_worlds_give(backend: str) -> None:
     observations, _ = env.reset(seed=5)
     with hificamsim.Worlds("campus", steps=300, seed=5) as worlds:
         for step in range(300):
-            told = ACTIONS[step, 0, : len(env.agents)] % worlds.choices[0]
+            told = ACTIONS[step, 0, : len(env.agents)] % worlds.views
             worlds.actions[0, :, 0] = told
             worlds.step()
             observations, rewards, _, truncations, _ = env.step(dict(zip(env.agents, told)))
