@@ -65,7 +65,7 @@ public final class DetectionFigure {
             "any of them by the default threshold", Palette.GREY, LegendEntry.Mark.DASHES));
     return new Figure(
         "How likely a target is detected, by distance",
-        "A target of 0.66 m at 50 mm; false alarms at 5 %",
+        "A target of 0.66 m at 50 mm; alpha 0.05",
         legend,
         FEATURES.stream().map(f -> panel(f, catalogue)).toList(),
         3,

@@ -30,6 +30,8 @@ public final class Rungs {
           new Rung("hifi:orb-sr", "a fit to photos: R2 0.73, a line of its own"),
           new Rung("hifi:orb-lin", "a fit to photos: R2 0.86, a line of its own"),
           new Rung("hifi:orb-sr@chance", "the scatter of the detector: rmse 0.059"),
+          new Rung("hifi:orb-lin@chance:alpha=0.001", "a detector with a high threshold"),
+          new Rung("hifi:orb-lin@chance:alpha=0.01", "a detector with a threshold in between"),
           new Rung("hifi:orb-lin@chance", "the scatter of the detector: rmse 0.052"));
 
   private Rungs() {}
