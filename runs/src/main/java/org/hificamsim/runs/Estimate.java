@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
 import org.apache.commons.math3.distribution.TDistribution;
-import org.apache.commons.math3.stat.descriptive.SummaryStatistics;
+import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.stat.descriptive.moment.Skewness;
 import org.apache.commons.math3.stat.descriptive.moment.StandardDeviation;
 
@@ -49,12 +49,10 @@ public record Estimate(double mean, double low, double high) {
     if (known.length <= 1) { // as most runs: without loading what statistics need
       return single(known.length == 0 ? Double.NaN : known[0]);
     }
-    SummaryStatistics statistics = new SummaryStatistics();
-    Arrays.stream(known).forEach(statistics::addValue);
     double root = Math.sqrt(known.length);
     double skewness = known.length > TOO_FEW ? skewness(known) / root : 0;
-    double error = statistics.getStandardDeviation() / root;
-    return around(statistics.getMean(), error, skewness, known.length - 1);
+    double error = new StandardDeviation().evaluate(known) / root;
+    return around(StatUtils.mean(known), error, skewness, known.length - 1);
   }
 
   /** The mean difference of paired values. */

@@ -6,8 +6,8 @@ import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.ZoomPolicy;
 
 /**
- * Carries out the actions of a step that it is given, one camera after the other. An expert, another
- * policy, may be asked in each step what it would do, and told to do it.
+ * Carries out the actions of a step that it is given, one camera after the other. An expert,
+ * another policy, may be asked in each step what it would do, and told to do it.
  */
 public final class PlayedPolicy implements ZoomPolicy {
   /** The action by which a camera does what the expert advises. */
