@@ -38,6 +38,7 @@ final class Browser {
   private static final Logger SELENIUM = Logger.getLogger("org.openqa.selenium");
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final Duration MAX_WAIT = Duration.ofSeconds(30);
+  private static final Duration MAX_SCRIPT = Duration.ofMinutes(2); // axe-core on a busy machine
 
   /** The script has ended, and browsers have drawn what they draw once they know its size. */
   private static final String DRAWN =
@@ -73,6 +74,7 @@ return document.getElementById('page').dataset.ready !== undefined
     ChromeDriverService service =
         new ChromeDriverService.Builder().usingDriverExecutable(DRIVER.toFile()).build();
     driver = new ChromeDriver(service, options);
+    driver.manage().timeouts().scriptTimeout(MAX_SCRIPT);
   }
 
   /** Starts a browser with a new profile, unless one runs; skips the test where there is none. */
