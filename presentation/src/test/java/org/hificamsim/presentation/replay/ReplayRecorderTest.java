@@ -37,13 +37,14 @@ class ReplayRecorderTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @ValueSource(strings = {"epsilon-greedy", "softmax", "ucb1", "sarsa", "qb-sarsa", "zoom-out"})
+  @ValueSource(strings = {"epsilon-greedy", "softmax", "ucb1", "sarsa", "qb-sarsa", "cooperative", "zoom-out"})
   void givesBackEveryStepToTheMillimetre(String policy) throws IOException {
     RunPlan plan = plan("cluster-random", policy, 300, 1);
     List<Frame> seen = record(plan, ReplayRecorder.Limits.USUAL);
     RecordedRun recording = Replay.read(folder).recording(folder, 0);
     assertEquals(300, recording.frames().size());
     assertEquals(policy.equals("zoom-out"), recording.estimated().isEmpty());
+    assertEquals(policy.equals("cooperative"), recording.frames().get(0).belief().length > 0);
     for (int step = 0; step < 300; step++) {
       assertClose(seen.get(step), recording.frames().get(step));
     }
@@ -264,6 +265,7 @@ class ReplayRecorderTest {
     assertArrayEquals(expected.coverage(), actual.coverage());
     assertArrayEquals(expected.x(), actual.x(), 0.000_501);
     assertArrayEquals(expected.y(), actual.y(), 0.000_501);
+    assertArrayEquals(expected.belief(), actual.belief(), 1e-9);
     assertEquals(expected.estimates().length, actual.estimates().length);
     for (int camera = 0; camera < expected.estimates().length; camera++) {
       assertArrayEquals(expected.estimates()[camera], actual.estimates()[camera], 1e-4);
