@@ -50,10 +50,12 @@ class ImportCommandTest {
   void tellsWhatItFound() {
     Cli imported = imported();
     assertEquals(0, imported.exit(), imported.err());
-    assertTrue(imported.out().contains("2 targets, 50 samples, 14.5 s"), imported::out);
+    assertTrue(imported.out().contains("50 samples of 2 targets in 14.5 s"), imported::out);
     assertTrue(imported.out().contains("a sample every 0.5 s (2 a second)"), imported::out);
     assertTrue(imported.out().contains("1 gaps longer than 1.5 s, up to 5.5 s"), imported::out);
     assertTrue(imported.out().contains("hificamsim view "), imported::out);
+    String question = "question: covered:k=1 by oodpcvs-2025:level=discern in 30 steps";
+    assertTrue(imported.out().contains(question), imported::out);
   }
 
   @Test
@@ -239,7 +241,7 @@ class ImportCommandTest {
             "--out",
             out);
     assertEquals(0, imported.exit(), imported.err());
-    assertTrue(imported.out().contains("148 targets, 5024 samples"), imported::out);
+    assertTrue(imported.out().contains("5024 samples of 148 targets"), imported::out);
     Cli.assertValidAndRuns(out.resolve("zara01-obsmat.xml"), folder.resolve("run"));
   }
 }

@@ -28,7 +28,7 @@ class TrackToolsTest {
   void aStreetOfSumoIsImported() throws Exception {
     assumeTrue(has("sumo"), missing("SUMO", "eclipse-sumo"));
     Cli imported = made("street", "street-fcd.xml", "fcd", "--size", "1.5");
-    assertTrue(imported.out().contains("135 targets, "), imported::out);
+    assertTrue(imported.out().contains("of 135 targets "), imported::out);
     assertTrue(imported.out().contains("a sample every 0.5 s"), imported::out);
   }
 
@@ -36,7 +36,7 @@ class TrackToolsTest {
   void aPassageOfJuPedSimIsImported() throws Exception {
     assumeTrue(has("jupedsim"), missing("JuPedSim", "jupedsim"));
     Cli imported = made("passage", "passage.txt", "petrack", "--size", "0.5x1.75");
-    assertTrue(imported.out().contains("60 targets, "), imported::out);
+    assertTrue(imported.out().contains("of 60 targets "), imported::out);
     assertTrue(imported.out().contains("a sample every 0.25 s"), imported::out);
   }
 

@@ -110,10 +110,8 @@ final class ImportCommand implements Callable<Integer> {
               + projection.longitude());
     }
     terminal.println("  " + site.line(made, walls));
+    terminal.println("  " + made.question());
     terminal.println("Move the cameras, a first draft, and save them:");
-    terminal.println(
-        "  ./hificamsim view "
-            + out.resolve(name + ".xml")
-            + " --detection dori-2014:level=observe");
+    terminal.println("  ./hificamsim view " + out.resolve(name + ".xml"));
   }
 }

@@ -95,6 +95,11 @@ public final class ImportSummary {
     return interval;
   }
 
+  /** When the last sample is, seconds from the start. */
+  double duration() {
+    return times.getMax();
+  }
+
   /** The longest time between two samples of a target that is present in between, seconds. */
   double gap() {
     return gap;
@@ -132,7 +137,10 @@ public final class ImportSummary {
   /** All of it, in lines for people. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
-    lines.add(line("%s targets, %s samples, %s s", targets, samples(), times.getMax()));
+    lines.add(line("%s samples of %s targets in %s s", samples(), targets, duration()));
+    if (times.getMin() > gap) {
+      lines.add(line("nobody before %s s: --from leaves that out", times.getMin()));
+    }
     lines.add(line("a sample every %s s (%s a second)", interval, 1 / interval));
     lines.add(
         line(

@@ -14,10 +14,14 @@ import org.hificamsim.tracks.place.DraftCameras;
 public final class TrackedSite {
   private static final double MARGIN = 0.1; // of the longer side
   private static final double LEAST = 1; // m
+  private static final double ROUNDING = 1e-6; // of a step
+  private static final String DETECTION = "oodpcvs-2025:level=discern";
+  private static final String OBJECTIVE = "covered:k=1";
 
   private final SiteSettings settings;
   private final Field field;
   private final double interval;
+  private final double duration;
 
   /**
    * @param found what the tracks have in them
@@ -26,6 +30,7 @@ public final class TrackedSite {
     this.settings = settings;
     this.field = field(found.box());
     this.interval = found.interval();
+    this.duration = found.duration();
   }
 
   private Field field(Field box) {
@@ -50,6 +55,16 @@ public final class TrackedSite {
     return settings.step().orElse(interval);
   }
 
+  /** How many steps there are from the first to the last sample, both included. */
+  public int steps() {
+    return (int) Math.min(Scenario.MAX_STEPS, Math.floor(duration / step() + ROUNDING) + 1);
+  }
+
+  /** What the scenario asks, in a line. */
+  public String question() {
+    return "question: " + OBJECTIVE + " by " + DETECTION + " in " + steps() + " steps";
+  }
+
   /** The scenario's file, which names that of the tracks. */
   public String xml(String tracks) {
     String comment = "Made by hificamsim import of " + settings.source().getFileName();
@@ -62,7 +77,9 @@ public final class TrackedSite {
     Scenario empty =
         new Scenario(settings.name(), field)
             .with(Scenario.ORDER, StepOrder.COVERAGE)
-            .with(Scenario.OBJECTIVE, Objective.parse("covered:k=1"))
+            .with(Scenario.DETECTION, DETECTION)
+            .with(Scenario.OBJECTIVE, Objective.parse(OBJECTIVE))
+            .with(Scenario.STEPS, steps())
             .with(Scenario.STEP_TIME, step())
             .with(Scenario.OBSTACLES, settings.walls())
             .with(
