@@ -37,7 +37,16 @@ class ReplayRecorderTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @ValueSource(strings = {"epsilon-greedy", "softmax", "ucb1", "sarsa", "qb-sarsa", "cooperative", "zoom-out"})
+  @ValueSource(
+      strings = {
+        "epsilon-greedy",
+        "softmax",
+        "ucb1",
+        "sarsa",
+        "qb-sarsa",
+        "cooperative",
+        "zoom-out"
+      })
   void givesBackEveryStepToTheMillimetre(String policy) throws IOException {
     RunPlan plan = plan("cluster-random", policy, 300, 1);
     List<Frame> seen = record(plan, ReplayRecorder.Limits.USUAL);
