@@ -5,13 +5,16 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.hificamsim.core.InputException;
 import org.hificamsim.core.file.OutputFile;
 import org.hificamsim.core.file.OutputFolder;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.figures.KMinPanel;
 import org.hificamsim.presentation.figures.OverTime;
 import org.hificamsim.presentation.plot.Figure;
@@ -23,8 +26,8 @@ import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code hificamsim plot}: k_min over time of a few runs, in one picture. */
-@Command(name = "plot", description = "Draws k_min over time from the folders of several runs.")
+/** {@code hificamsim plot}: the score over time of a few runs, in one picture. */
+@Command(name = "plot", description = "Plots the score over time for several runs (k_min where they differ in it).")
 final class PlotCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "DIR", description = "Folders that 'run' has written.")
   private List<Path> folders;
@@ -42,17 +45,31 @@ final class PlotCommand implements Callable<Integer> {
       throw new InputException("--out is '" + out + "', expected a name that ends in .png or .svg");
     }
     OutputFile file = destination.inFolder("--out", out);
+    Objective objective = objective();
     List<RunCurve> runs = new ArrayList<>();
     for (Path folder : folders) {
-      runs.add(RunCurve.read(folder));
+      runs.add(RunCurve.read(folder, objective));
     }
-    Figure figure = figure(runs);
+    Figure figure = figure(runs, objective);
     file.write(
         svg ? stream -> FigureFile.svg(stream, figure) : stream -> FigureFile.png(stream, figure));
     return 0;
   }
 
-  private Figure figure(List<RunCurve> runs) {
+  /** That of all runs: one axis has one unit. */
+  private Objective objective() throws IOException {
+    Set<String> names = new HashSet<>();
+    for (Path folder : folders) {
+      OutputFolder.settle(folder);
+      JsonNode summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
+      names.add(summary.has("score_words") ? summary.path("objective").asText() : ""); // since 0.2
+    }
+    return names.size() == 1 && !names.contains("")
+        ? Objective.parse(names.iterator().next())
+        : Objective.kMin();
+  }
+
+  private Figure figure(List<RunCurve> runs, Objective objective) {
     List<Function<RunCurve, String>> parts =
         List.of(RunCurve::scenario, RunCurve::detection, RunCurve::policy);
     List<Function<RunCurve, String>> differ =
@@ -66,7 +83,8 @@ final class PlotCommand implements Callable<Integer> {
     }
     int steps = runs.stream().mapToInt(run -> run.means().length).max().orElseThrow();
     return OverTime.figure(
-        "Coverage redundancy over time",
+        objective.hasOwnFigure() ? "Score over time" : "Coverage redundancy over time",
+        objective,
         join(runs.get(0), same, ", ") + ". " + KMinPanel.note(steps) + repeats(runs) + ".",
         lines);
   }
@@ -84,7 +102,7 @@ final class PlotCommand implements Callable<Integer> {
   /**
    * What {@code hificamsim run} left in a folder, as far as it is drawn.
    *
-   * @param means k_min by step, the mean over the repeats
+   * @param means the score or k_min by step, the mean over the repeats
    */
   private record RunCurve(
       String scenario, String detection, String policy, int repeats, double[] means) {
@@ -95,8 +113,7 @@ final class PlotCommand implements Callable<Integer> {
      *
      * @throws InputException when one is missing or is not what a run writes
      */
-    static RunCurve read(Path folder) throws IOException {
-      OutputFolder.settle(folder);
+    static RunCurve read(Path folder, Objective objective) throws IOException {
       JsonNode summary = new ResultFolder(folder).json(ResultFolder.SUMMARY);
       int repeats = summary.path("repeat").asInt();
       int steps = summary.path("steps").asInt();
@@ -110,14 +127,16 @@ final class PlotCommand implements Callable<Integer> {
             "%s: steps is %s, expected at most %s to draw"
                 .formatted(folder.resolve(ResultFolder.SUMMARY), steps, MAX_STEPS));
       }
-      long[] sums = new long[steps];
-      StepRow.each(folder, row -> sums[row.step(steps)] += row.kMin());
+      boolean scored = objective.hasOwnFigure();
+      double[] sums = new double[steps];
+      StepRow.each(
+          folder, row -> sums[row.step(steps)] += scored ? row.score() : row.kMin());
       return new RunCurve(
           summary.path("scenario").asText(),
           summary.path("detection").asText(),
           summary.path("policy").asText(),
           repeats,
-          Arrays.stream(sums).mapToDouble(sum -> sum / (double) repeats).toArray());
+          Arrays.stream(sums).mapToDouble(sum -> sum / repeats).toArray());
     }
   }
 }

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.plot.Curve;
 import org.hificamsim.presentation.plot.Lowess;
 import org.hificamsim.presentation.plot.XyPanel;
@@ -13,7 +14,7 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.FinishedRun;
 
 /**
- * A panel of k_min over time, as chapters 7 and 8 show it: the mean over the runs pale, and LOWESS
+ * A panel of k_min or another score over time, as chapters 7 and 8 show it: the mean over the runs pale, and LOWESS
  * over it.
  */
 public final class KMinPanel extends XyPanel {
@@ -22,10 +23,17 @@ public final class KMinPanel extends XyPanel {
   private final int steps;
 
   /** An empty panel whose y axis ends at {@code most}. */
-  public KMinPanel(String title, int steps, double most) {
-    super(title, "time (steps)", "k_min (cameras)");
+  public KMinPanel(String title, Objective objective, int steps, double most) {
+    super(title, "time (steps)", label(objective));
     this.steps = steps;
     x(0, steps).y(0, most);
+  }
+
+  private static String label(Objective objective) {
+    if (!objective.hasOwnFigure()) {
+      return "k_min (cameras)";
+    }
+    return objective.isShare() ? "share of " + objective.words() : objective.words();
   }
 
   /**

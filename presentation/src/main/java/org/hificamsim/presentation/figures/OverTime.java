@@ -5,11 +5,13 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
+import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.presentation.plot.Figure;
+import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.compare.CaseResult;
 import org.knowm.xchart.XYChart;
 
-/** k_min over time by policy, a panel per detection model. */
+/** The score over time by policy, a panel per detection model. */
 public final class OverTime {
   private static final int WIDTH = 470;
   private static final int HEIGHT = 300;
@@ -18,15 +20,16 @@ public final class OverTime {
 
   private OverTime() {}
 
-  /** The mean k_min of some runs, by step. */
+  /** The mean score of some runs, by step. */
   public record Line(String label, double[] means) {}
 
   /** One panel of lines; one named for a policy has that policy's colour. */
-  public static Figure figure(String title, String note, List<Line> lines) {
+  public static Figure figure(
+      String title, Objective objective, String note, List<Line> lines) {
     PolicyColors colors = new PolicyColors(lines.stream().map(Line::label).toList());
     int steps = lines.stream().mapToInt(line -> line.means().length).max().orElseThrow();
     double most = KMinPanel.ceiling(lines.stream().map(Line::means).toList());
-    KMinPanel panel = new KMinPanel("", steps, most);
+    KMinPanel panel = new KMinPanel("", objective, steps, most);
     lines.forEach(line -> panel.raw(line.means(), colors.of(line.label())));
     lines.forEach(line -> panel.smooth(line.label(), line.means(), colors.of(line.label())));
     return new Figure(title, note, colors.legend(), List.of(panel), 1, SINGLE_WIDTH, SINGLE_HEIGHT);
@@ -46,10 +49,11 @@ public final class OverTime {
   /** A panel of cases, each in its colour. */
   public static KMinPanel panel(
       String title, List<CaseResult> cases, Function<CaseResult, Color> color, double most) {
-    KMinPanel panel = new KMinPanel(title, cases.get(0).plan().steps(), most);
+    RunPlan plan = cases.get(0).plan();
+    KMinPanel panel = new KMinPanel(title, plan.objective(), plan.steps(), most);
     cases.forEach(one -> panel.band(one, color.apply(one)));
-    cases.forEach(one -> panel.raw(one.meanKMin(), color.apply(one)));
-    cases.forEach(one -> panel.smooth(one.plan().policy(), one.meanKMin(), color.apply(one)));
+    cases.forEach(one -> panel.raw(one.meanScore(), color.apply(one)));
+    cases.forEach(one -> panel.smooth(one.plan().policy(), one.meanScore(), color.apply(one)));
     return panel;
   }
 
@@ -60,7 +64,7 @@ public final class OverTime {
 
   /** Where a y axis ends that holds all cases. */
   public static double ceiling(List<CaseResult> cases) {
-    return KMinPanel.ceiling(cases.stream().map(CaseResult::meanKMin).toList());
+    return KMinPanel.ceiling(cases.stream().map(CaseResult::meanScore).toList());
   }
 
   /** What the note of a figure says of such panels. */

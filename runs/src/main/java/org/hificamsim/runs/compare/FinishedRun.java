@@ -3,27 +3,41 @@ package org.hificamsim.runs.compare;
 import java.io.Serializable;
 import java.util.Arrays;
 import java.util.List;
+import org.hificamsim.core.engine.StepListener;
 import org.hificamsim.runs.RunExecutor;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
 
-/** A finished run with its k_min, step by step. */
-public record FinishedRun(RunResult result, int[] kMin) implements Serializable {
+/**
+ * A finished run with its k_min and its score, step by step.
+ *
+ * @param scores of the steps; without any where the score is k_min
+ */
+public record FinishedRun(RunResult result, int[] kMin, double[] scores) implements Serializable {
   private static final int MAX_PARTS = 50;
   private static final double REACHED = 0.9; // of the final level
 
   /** Computes one repeat of a plan. */
   public static FinishedRun of(RunExecutor executor, RunPlan plan, int repeat) {
     int[] kMin = new int[plan.steps()];
-    return new FinishedRun(
-        executor.repeat(
-            plan,
-            repeat,
-            List.of((network, coverage) -> kMin[(int) network.step()] = coverage.kMin())),
-        kMin);
+    double[] scores = new double[plan.objective().hasOwnFigure() ? plan.steps() : 0];
+    StepListener listener =
+        (network, coverage) -> {
+          int step = (int) network.step();
+          kMin[step] = coverage.kMin();
+          if (scores.length > 0) {
+            scores[step] = coverage.score();
+          }
+        };
+    return new FinishedRun(executor.repeat(plan, repeat, List.of(listener)), kMin, scores);
   }
 
-  /** The mean of k_min in equal parts of the run, fifty where it is long enough. */
+  /** The score of a step. */
+  double score(int step) {
+    return scores.length == 0 ? kMin[step] : scores[step];
+  }
+
+  /** The mean score in equal parts of the run, fifty where it is long enough. */
   double[] levels() {
     int parts = Math.min(MAX_PARTS, kMin.length);
     double[] levels = new double[parts];
@@ -31,7 +45,7 @@ public record FinishedRun(RunResult result, int[] kMin) implements Serializable 
       int from = start(part, parts, kMin.length);
       int to = start(part + 1, parts, kMin.length);
       for (int step = from; step < to; step++) {
-        levels[part] += kMin[step] / (double) (to - from);
+        levels[part] += score(step) / (to - from);
       }
     }
     return levels;

@@ -7,7 +7,6 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.ByteBuffer;
-import java.nio.IntBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Optional;
@@ -22,8 +21,8 @@ import org.hificamsim.runs.RunResult;
  * @param key of the plan and the seed
  */
 record JournalLine(String key, FinishedRun run) {
-  /** The line's JSON; k_min is a count and the values, compressed. */
-  private record Entry(String key, RunResult result, byte[] kMin) {}
+  /** The line's JSON; k_min and scores are each a count and the values, compressed. */
+  private record Entry(String key, RunResult result, byte[] kMin, byte[] scores) {}
 
   private static final String START = "{\"sum\":\"";
   private static final String END = "\",";
@@ -56,7 +55,8 @@ record JournalLine(String key, FinishedRun run) {
       return entry == null
           ? Optional.empty()
           : Optional.of(
-              new JournalLine(entry.key, new FinishedRun(entry.result, unpack(entry.kMin))));
+              new JournalLine(entry.key, new FinishedRun(
+                      entry.result, ints(unpack(entry.kMin)), doubles(unpack(entry.scores)))));
     } catch (IOException e) {
       return Optional.empty();
     }
@@ -64,7 +64,7 @@ record JournalLine(String key, FinishedRun run) {
 
   /** The line with its end. */
   byte[] line() throws IOException {
-    Entry entry = new Entry(key, run.result(), pack(run.kMin()));
+    Entry entry = new Entry(key, run.result(), pack(run.kMin()), pack(run.scores()));
     byte[] text = MAPPER.writeValueAsBytes(entry);
     byte[] rest = Arrays.copyOfRange(text, 1, text.length);
     return joined(head(rest), rest, new byte[] {'\n'});
@@ -87,6 +87,16 @@ record JournalLine(String key, FinishedRun run) {
   private static byte[] pack(int[] values) throws IOException {
     ByteBuffer plain = ByteBuffer.allocate((values.length + 1) * Integer.BYTES);
     plain.asIntBuffer().put(values.length).put(values);
+    return compressed(plain);
+  }
+
+  private static byte[] pack(double[] values) throws IOException {
+    ByteBuffer plain = ByteBuffer.allocate(Integer.BYTES + values.length * Double.BYTES);
+    plain.putInt(values.length).asDoubleBuffer().put(values);
+    return compressed(plain);
+  }
+
+  private static byte[] compressed(ByteBuffer plain) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (OutputStream out = new DeflaterOutputStream(bytes)) {
       out.write(plain.array());
@@ -94,15 +104,30 @@ record JournalLine(String key, FinishedRun run) {
     return bytes.toByteArray();
   }
 
-  private static int[] unpack(byte[] packed) throws IOException {
+  private static ByteBuffer unpack(byte[] packed) throws IOException {
     try (InflaterInputStream in = new InflaterInputStream(new ByteArrayInputStream(packed))) {
-      IntBuffer ints = ByteBuffer.wrap(in.readAllBytes()).asIntBuffer();
-      if (!ints.hasRemaining() || ints.get() != ints.remaining()) {
-        throw new IOException("damaged");
-      }
-      int[] values = new int[ints.remaining()];
-      ints.get(values);
-      return values;
+      return ByteBuffer.wrap(in.readAllBytes());
     }
+  }
+
+  private static int[] ints(ByteBuffer plain) throws IOException {
+    int[] values = new int[count(plain, Integer.BYTES)];
+    plain.asIntBuffer().get(values);
+    return values;
+  }
+
+  private static double[] doubles(ByteBuffer plain) throws IOException {
+    double[] values = new double[count(plain, Double.BYTES)];
+    plain.asDoubleBuffer().get(values);
+    return values;
+  }
+
+  /** How many values there are, if that is what is said. */
+  private static int count(ByteBuffer plain, int bytes) throws IOException {
+    if (plain.remaining() < Integer.BYTES
+        || (long) plain.getInt() * bytes != plain.remaining()) {
+      throw new IOException("damaged");
+    }
+    return plain.remaining() / bytes;
   }
 }

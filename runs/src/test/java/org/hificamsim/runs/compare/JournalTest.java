@@ -36,7 +36,7 @@ class JournalTest {
   void leaveTheJournalOfAKilledComparison() throws IOException {
     output = new OutputFolder(folder);
     try (Journal journal = open(false)) {
-      journal.add("case", 7, new FinishedRun(RESULT, new int[] {3, 0, 8}));
+      journal.add("case", 7, new FinishedRun(RESULT, new int[] {3, 0, 8}, new double[] {0.25, 0, 1}));
     }
   }
 
@@ -51,6 +51,7 @@ class JournalTest {
       FinishedRun found = journal.find("case", 7).orElseThrow();
       assertEquals(RESULT, found.result());
       assertArrayEquals(new int[] {3, 0, 8}, found.kMin());
+      assertArrayEquals(new double[] {0.25, 0, 1}, found.scores());
       assertTrue(journal.find("case", 8).isEmpty());
       assertTrue(journal.find("other", 7).isEmpty());
     }
@@ -132,7 +133,7 @@ class JournalTest {
     }
     try (Journal journal = open(true)) {
       assertTrue(journal.find("case", 7).isPresent());
-      journal.add("next", 1, new FinishedRun(RESULT, new int[] {5}));
+      journal.add("next", 1, new FinishedRun(RESULT, new int[] {5}, new double[0]));
     }
     ByteBuffer written = ByteBuffer.allocate(both.length());
     try (FileChannel channel = FileChannel.open(file())) {
@@ -160,7 +161,7 @@ class JournalTest {
 
   private void addTheNext() throws IOException {
     try (Journal journal = open(true)) {
-      journal.add("next", 1, new FinishedRun(RESULT, new int[] {5}));
+      journal.add("next", 1, new FinishedRun(RESULT, new int[] {5}, new double[0]));
     }
   }
 
