@@ -147,6 +147,7 @@ final class CompareCommand implements Callable<Integer> {
   }
 
   private static void print(PrintWriter out, List<CaseResult> cases) {
+    SummaryTables.meanings(cases).forEach(out::println);
     SummaryTables.cases(cases).print(out);
     if (cases.stream().allMatch(one -> Estimate.mean(one.figures(Metric.SCORE)).mean() == 0)) {
       nothing(out, cases);

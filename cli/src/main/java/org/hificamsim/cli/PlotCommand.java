@@ -136,7 +136,7 @@ final class PlotCommand implements Callable<Integer> {
           summary.path("detection").asText(),
           summary.path("policy").asText(),
           repeats,
-          Arrays.stream(sums).mapToDouble(sum -> sum / repeats).toArray());
+          Arrays.stream(sums).map(sum -> sum / repeats).toArray());
     }
   }
 }

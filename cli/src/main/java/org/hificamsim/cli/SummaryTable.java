@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import org.hificamsim.core.Spelling;
-import org.hificamsim.core.metrics.Objective;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.Proof;
 import org.hificamsim.runs.RunPlan;
 import org.hificamsim.runs.RunResult;
+import org.hificamsim.runs.ScoreText;
 import org.hificamsim.runs.SettingSource;
 
 /** The short table that a run prints when it is done. */
@@ -31,9 +31,11 @@ final class SummaryTable {
   }
 
   static void print(
-      PrintWriter out, RunPlan plan, List<RunResult> results, double[] scores, Path folder) {
+      PrintWriter out, RunPlan plan, List<RunResult> results, double[] overTime, Path folder) {
     SummaryTable table = new SummaryTable(out, results);
-    table.line("score", table.score(plan));
+    double[] scores = results.stream().mapToDouble(RunResult::score).toArray();
+    String meaning = ScoreText.meaning(plan.objective());
+    table.line("score", meaning + ": " + ScoreText.of(plan, scores));
     table.line("scenario", plan.scenario().name());
     table.line(
         "detection",
@@ -56,8 +58,8 @@ final class SummaryTable {
     table.figures(plan);
     table.unproven(plan);
     table.uncovered(plan);
-    String score = plan.objective().hasOwnFigure() ? "score" : plan.objective().stepScore();
-    table.line(score + " over time", bars(scores, terminal()));
+    String course = plan.objective().hasOwnFigure() ? "score" : plan.objective().stepScore();
+    table.line(course + " over time", bars(overTime, terminal()));
     table.line("files", folder.toString());
     out.flush();
   }
@@ -109,18 +111,6 @@ final class SummaryTable {
         figure("summed score", Metric.SCORE, "%.3f", "sum of " + plan.objective().text());
       }
     }
-  }
-
-  /** The mean score of a step in the objective's own words. */
-  private String score(RunPlan plan) {
-    Objective objective = plan.objective();
-    double factor = objective.isShare() ? 100 : 1;
-    String mean =
-        Estimate.of(results, Metric.SCORE)
-            .times(factor / plan.steps())
-            .within(0, objective.isShare() ? factor : Double.POSITIVE_INFINITY)
-            .text(objective.isShare() ? "%.1f %%" : "%.3f");
-    return objective.words() + ": " + mean + (objective.isShare() ? "" : ", mean of the steps");
   }
 
   private void figure(String label, Metric metric, String format, String unit) {

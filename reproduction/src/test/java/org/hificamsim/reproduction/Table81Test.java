@@ -48,7 +48,7 @@ class Table81Test {
 
   private static CaseResult result(RunPlan plan) {
     List<ScoredRun> runs = IntStream.range(0, 2).mapToObj(seed -> run(plan, seed)).toList();
-    return new CaseResult(plan, runs, new double[10], new double[2][10]);
+    return new CaseResult(plan, runs, new double[10], new double[10], new double[2][10]);
   }
 
   @Test

@@ -47,7 +47,8 @@ public final class ComparisonFigures {
         .forEach(
             (name, group) ->
                 figures.put(
-                    "k_min-" + name, () -> OverTime.figure("k_min over time, " + name, group)));
+                    course(group) + "-" + name,
+                    () -> OverTime.figure(course(group) + " over time, " + name, group)));
     Optional<Yardstick> yardstick = Yardstick.of(cases);
     yardstick.ifPresent(by -> figures.put("proportion", () -> ProportionFigure.of(cases, by)));
     figures.put("coverage", () -> coverage(cases));
@@ -55,6 +56,10 @@ public final class ComparisonFigures {
       figures.put("profile", () -> ProfileFigure.of(cases, yardstick.get()));
     }
     return figures;
+  }
+
+  private static String course(List<CaseResult> ofScenario) {
+    return ofScenario.get(0).plan().objective().hasOwnFigure() ? "score" : "k_min";
   }
 
   private static Figure coverage(List<CaseResult> cases) {

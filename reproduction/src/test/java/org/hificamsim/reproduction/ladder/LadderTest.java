@@ -105,7 +105,7 @@ class LadderTest {
             .mapToObj(seed -> RunResult.of(seed, seed, Map.of(Metric.MEAN_K_MIN, good ? 1 : 0.4)))
             .map(run -> new ScoredRun(run, 10, Double.NaN, 0))
             .toList();
-    return new CaseResult(plan, runs, new double[10], new double[2][10]);
+    return new CaseResult(plan, runs, new double[10], new double[10], new double[2][10]);
   }
 
   private static Settings asked(int repeats) {

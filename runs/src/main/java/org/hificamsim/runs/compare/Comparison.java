@@ -3,6 +3,7 @@ package org.hificamsim.runs.compare;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -77,6 +78,9 @@ public final class Comparison {
     private final double[] settling;
     private final double[][] levels;
     private final double[] sums; // of whole numbers, exact; at the end the means
+    private final double[] scores; // sums in the order of seeds; at the end the means
+    private final Map<Integer, FinishedRun> waiting = new HashMap<>(); // for those before them
+    private int added;
 
     CaseUnderWay(RunPlan plan) {
       this.plan = plan;
@@ -84,6 +88,7 @@ public final class Comparison {
       this.settling = new double[plan.repeats()];
       this.levels = new double[plan.repeats()][];
       this.sums = new double[plan.steps()];
+      this.scores = plan.objective().hasOwnFigure() ? new double[plan.steps()] : sums;
     }
 
     synchronized void take(int repeat, FinishedRun run) {
@@ -93,6 +98,18 @@ public final class Comparison {
       settling[repeat] = run.settling();
       levels[repeat] = run.levels();
       results[repeat] = run.result().asRun(repeat);
+      if (scores != sums) {
+        waiting.put(repeat, run);
+        for (FinishedRun next; (next = waiting.remove(added)) != null; added++) {
+          add(next);
+        }
+      }
+    }
+
+    private void add(FinishedRun run) {
+      for (int step = 0; step < scores.length; step++) {
+        scores[step] += run.score(step);
+      }
     }
 
     /** Beside yardsticks; null for those that were not run. */
@@ -108,7 +125,10 @@ public final class Comparison {
                 settling[repeat]));
       }
       Arrays.setAll(sums, step -> sums[step] / runs.size());
-      return new CaseResult(plan, runs, sums, levels);
+      if (scores != sums) {
+        Arrays.setAll(scores, step -> scores[step] / runs.size());
+      }
+      return new CaseResult(plan, runs, sums, scores, levels);
     }
 
     private static double of(

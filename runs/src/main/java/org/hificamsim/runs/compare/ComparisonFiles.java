@@ -161,7 +161,14 @@ public final class ComparisonFiles {
                   "cameras",
                   "the least number of cameras that cover a target (Eq 7.1), the mean over the"
                       + " seeds",
-                  row -> row.of.meanKMin()[row.step]));
+                  row -> row.of.meanKMin()[row.step]),
+              Column.<CaseStep>ofDouble(
+                      "score",
+                      "that of the [objective](objectives.md)",
+                      "what the objective makes of the step, the mean over the seeds; k_min by"
+                          + " default",
+                      row -> row.of.meanScore()[row.step])
+                  .later());
 
   private ComparisonFiles() {}
 

@@ -1,9 +1,10 @@
 package org.hificamsim.runs.compare;
 
+import static java.util.stream.Collectors.joining;
+
 import java.io.IOException;
 import java.io.Writer;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,6 +14,7 @@ import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.runs.Estimate;
 import org.hificamsim.runs.Metric;
 import org.hificamsim.runs.RunPlan;
+import org.hificamsim.runs.ScoreText;
 import org.hificamsim.runs.output.TextTable;
 import org.hificamsim.runs.statistics.Aggregate;
 
@@ -22,11 +24,15 @@ import org.hificamsim.runs.statistics.Aggregate;
 public final class SummaryTables {
   private static final String LATEX = "summary.tex";
 
-  /** A column of figures. */
+  /**
+   * A column of figures.
+   *
+   * @param format of a number; null for a score, whose objective has it
+   */
   private record Figure(String title, String format, Metric metric) {}
 
   private static final Figure PERFORMANCE = new Figure("performance", "%.0f", Metric.PERFORMANCE);
-  private static final Figure SCORE = new Figure("score", "%.2f", Metric.SCORE);
+  private static final Figure SCORE = new Figure("score", null, Metric.SCORE);
   private static final Figure PROPORTION = share(Yardstick.OPTIMAL);
   private static final Figure OF_BOUND = share(Yardstick.BOUND);
 
@@ -41,7 +47,18 @@ public final class SummaryTables {
 
   /** One row per case, its score compared with the reference policies. */
   public static TextTable cases(List<CaseResult> cases) {
-    return table(cases, shown(cases, PERFORMANCE, SCORE, PROPORTION, OF_BOUND, OVER_FIXED), true);
+    return table(cases, shown(cases), true);
+  }
+
+  /** What the scores of some cases say, by scenario; nothing where all are k_min. */
+  public static List<String> meanings(List<CaseResult> cases) {
+    return isOfKMin(cases)
+        ? List.of()
+        : cases.stream()
+            .map(one -> one.plan().scenario())
+            .map(one -> one.name() + ", score: " + ScoreText.meaning(one.objective()))
+            .distinct()
+            .toList();
   }
 
   /** One row per case: what is covered, for cases whose score says nothing. */
@@ -110,11 +127,12 @@ public final class SummaryTables {
     String ofCases =
         "Means over %s seeds with 95%% intervals. Performance is k_min summed over %s steps."
             .formatted(first.runs().size(), first.plan().steps());
+    String scores = meanings(all).stream().map(text -> " " + text + ".").collect(joining());
     Optional<Yardstick> yardstick = Yardstick.of(asked);
-    List<Figure> figures = shown(all, PERFORMANCE, PROPORTION, OF_BOUND, OVER_FIXED, SCORE);
+    List<Figure> figures = shown(all);
     try (Writer out = folder.open(LATEX)) {
       out.write("% \\usepackage{booktabs}\n");
-      out.write(table(byScenario(all), figures, false).latex(ofCases, "tab:hificamsim"));
+      out.write(table(byScenario(all), figures, false).latex(ofCases + scores, "tab:hificamsim"));
       if (yardstick.isPresent()) {
         String ofAggregates =
             "All scenarios together, proportions of "
@@ -126,12 +144,17 @@ public final class SummaryTables {
     }
   }
 
-  /** The figures that say something of these cases. */
-  private static List<Figure> shown(List<CaseResult> cases, Figure... figures) {
-    List<Figure> shown = new ArrayList<>(Arrays.asList(figures));
-    if (cases.stream().noneMatch(one -> one.plan().objective().hasOwnFigure())) {
-      shown.remove(SCORE);
-    }
+  private static boolean isOfKMin(List<CaseResult> cases) {
+    return cases.stream().noneMatch(one -> one.plan().objective().hasOwnFigure());
+  }
+
+  /** The figures that say something of these cases, the score first. */
+  private static List<Figure> shown(List<CaseResult> cases) {
+    List<Figure> shown =
+        new ArrayList<>(
+            isOfKMin(cases)
+                ? List.of(PERFORMANCE, PROPORTION, OF_BOUND, OVER_FIXED)
+                : List.of(SCORE, PROPORTION, OF_BOUND, OVER_FIXED, PERFORMANCE));
     for (Yardstick one : Yardstick.values()) {
       shown.removeIf(figure -> figure.metric == one.share() && !one.isIn(cases));
     }
@@ -163,7 +186,10 @@ public final class SummaryTables {
     int known = Estimate.known(figures).length;
     boolean some = known > 0 && known < figures.length;
     String count = counted && some ? known + "/" + figures.length + ": " : "";
-    return count + Estimate.mean(figures).text(figure.format);
+    return count
+        + (figure.format == null
+            ? ScoreText.of(one.plan(), figures)
+            : Estimate.mean(figures).text(figure.format));
   }
 
   /** The cases of each scenario together: the optima come last otherwise. */
