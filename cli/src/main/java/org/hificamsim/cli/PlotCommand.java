@@ -27,7 +27,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** {@code hificamsim plot}: the score over time of a few runs, in one picture. */
-@Command(name = "plot", description = "Plots the score over time for several runs (k_min where they differ in it).")
+@Command(
+    name = "plot",
+    description = "Plots the score over time for several runs (k_min where they differ in it).")
 final class PlotCommand implements Callable<Integer> {
   @Parameters(arity = "1..*", paramLabel = "DIR", description = "Folders that 'run' has written.")
   private List<Path> folders;
@@ -129,8 +131,7 @@ final class PlotCommand implements Callable<Integer> {
       }
       boolean scored = objective.hasOwnFigure();
       double[] sums = new double[steps];
-      StepRow.each(
-          folder, row -> sums[row.step(steps)] += scored ? row.score() : row.kMin());
+      StepRow.each(folder, row -> sums[row.step(steps)] += scored ? row.score() : row.kMin());
       return new RunCurve(
           summary.path("scenario").asText(),
           summary.path("detection").asText(),

@@ -14,8 +14,8 @@ import org.hificamsim.runs.compare.CaseResult;
 import org.hificamsim.runs.compare.FinishedRun;
 
 /**
- * A panel of k_min or another score over time, as chapters 7 and 8 show it: the mean over the runs pale, and LOWESS
- * over it.
+ * A panel of k_min or another score over time, as chapters 7 and 8 show it: the mean over the runs
+ * pale, and LOWESS over it.
  */
 public final class KMinPanel extends XyPanel {
   private static final int RAW_POINTS = 250;

@@ -24,8 +24,7 @@ public final class OverTime {
   public record Line(String label, double[] means) {}
 
   /** One panel of lines; one named for a policy has that policy's colour. */
-  public static Figure figure(
-      String title, Objective objective, String note, List<Line> lines) {
+  public static Figure figure(String title, Objective objective, String note, List<Line> lines) {
     PolicyColors colors = new PolicyColors(lines.stream().map(Line::label).toList());
     int steps = lines.stream().mapToInt(line -> line.means().length).max().orElseThrow();
     double most = KMinPanel.ceiling(lines.stream().map(Line::means).toList());

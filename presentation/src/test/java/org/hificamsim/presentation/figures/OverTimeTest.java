@@ -18,7 +18,8 @@ class OverTimeTest {
     double[] peak = new double[1000];
     Arrays.fill(peak, 0.5);
     Arrays.fill(peak, 400, 405, 2.9);
-    Figure figure = OverTime.figure("", Objective.kMin(), "", List.of(new OverTime.Line("sarsa", peak)));
+    Figure figure =
+        OverTime.figure("", Objective.kMin(), "", List.of(new OverTime.Line("sarsa", peak)));
     XYChart chart = (XYChart) figure.panels().get(0);
     for (XYSeries series : chart.getSeriesMap().values()) {
       double most = Arrays.stream(series.getYData()).max().orElseThrow();
@@ -39,7 +40,8 @@ class OverTimeTest {
     for (int steps : new int[] {5, 1000}) {
       double[] means = new double[steps];
       Arrays.setAll(means, i -> i % 2);
-      Figure figure = OverTime.figure("", Objective.kMin(), "", List.of(new OverTime.Line("sarsa", means)));
+      Figure figure =
+          OverTime.figure("", Objective.kMin(), "", List.of(new OverTime.Line("sarsa", means)));
       XYChart chart = (XYChart) figure.panels().get(0);
       List<Boolean> bent = chart.getSeriesMap().values().stream().map(XYSeries::isSmooth).toList();
       assertEquals(List.of(false, steps >= 20), bent);

@@ -14,15 +14,11 @@ import org.hificamsim.runs.ScoredRun;
  * @param runs one per repeat, by rising seed
  * @param meanKMin the mean over the repeats of k_min, by step
  * @param meanScore the same of the score
- * @param levels each repeat's mean score in {@link FinishedRun#levels equal parts} of the run:
- *     what intervals over time are made of
+ * @param levels each repeat's mean score in {@link FinishedRun#levels equal parts} of the run: what
+ *     intervals over time are made of
  */
 public record CaseResult(
-    RunPlan plan,
-    List<ScoredRun> runs,
-    double[] meanKMin,
-    double[] meanScore,
-    double[][] levels) {
+    RunPlan plan, List<ScoredRun> runs, double[] meanKMin, double[] meanScore, double[][] levels) {
   /** The metrics that the case has, in the order of files. */
   List<Metric> metrics() {
     ScoredRun first = runs.get(0);

@@ -55,7 +55,9 @@ record JournalLine(String key, FinishedRun run) {
       return entry == null
           ? Optional.empty()
           : Optional.of(
-              new JournalLine(entry.key, new FinishedRun(
+              new JournalLine(
+                  entry.key,
+                  new FinishedRun(
                       entry.result, ints(unpack(entry.kMin)), doubles(unpack(entry.scores)))));
     } catch (IOException e) {
       return Optional.empty();
@@ -124,8 +126,7 @@ record JournalLine(String key, FinishedRun run) {
 
   /** How many values there are, if that is what is said. */
   private static int count(ByteBuffer plain, int bytes) throws IOException {
-    if (plain.remaining() < Integer.BYTES
-        || (long) plain.getInt() * bytes != plain.remaining()) {
+    if (plain.remaining() < Integer.BYTES || (long) plain.getInt() * bytes != plain.remaining()) {
       throw new IOException("damaged");
     }
     return plain.remaining() / bytes;

@@ -36,7 +36,8 @@ class JournalTest {
   void leaveTheJournalOfAKilledComparison() throws IOException {
     output = new OutputFolder(folder);
     try (Journal journal = open(false)) {
-      journal.add("case", 7, new FinishedRun(RESULT, new int[] {3, 0, 8}, new double[] {0.25, 0, 1}));
+      journal.add(
+          "case", 7, new FinishedRun(RESULT, new int[] {3, 0, 8}, new double[] {0.25, 0, 1}));
     }
   }
 
