@@ -78,6 +78,9 @@ def run(
 ) -> Results:
     """Runs a scenario: ``run("campus", policy="sarsa", repeat=3)`` is ``hificamsim run campus.xml --policy sarsa ...``.
 
+    Detection, objective and steps are the scenario's unless options say otherwise; ``run("campus")["steps"].score`` is
+    the answer, step by step, and ``settings["score_words"]`` says of what.
+
     :param out: where the files stay; without it they are read and deleted
     :param options: those of the command, with ``_`` for ``-``; True for one without a value, a list for several
     """
