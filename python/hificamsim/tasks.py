@@ -11,6 +11,7 @@ from benchmarl.environments.common import TaskClass
 from torchrl.data import Composite
 
 from .torch_envs import GROUP, torchrl_env
+from .worlds import Worlds
 
 
 class CameraTask(TaskClass):  # type: ignore[misc]
@@ -33,7 +34,11 @@ class CameraTask(TaskClass):  # type: ignore[misc]
         return True
 
     def max_steps(self, env: Any) -> int:
-        return int(self.config.get("steps", 1000))
+        if "steps" in self.config:
+            return int(self.config["steps"])
+        worlds = Worlds(self.scenario)
+        worlds.close()
+        return worlds.episode_steps
 
     def has_render(self, env: Any) -> bool:
         return False

@@ -104,6 +104,8 @@ class Worlds:
         self.cameras: list[str] = said["cameras"]
         self.views: list[int] = said["views"]
         self.num_targets: int = said["targets"]
+        #: How many steps an episode has: those asked for, else the scenario's, else 1000.
+        self.episode_steps: int = said["steps"]
         self.run_settings: list[str] = said["settings"]
         self.choices: list[int] = said["choices"]
         self.features: list[dict[str, Any]] = said["features"]

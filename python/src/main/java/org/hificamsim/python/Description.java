@@ -20,6 +20,7 @@ import org.hificamsim.worlds.Worlds;
  * @param features what the numbers of an observation say
  * @param sections how the shared memory is divided
  * @param bytes how long the memory is
+ * @param steps of an episode
  * @param settings the names of the settings of a run
  */
 record Description(
@@ -33,6 +34,7 @@ record Description(
     List<Feature> features,
     List<Block.Section> sections,
     int bytes,
+    int steps,
     List<String> settings) {
   static Description of(Worlds worlds, WorldSettings settings) {
     NetworkView network = worlds.network(0);
@@ -48,6 +50,7 @@ record Description(
         settings.layout().features(),
         worlds.block().sections(),
         worlds.block().bytes(),
+        settings.steps(),
         Request.SETTINGS.stream().map(Setting::label).toList());
   }
 
