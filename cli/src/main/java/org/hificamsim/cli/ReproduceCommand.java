@@ -109,9 +109,14 @@ final class ReproduceCommand implements Callable<Integer> {
   private static void printDistances(PrintWriter out, List<Distance> distances) {
     Distance first = distances.get(0);
     out.printf(
+        Locale.ROOT,
         "mean distance from the published cells, and cells within 0.05 of them (%d steps, %d"
             + " seeds):%n%-26s %-15s %s%n",
-        first.steps(), first.seeds(), "reading", "hi-fi", "CamSim");
+        first.steps(),
+        first.seeds(),
+        "reading",
+        "hi-fi",
+        "CamSim");
     for (int i = 0; i < distances.size(); i += 2) {
       out.printf(
           "%-26s %-15s %s%n",

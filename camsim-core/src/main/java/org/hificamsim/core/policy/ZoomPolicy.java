@@ -86,7 +86,7 @@ public interface ZoomPolicy {
     return 0;
   }
 
-  /** How many bits these messages had: see {@link org.hificamsim.core.channel.Fields}. */
+  /** How many bits these messages had: see {@link org.hificamsim.core.channel.MessageBits}. */
   default long bits() {
     return 0;
   }

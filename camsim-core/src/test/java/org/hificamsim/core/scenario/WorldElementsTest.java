@@ -340,6 +340,7 @@ class WorldElementsTest {
     String text =
         "<root><simulation min_x='-10' max_x='10' min_y='-10' max_y='10' "
             + attributes
+            + (attributes.contains("order=") ? "" : " order='coverage'")
             + ">"
             + world
             + "</simulation></root>";

@@ -2,7 +2,7 @@ package org.hificamsim.network.agent;
 
 import java.util.Arrays;
 import org.hificamsim.core.channel.Channel;
-import org.hificamsim.core.channel.Fields;
+import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.channel.Post;
 import org.hificamsim.core.channel.Stations;
 
@@ -48,7 +48,9 @@ public final class MessageQueue {
   /** An empty queue of a network with so many cameras and targets. */
   public MessageQueue(int cameras, int targets) {
     bitsWithoutValue =
-        Fields.of(MessageKind.values().length) + Fields.address(cameras) + Fields.of(targets);
+        MessageBits.of(MessageKind.values().length)
+            + MessageBits.address(cameras)
+            + MessageBits.of(targets);
   }
 
   /** From now on messages go over a channel. */
@@ -70,7 +72,7 @@ public final class MessageQueue {
   }
 
   private int bits(MessageKind kind) {
-    return bitsWithoutValue + (kind.hasValue() ? Fields.REAL : 0);
+    return bitsWithoutValue + (kind.hasValue() ? MessageBits.REAL : 0);
   }
 
   /** Delivers every message that waits or arrives in this step, also those that arise meanwhile. */

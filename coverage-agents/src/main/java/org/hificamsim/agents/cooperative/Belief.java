@@ -21,7 +21,7 @@ final class Belief {
   private final SearchMap map;
   private final LearnedSight learned;
   private final double[] chances; // room for those of a camera
-  private Report[] arrived = new Report[FIRST_REPORTS];
+  private SightingReport[] arrived = new SightingReport[FIRST_REPORTS];
   private long[] sentAt = new long[FIRST_REPORTS]; // step
   private int reports;
 
@@ -44,7 +44,7 @@ final class Belief {
    *
    * @param sent the step in which it said it
    */
-  void receive(NetworkView network, Report report, long sent) {
+  void receive(NetworkView network, SightingReport report, long sent) {
     for (int i = 0; i < report.count(); i++) {
       double size = report.size(i) > 0 ? report.size(i) : UNKNOWN_SIZE;
       if (tracks.see(report.target(i), sent, network.step(), report.x(i), report.y(i), size)) {
@@ -56,7 +56,7 @@ final class Belief {
     }
   }
 
-  private void note(Report report, long sent) {
+  private void note(SightingReport report, long sent) {
     if (reports == arrived.length) {
       arrived = Arrays.copyOf(arrived, 2 * reports);
       sentAt = Arrays.copyOf(sentAt, 2 * reports);
@@ -86,7 +86,7 @@ final class Belief {
    * Compares what a camera said in a step with what it should have seen; where targets were then
    * follows from how they move.
    */
-  private void compare(NetworkView network, Report report, long step) {
+  private void compare(NetworkView network, SightingReport report, long step) {
     long ago = network.step() - step;
     for (int i = 0; i < tracks.count(); i++) {
       int track = tracks.at(i);

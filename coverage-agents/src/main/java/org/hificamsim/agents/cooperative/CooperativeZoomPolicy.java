@@ -17,8 +17,8 @@ import org.hificamsim.core.scenario.ScenarioReader;
  * divide them among them. They know what they see and hear, where all stand, how long moves take,
  * and the site's map; not where targets are that nobody sees, nor how many there are.
  *
- * <p>In each step: share ({@link Report}), believe ({@link Belief}), look ahead ({@link Plan}),
- * agree ({@link Agreement}).
+ * <p>In each step: share ({@link SightingReport}), believe ({@link Belief}), look ahead ({@link
+ * Plan}), agree ({@link Agreement}).
  */
 public final class CooperativeZoomPolicy implements ZoomPolicy {
   private static final String SITE = "site";
@@ -29,7 +29,7 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
   private final String map;
   private final Obstacles other; // in place of the site's own
   private final SeenPairs pairs = new SeenPairs();
-  private Report[] reports = {};
+  private SightingReport[] reports = {};
   private Agreement agreement;
   private Team team;
 
@@ -71,8 +71,8 @@ public final class CooperativeZoomPolicy implements ZoomPolicy {
 
   @Override
   public void begin(NetworkView network, SplittableRandom random) {
-    reports = new Report[network.cameras()];
-    Arrays.setAll(reports, camera -> new Report());
+    reports = new SightingReport[network.cameras()];
+    Arrays.setAll(reports, camera -> new SightingReport());
     agreement = rule.make(parameters, network, random);
     Obstacles known = map.equals(SITE) ? network.obstacles() : other;
     Site site = new Site(network, known, parameters.cells());

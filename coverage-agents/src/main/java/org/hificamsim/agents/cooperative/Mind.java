@@ -11,7 +11,7 @@ import org.hificamsim.core.policy.NetworkView;
  * channel one mind serves all cameras.
  */
 final class Mind {
-  private record Letter(long sent, Report report) {}
+  private record Letter(long sent, SightingReport report) {}
 
   private static final Comparator<Letter> ORDER =
       Comparator.comparingLong(Letter::sent).thenComparingInt(letter -> letter.report.camera());
@@ -31,7 +31,7 @@ final class Mind {
   }
 
   /** A report has arrived. */
-  void receive(Report report, long sent) {
+  void receive(SightingReport report, long sent) {
     inbox.add(new Letter(sent, report));
   }
 
@@ -61,9 +61,9 @@ final class Mind {
   }
 
   /** The same from the reports of all cameras in this step. */
-  void believe(NetworkView network, Report[] reports) {
+  void believe(NetworkView network, SightingReport[] reports) {
     belief.begin();
-    for (Report report : reports) {
+    for (SightingReport report : reports) {
       belief.receive(network, report, network.step());
     }
     belief.end(network);

@@ -20,7 +20,7 @@ final class Plan {
   private final Parameters parameters;
   private final Forecast forecast;
   private final PlannedCoverage coverage;
-  private final Outlook[] outlooks; // of each camera
+  private final ViewForecast[] outlooks; // of each camera
   private final int[] planned; // view of each camera, or NONE
   private double[] unseen = {}; // by cell: targets that nobody looks at, if all do as planned
   private double[] gains = {};
@@ -31,8 +31,8 @@ final class Plan {
     this.parameters = parameters;
     forecast = new Forecast(parameters);
     coverage = new PlannedCoverage(worth);
-    outlooks = new Outlook[cameras];
-    Arrays.setAll(outlooks, camera -> new Outlook());
+    outlooks = new ViewForecast[cameras];
+    Arrays.setAll(outlooks, camera -> new ViewForecast());
     planned = new int[cameras];
   }
 
@@ -73,7 +73,7 @@ final class Plan {
   }
 
   private void apply(int camera, int view, boolean added) {
-    Outlook outlook = outlooks[camera];
+    ViewForecast outlook = outlooks[camera];
     outlook.cover(view, coverage, added);
     if (outlook.delay(view) < forecast.horizon()) {
       int[] seen = cells.cells(camera, view);
@@ -125,7 +125,7 @@ final class Plan {
     int best = network.view(camera);
     for (int view = 0; view < network.views(camera); view++) {
       double more = gain[view] - gain[best];
-      Outlook outlook = outlooks[camera];
+      ViewForecast outlook = outlooks[camera];
       boolean tie = Math.abs(more) <= TIE && outlook.delay(view) < outlook.delay(best);
       best = more > TIE || tie ? view : best;
     }

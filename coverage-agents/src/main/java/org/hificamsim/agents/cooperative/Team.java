@@ -3,7 +3,7 @@ package org.hificamsim.agents.cooperative;
 import java.util.Arrays;
 import org.hificamsim.core.channel.Channel;
 import org.hificamsim.core.channel.ChannelModel;
-import org.hificamsim.core.channel.Fields;
+import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.channel.Post;
 import org.hificamsim.core.policy.NetworkView;
 
@@ -15,7 +15,7 @@ final class Team {
   private final Mind[] minds;
   private final Site site;
   private final Channel channel;
-  private final Post<Report> reports;
+  private final Post<SightingReport> reports;
   private final Post<Integer> choices;
   private final int[] chosen; // in this step
   private final boolean[] heard; // by sender and receiver: who heard the last bid
@@ -57,7 +57,7 @@ final class Team {
   }
 
   /** All tell each other what they see, come to a belief, and begin to plan. */
-  void share(NetworkView network, Report[] seen) {
+  void share(NetworkView network, SightingReport[] seen) {
     site.refresh(network);
     Arrays.fill(chosen, Plan.NONE);
     for (int camera = 0; camera < seen.length; camera++) {
@@ -73,10 +73,10 @@ final class Team {
     }
   }
 
-  private void send(NetworkView network, Report[] seen) {
+  private void send(NetworkView network, SightingReport[] seen) {
     for (int camera = 0; camera < seen.length; camera++) {
       if (network.online(camera)) {
-        Report report = seen[camera].copy();
+        SightingReport report = seen[camera].copy();
         minds[camera].receive(report, network.step());
         reports.broadcast(camera, report.bits(network), report);
       }
@@ -109,7 +109,7 @@ final class Team {
   }
 
   private void tell(NetworkView network, int camera, int view) {
-    int length = Fields.address(chosen.length) + Fields.of(network.views(camera));
+    int length = MessageBits.address(chosen.length) + MessageBits.of(network.views(camera));
     count(length);
     if (each()) {
       choices.broadcast(camera, length, view);
@@ -124,7 +124,7 @@ final class Team {
 
   /** A camera tells the others a number. */
   void bid(NetworkView network, int camera) {
-    int length = Fields.address(chosen.length) + Fields.REAL;
+    int length = MessageBits.address(chosen.length) + MessageBits.REAL;
     count(length);
     if (each()) {
       boolean sent = channel.send(camera, length);

@@ -5,7 +5,7 @@ import java.util.SplittableRandom;
 import java.util.stream.IntStream;
 import org.hificamsim.agents.temporal.ActionValues;
 import org.hificamsim.agents.temporal.SarsaZoomPolicy;
-import org.hificamsim.core.channel.Fields;
+import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.policy.CameraTask;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.registry.Options;
@@ -106,9 +106,9 @@ public final class QbSarsaZoomPolicy extends SarsaZoomPolicy {
     Arrays.setAll(votes, share -> new MajorityVote(ties, views));
     nearest = new NearestCameras(network, neighbours);
     translation = new ViewTranslation(network);
-    int address = Fields.address(network.cameras());
-    int query = address + Fields.of(q().states());
-    int answer = address + Fields.of(views);
+    int address = MessageBits.address(network.cameras());
+    int query = address + MessageBits.of(q().states());
+    int answer = address + MessageBits.of(views);
     bitsOfBoth = query + answer;
     inquiries =
         network.channel().isPerfect()

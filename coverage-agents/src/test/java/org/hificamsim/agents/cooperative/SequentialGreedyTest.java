@@ -68,9 +68,9 @@ class SequentialGreedyTest {
   /** The worth of what cameras agree on: each adds to those before it. */
   private static double agreed(RandomSets network) {
     Team team = new Team(PARAMETERS, site(network), network, false);
-    Report[] reports = new Report[network.cameras()];
+    SightingReport[] reports = new SightingReport[network.cameras()];
     for (int camera = 0; camera < reports.length; camera++) {
-      reports[camera] = new Report();
+      reports[camera] = new SightingReport();
       reports[camera].begin(network, camera);
     }
     team.share(network, reports);

@@ -27,7 +27,7 @@ import org.hificamsim.hifi.Residuals;
  *     that neither g nor the residuals have seen; both kinds are asked about the same thresholds
  */
 public record ScatterFit(
-    String name, Residuals residuals, List<Residuals> unseen, Calibration calibration) {
+    String name, Residuals residuals, List<Residuals> unseen, Reliability calibration) {
   private static final double LEAST_RATIO = 1e-2;
   private static final double MOST_RATIO = 1e4;
   private static final int RATIOS = 60;
@@ -70,7 +70,7 @@ public record ScatterFit(
     return both;
   }
 
-  private static Calibration calibration(
+  private static Reliability calibration(
       ShapeFit g, double[] y, Groups groups, List<Residuals> unseen) {
     double[] chances = new double[y.length];
     double[] detected = new double[y.length];
@@ -82,7 +82,7 @@ public record ScatterFit(
           chances[row] = scatter.chance(g.predicted()[row], threshold);
           detected[row] = y[row] >= threshold ? 1 : 0;
         });
-    return new Calibration(chances, detected);
+    return new Reliability(chances, detected);
   }
 
   private interface RowTask {

@@ -11,13 +11,13 @@ import java.util.function.Function;
 import java.util.stream.Stream;
 import org.hificamsim.core.detection.DetectionRule.Chance;
 import org.hificamsim.profiling.dataset.TableLayout;
-import org.hificamsim.profiling.fit.Calibration;
 import org.hificamsim.profiling.fit.CrossValidation;
 import org.hificamsim.profiling.fit.DetectorFit;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.Recommendation;
+import org.hificamsim.profiling.fit.Reliability;
 import org.hificamsim.profiling.fit.RisingSlope;
 import org.hificamsim.profiling.fit.ScatterFit;
 import org.hificamsim.profiling.fit.ShapeFit;
@@ -127,7 +127,7 @@ final class OwnTables {
   }
 
   /** A scatter of a model, and what its chances are worth. */
-  private record ScatterRow(String model, String scatter, Calibration of, boolean taken) {}
+  private record ScatterRow(String model, String scatter, Reliability of, boolean taken) {}
 
   /** How good the chances are that follow from each kind of scatter, for the recommended models. */
   void scatters(HtmlPage page) {
@@ -158,7 +158,7 @@ final class OwnTables {
   }
 
   /** One number, with false alarms for detections: how {@code --detect chance} was before. */
-  static Calibration before(DetectorFit fit) {
+  static Reliability before(DetectorFit fit) {
     return fit.scatters().get(0).calibration().withFalseAlarms(Chance.DEFAULT_ALPHA);
   }
 

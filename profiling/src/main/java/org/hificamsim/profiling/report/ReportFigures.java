@@ -10,13 +10,13 @@ import java.util.stream.IntStream;
 import org.apache.commons.math3.stat.StatUtils;
 import org.apache.commons.math3.util.MathArrays;
 import org.hificamsim.hifi.detector.DetectorModel;
-import org.hificamsim.profiling.fit.Calibration;
 import org.hificamsim.profiling.fit.Coefficient;
 import org.hificamsim.profiling.fit.CurveBand;
 import org.hificamsim.profiling.fit.FeatureResult;
 import org.hificamsim.profiling.fit.FitResult;
 import org.hificamsim.profiling.fit.FittedModel;
 import org.hificamsim.profiling.fit.LeastSquares;
+import org.hificamsim.profiling.fit.Reliability;
 import org.hificamsim.profiling.measure.Measurement;
 import org.knowm.xchart.XYChart;
 import org.knowm.xchart.style.markers.SeriesMarkers;
@@ -233,9 +233,9 @@ final class ReportFigures {
     return chart;
   }
 
-  private static void fifths(XYChart chart, String name, Calibration of, Color colour) {
-    double[] x = of.fifths().stream().mapToDouble(Calibration.Part::expected).toArray();
-    double[] y = of.fifths().stream().mapToDouble(Calibration.Part::detected).toArray();
+  private static void fifths(XYChart chart, String name, Reliability of, Color colour) {
+    double[] x = of.fifths().stream().mapToDouble(Reliability.Part::expected).toArray();
+    double[] y = of.fifths().stream().mapToDouble(Reliability.Part::detected).toArray();
     Charts.points(chart, name, x, y, colour);
   }
 

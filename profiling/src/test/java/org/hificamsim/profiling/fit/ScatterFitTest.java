@@ -47,8 +47,8 @@ class ScatterFitTest {
     assertEquals(0.01, growing.least(), 0.001);
     assertEquals(0.3, growing.growth(), 0.03);
     assertTrue(growing.grow());
-    Calibration after = fits.get(1).calibration();
-    Calibration before = fits.get(0).calibration();
+    Reliability after = fits.get(1).calibration();
+    Reliability before = fits.get(0).calibration();
     assertEquals(0, after.all().error(), 0.02);
     assertEquals(0, after.worstFifth(), 0.05);
     assertTrue(before.worstFifth() > 0.05, "one number is off somewhere: " + before.fifths());
@@ -80,7 +80,7 @@ class ScatterFitTest {
   void aCalibrationComparesChancesWithWhatHappened() {
     double[] chances = {0.9, 0.1, 0.2, 0.8, 0.5, 0.5, 0.3, 0.7, 0.4, 0.6};
     double[] detected = {1, 0, 0, 1, 1, 0, 0, 1, 1, 1};
-    Calibration all = new Calibration(chances, detected);
+    Reliability all = new Reliability(chances, detected);
     assertEquals(0.5, all.all().expected(), 1e-12);
     assertEquals(0.6, all.all().detected(), 1e-12);
     assertEquals(-0.1, all.all().error(), 1e-12);
@@ -94,7 +94,7 @@ class ScatterFitTest {
     assertEquals(loss / 10, all.logLoss(), 1e-12);
     assertEquals(
         -Math.log(1e-3),
-        new Calibration(new double[] {0}, new double[] {1}).logLoss(),
+        new Reliability(new double[] {0}, new double[] {1}).logLoss(),
         1e-12,
         "one photo does not make it infinite");
   }

@@ -281,9 +281,14 @@ public final class ChannelExperiment {
             .toList();
     return new Figure(
         "What a channel costs",
-        "%d scenarios, %d steps, mean of %d seeds with 95 %% intervals. Of auctions: the share of the"
-                .formatted(files.size(), steps, seeds)
-            + " targets in sight that have one owner, which sees them.",
+        String.format(
+                Locale.ROOT,
+                "%d scenarios, %d steps, mean of %d seeds with 95 %% intervals.",
+                files.size(),
+                steps,
+                seeds)
+            + " Of auctions: the share of the targets in sight that have one owner, which sees"
+            + " them.",
         legend,
         panels,
         SWEEPS.size(),

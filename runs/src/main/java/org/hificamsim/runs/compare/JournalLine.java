@@ -89,19 +89,19 @@ record JournalLine(String key, FinishedRun run) {
   private static byte[] pack(int[] values) throws IOException {
     ByteBuffer plain = ByteBuffer.allocate((values.length + 1) * Integer.BYTES);
     plain.asIntBuffer().put(values.length).put(values);
-    return compressed(plain);
+    return compressed(plain.array());
   }
 
   private static byte[] pack(double[] values) throws IOException {
     ByteBuffer plain = ByteBuffer.allocate(Integer.BYTES + values.length * Double.BYTES);
     plain.putInt(values.length).asDoubleBuffer().put(values);
-    return compressed(plain);
+    return compressed(plain.array());
   }
 
-  private static byte[] compressed(ByteBuffer plain) throws IOException {
+  private static byte[] compressed(byte[] plain) throws IOException {
     ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     try (OutputStream out = new DeflaterOutputStream(bytes)) {
-      out.write(plain.array());
+      out.write(plain);
     }
     return bytes.toByteArray();
   }

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import org.hificamsim.core.policy.NetworkView;
 
 /** What a camera would detect of a forecast in each of its views, and when it gets there. */
-final class Outlook {
+final class ViewForecast {
   private static final int FIRST_ROWS = 16;
 
   private int views;

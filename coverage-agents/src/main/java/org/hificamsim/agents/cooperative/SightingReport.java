@@ -1,14 +1,14 @@
 package org.hificamsim.agents.cooperative;
 
 import java.util.Arrays;
-import org.hificamsim.core.channel.Fields;
+import org.hificamsim.core.channel.MessageBits;
 import org.hificamsim.core.policy.NetworkView;
 import org.hificamsim.core.policy.SeenPairs;
 
 /**
  * What a camera tells the others in each step: the view that it looks through, and what it sees.
  */
-final class Report {
+final class SightingReport {
   private int camera;
   private int view;
   private int count;
@@ -41,8 +41,8 @@ final class Report {
   }
 
   /** The same as it is now: the others may have it later. */
-  Report copy() {
-    Report copy = new Report();
+  SightingReport copy() {
+    SightingReport copy = new SightingReport();
     copy.camera = camera;
     copy.view = view;
     copy.count = count;
@@ -55,9 +55,9 @@ final class Report {
 
   /** Its length: the view, or none, and each target with its place and size. */
   int bits(NetworkView network) {
-    int ofTarget = Fields.of(network.targets()) + 3 * Fields.REAL;
-    return Fields.address(network.cameras())
-        + Fields.of(network.views(camera) + 1L)
+    int ofTarget = MessageBits.of(network.targets()) + 3 * MessageBits.REAL;
+    return MessageBits.address(network.cameras())
+        + MessageBits.of(network.views(camera) + 1L)
         + count * ofTarget;
   }
 

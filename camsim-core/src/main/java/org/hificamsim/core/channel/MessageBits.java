@@ -4,11 +4,11 @@ package org.hificamsim.core.channel;
  * How many bits the fields of a message take: whole numbers as few as tell their values apart, real
  * numbers 32. Each message begins with the numbers of its sender and its receiver.
  */
-public final class Fields {
+public final class MessageBits {
   /** A real number: a position, a price, a confidence. */
   public static final int REAL = Float.SIZE;
 
-  private Fields() {}
+  private MessageBits() {}
 
   /**
    * The bits of a field.

@@ -11,7 +11,7 @@ import java.util.stream.IntStream;
  * @param chances of each photo, in [0, 1]
  * @param detected 1 for a photo whose measured confidence reaches the threshold, else 0
  */
-public record Calibration(double[] chances, double[] detected) {
+public record Reliability(double[] chances, double[] detected) {
   /** A chance nearer to 0 or 1 counts as this near: one photo does not make a loss infinite. */
   private static final double NEAREST = 1e-3;
 
@@ -53,8 +53,8 @@ public record Calibration(double[] chances, double[] detected) {
   }
 
   /** The same with false alarms among the detections that are expected. */
-  public Calibration withFalseAlarms(double rate) {
-    return new Calibration(
+  public Reliability withFalseAlarms(double rate) {
+    return new Reliability(
         Arrays.stream(chances).map(chance -> rate + chance * (1 - rate)).toArray(), detected);
   }
 
