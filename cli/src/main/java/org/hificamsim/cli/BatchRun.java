@@ -106,13 +106,13 @@ final class BatchRun {
   private List<CaseResult> results(
       List<RunPlan> plans, List<RunPlan> all, RunEngine engine, Journal journal)
       throws IOException {
-    warnOfFewSeeds(plans.get(0).repeats());
     warnOfDamage(journal);
     List<CaseResult> results;
     try (Progress progress = progress(all.stream().mapToLong(RunPlan::repeats).sum())) {
       RunEngine journalled = new JournalledEngine(engine, journal, progress);
       results = Comparison.run(plans, references, journalled);
     }
+    warnOfFewSeeds(plans.get(0).repeats());
     results.forEach(this::warnOfUnproven);
     return results;
   }
