@@ -215,6 +215,7 @@ class CrateTest {
     try (Stream<Path> files = Files.list(out)) {
       Set<String> names = new HashSet<>();
       files.forEach(file -> names.add(file.getFileName().toString()));
+      assertTrue(names.remove(".hificamsim.sha256"), "the record of what was written");
       return names;
     }
   }
