@@ -1,5 +1,6 @@
 package org.hificamsim.runs.compare;
 
+import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.URISyntaxException;
@@ -10,10 +11,15 @@ import java.nio.file.Path;
 import java.nio.file.SimpleFileVisitor;
 import java.nio.file.attribute.BasicFileAttributes;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.ServiceLoader;
+import java.util.jar.JarFile;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipFile;
 import org.hificamsim.core.detection.DetectionModel;
 import org.hificamsim.core.file.OutputFolder;
 import org.hificamsim.core.file.Sha256;
@@ -52,23 +58,48 @@ final class UserCode {
     }
   }
 
-  /** Of a whole jar, or of all files of a folder but results and what is hidden. */
+  /**
+   * Of all files of a jar or a folder but its manifest, results and what is hidden: a folder has the
+   * same digest as a jar that was made of it, as for a cluster.
+   */
   static String digest(Path place) {
-    return Files.isDirectory(place) ? digestBelow(place) : digestOf(place);
-  }
-
-  private static String digestBelow(Path root) {
-    StringBuilder content = new StringBuilder();
-    List<Path> files = new ArrayList<>();
     try {
-      Files.walkFileTree(root, new Contents(root, files));
+      List<String> lines = Files.isDirectory(place) ? below(place) : inside(place);
+      String content = lines.stream().sorted().collect(Collectors.joining());
+      return Sha256.of(content.getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    for (Path file : files.stream().sorted().toList()) {
-      content.append(root.relativize(file)).append(' ').append(digestOf(file)).append('\n');
+  }
+
+  private static List<String> below(Path root) throws IOException {
+    List<Path> files = new ArrayList<>();
+    Files.walkFileTree(root, new Contents(root, files));
+    List<String> lines = new ArrayList<>();
+    for (Path file : files) {
+      String name = root.relativize(file).toString().replace(File.separatorChar, '/');
+      if (!name.equals(JarFile.MANIFEST_NAME)) {
+        lines.add(line(name, Sha256.of(file)));
+      }
     }
-    return Sha256.of(content.toString().getBytes(StandardCharsets.UTF_8));
+    return lines;
+  }
+
+  private static List<String> inside(Path jar) throws IOException {
+    List<String> lines = new ArrayList<>();
+    try (ZipFile file = new ZipFile(jar.toFile())) {
+      for (ZipEntry entry : Collections.list(file.entries())) {
+        if (!entry.isDirectory() && !entry.getName().equals(JarFile.MANIFEST_NAME)) {
+          byte[] content = file.getInputStream(entry).readAllBytes();
+          lines.add(line(entry.getName(), Sha256.of(content)));
+        }
+      }
+    }
+    return lines;
+  }
+
+  private static String line(String name, String digest) {
+    return name + ' ' + digest + '\n';
   }
 
   /** Collects files, without those of folders that commands write into. */
@@ -97,14 +128,6 @@ final class UserCode {
 
     private static boolean isHidden(Path file) {
       return file.getFileName().toString().startsWith(".");
-    }
-  }
-
-  private static String digestOf(Path file) {
-    try {
-      return Sha256.of(file);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
   }
 }
