@@ -154,7 +154,8 @@ class MixedRunsTest {
   private static void refused(String expected, Object... words) {
     Cli cli = Cli.run(words);
     assertEquals(2, cli.exit(), cli.err());
-    assertEquals(1, cli.err().lines().filter(line -> !line.startsWith("warning: ")).count(), cli.err());
+    assertEquals(
+        1, cli.err().lines().filter(line -> !line.startsWith("warning: ")).count(), cli.err());
     assertTrue(cli.err().contains(expected), cli.err());
   }
 }

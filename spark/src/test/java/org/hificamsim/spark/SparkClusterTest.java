@@ -159,7 +159,8 @@ class SparkClusterTest {
     assertEquals(expected, names(name));
     assertTrue(expected.contains("results.csv") && expected.contains("steps.csv.gz"));
     for (String file : expected) {
-      if (!List.of(".hificamsim.sha256", "manifest.json", "report.html", "ro-crate-metadata.json").contains(file)) {
+      if (!List.of(".hificamsim.sha256", "manifest.json", "report.html", "ro-crate-metadata.json")
+          .contains(file)) {
         assertArrayEquals(
             Files.readAllBytes(folder.resolve("local").resolve(file)),
             Files.readAllBytes(folder.resolve(name).resolve(file)),

@@ -59,8 +59,8 @@ final class UserCode {
   }
 
   /**
-   * Of all files of a jar or a folder but its manifest, results and what is hidden: a folder has the
-   * same digest as a jar that was made of it, as for a cluster.
+   * Of all files of a jar or a folder but its manifest, results and what is hidden: a folder has
+   * the same digest as a jar that was made of it, as for a cluster.
    */
   static String digest(Path place) {
     try {
