@@ -42,12 +42,12 @@ function kind({tables}) {
 
 const ANSWERS = 4;
 
-/** For each of the first scenarios the best score that a policy of a network reached, in the objective's words. */
+/** For each of the first scenarios the best score that a policy of a network reached under the last detection, in the objective's words. */
 function answers({summary, settings}) {
   if (!summary || !settings?.[0]?.score_words) return [];
   const scores = rowsOf(summary).filter(({metric, mean}) => metric === 'score' && mean !== '');
   return distinct(scores, 'scenario').slice(0, ANSWERS).flatMap(scenario => {
-    const of = scores.filter(row => row.scenario === scenario && row.detection === scores[0].detection && !YARDSTICKS.includes(row.policy));
+    const of = scores.filter(row => row.scenario === scenario && row.detection === scores.at(-1).detection && !YARDSTICKS.includes(row.policy));
     return of.length ? [answer(of.reduce((best, row) => (Number(row.mean) > Number(best.mean) ? row : best)), of, settings)] : [];
   });
 }
