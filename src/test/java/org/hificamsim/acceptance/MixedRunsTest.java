@@ -6,12 +6,15 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystem;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.hificamsim.core.file.Sha256;
 import org.hificamsim.runs.output.ManifestFile;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -73,11 +76,20 @@ class MixedRunsTest {
   }
 
   @Test
-  void changedLinesAreComputedAgainWithAWarning() throws IOException {
+  void runsOfAnotherVersionAreRefused() throws IOException {
     Path out = interrupted();
     Path journal = out.resolve(".compare.journal");
     String runs = Files.readString(journal);
     assertTrue(runs.contains(ManifestFile.version()), runs);
+    Files.writeString(journal, summed(runs.replace(ManifestFile.version(), "0.0.1")));
+    refused("has runs of another version of 'hificamsim'", words(model, out, "--resume"));
+  }
+
+  @Test
+  void changedLinesAreComputedAgainWithAWarning() throws IOException {
+    Path out = interrupted();
+    Path journal = out.resolve(".compare.journal");
+    String runs = Files.readString(journal);
     Files.writeString(journal, runs.replace(ManifestFile.version(), "0.0.1"));
     Cli resumed = Cli.run(words(model, out, "--resume"));
     assertEquals(0, resumed.exit(), resumed.err());
@@ -149,6 +161,19 @@ class MixedRunsTest {
       out
     };
     return Stream.concat(Arrays.stream(words), Arrays.stream(more)).toArray();
+  }
+
+  /** The lines with the checksums of what they say now. */
+  private static String summed(String journal) {
+    return journal
+        .lines()
+        .map(line -> line.substring(line.indexOf("\",") + 2))
+        .map(rest -> "{\"sum\":\"" + sum(rest) + "\"," + rest + "\n")
+        .collect(Collectors.joining());
+  }
+
+  private static String sum(String rest) {
+    return Sha256.of(rest.getBytes(StandardCharsets.UTF_8)).substring(0, 16);
   }
 
   private static void refused(String expected, Object... words) {
