@@ -311,6 +311,11 @@ final class LiveNetwork implements OracleView {
   }
 
   @Override
+  public boolean certain() {
+    return visibility.detection().certain();
+  }
+
+  @Override
   public double chance(int camera, int view, int target) {
     return present(target)
         ? sight(camera, view)

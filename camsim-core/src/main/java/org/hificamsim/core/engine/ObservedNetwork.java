@@ -301,6 +301,11 @@ final class ObservedNetwork implements OracleView {
   }
 
   @Override
+  public boolean certain() {
+    return visibility.detection().certain();
+  }
+
+  @Override
   public double chance(int camera, int view, int target) {
     return targets.present(target) ? sight.chance(camera, view, target) : 0;
   }

@@ -47,6 +47,9 @@ public interface OracleView extends NetworkView, DetectionChances, CoverableTarg
     return detects(camera, view, target);
   }
 
+  /** Whether no luck is drawn: each {@link #chance} is 1 or 0, as {@link #detects} says. */
+  boolean certain();
+
   /**
    * The chance that the camera detects the target where both are now, were it at this view, before
    * luck is drawn: in [0, 1], 1 or 0 by a threshold.

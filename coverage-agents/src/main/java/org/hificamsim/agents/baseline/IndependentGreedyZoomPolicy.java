@@ -30,6 +30,8 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
   private double[] expected = {}; // number of targets, by view
   private int[] targets = {};
   private double[] chances = {};
+  private long[] masks = {};
+  private int words;
 
   /** Reads the option {@code among}. */
   public IndependentGreedyZoomPolicy(Options options) {
@@ -49,6 +51,8 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
   public void begin(NetworkView network, SplittableRandom random) {
     expected =
         new double[IntStream.range(0, network.cameras()).map(network::views).max().orElse(0)];
+    words = (network.targets() + Long.SIZE - 1) / Long.SIZE;
+    masks = new long[expected.length * words];
     targets = new int[network.targets() + 1];
     chances = new double[network.targets() + 1];
   }
@@ -63,11 +67,27 @@ public final class IndependentGreedyZoomPolicy implements ZoomPolicy {
   }
 
   private int choose(NetworkView network, int camera) {
-    for (int view = 0; view < network.views(camera); view++) {
-      expected[view] = expected(network.oracle(), camera, view);
-    }
+    expect(network.oracle(), camera);
     int reached = among == Among.REACHED ? best(network, camera, false) : network.view(camera);
     return among == Among.ALL || expected[reached] == 0 ? best(network, camera, true) : reached;
+  }
+
+  /** Without luck, all views are asked at once. */
+  private void expect(OracleView network, int camera) {
+    if (network.certain()) {
+      network.detections(camera, masks, words);
+    }
+    for (int view = 0; view < network.views(camera); view++) {
+      expected[view] = network.certain() ? count(view) : expected(network, camera, view);
+    }
+  }
+
+  private int count(int view) {
+    int count = 0;
+    for (int word = view * words; word < (view + 1) * words; word++) {
+      count += Long.bitCount(masks[word]);
+    }
+    return count;
   }
 
   private double expected(OracleView network, int camera, int view) {

@@ -37,6 +37,11 @@ class BaselineZoomPolicyTest {
     ToyNetwork byChance =
         new ToyNetwork(2, 3) {
           @Override
+          public boolean certain() {
+            return false;
+          }
+
+          @Override
           public double chance(int camera, int view, int target) {
             return chances[view][target];
           }

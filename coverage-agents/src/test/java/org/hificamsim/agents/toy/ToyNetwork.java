@@ -333,6 +333,11 @@ public class ToyNetwork implements OracleView {
   }
 
   @Override
+  public boolean certain() {
+    return true;
+  }
+
+  @Override
   public final boolean detects(int camera, int atLevel, int target) {
     globalQueries++;
     return detects[camera][atLevel][target];
