@@ -9,8 +9,6 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-STUDENT = 4.303  # 95 %, two degrees of freedom: three seeds
-
 curves = defaultdict(lambda: defaultdict(list))
 with open("learning-curves.csv", newline="") as file:
     for row in csv.DictReader(file):
@@ -27,9 +25,7 @@ for panel, (scenario, seeds) in zip(panels[0], curves.items()):
     for one in scores:
         panel.plot(episodes, one, color="#1d4ed8", linewidth=0.6, alpha=0.6)
     panel.plot(episodes, scores.mean(0), color="#1d4ed8", linewidth=2, label="PPO while it learns")
-    if len(scores) > 1:
-        half = STUDENT * scores.std(0, ddof=1) / np.sqrt(len(scores))
-        panel.fill_between(episodes, scores.mean(0) - half, scores.mean(0) + half, color="#1d4ed8", alpha=0.15)
+    panel.fill_between(episodes, scores.min(0), scores.max(0), color="#1d4ed8", alpha=0.15)
     styles = {"best-fixed": ("#b45309", "--"), "epsilon-greedy": ("#4b5563", ":")}
     for policy, (color, style) in styles.items():
         panel.axhline(beside[scenario][policy], color=color, linestyle=style, label=policy)

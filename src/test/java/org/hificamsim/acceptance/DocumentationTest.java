@@ -1,5 +1,6 @@
 package org.hificamsim.acceptance;
 
+import static java.util.regex.Pattern.quote;
 import static java.util.stream.Collectors.counting;
 import static java.util.stream.Collectors.groupingBy;
 import static java.util.stream.Collectors.toSet;
@@ -16,6 +17,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
@@ -25,6 +27,7 @@ class DocumentationTest {
   private static final Pattern ANCHOR = Pattern.compile("\\]\\((?!https?:)([^)#\\s]*)#([^)\\s]+)");
   private static final Pattern HEADING = Pattern.compile("(?m)^#+ +(.+)$");
   private static final Pattern CLASS = Pattern.compile("`([A-Z][A-Za-z0-9]*[a-z][A-Za-z0-9]*)`");
+  private static final Pattern PICTURE = Pattern.compile(".*\\.(png|jpg|svg)");
   private static final Set<String> NO_CLASSES = Set.of("Impl", "Base");
 
   @Test
@@ -90,6 +93,37 @@ class DocumentationTest {
     for (Module module : Module.values()) {
       assertTrue(map.contains("| `" + module.folder + "` |"), module.folder);
       assertTrue(picture.contains(">" + module.folder + "</text>"), module.folder);
+    }
+  }
+
+  /** By its name, or by the end of it, where the script puts a word after the beginning. */
+  @Test
+  void oneScriptMakesEveryPicture() throws IOException {
+    String script = Files.readString(Cli.ROOT.resolve("docs/make-figures"));
+    try (Stream<Path> pictures = Files.list(Cli.ROOT.resolve("docs/img"))) {
+      assertEquals(
+          List.of(),
+          pictures
+              .map(picture -> picture.getFileName().toString())
+              .filter(name -> PICTURE.matcher(name).matches() && !isMade(name, script))
+              .toList());
+    }
+  }
+
+  private static boolean isMade(String name, String script) {
+    String stem = name.substring(0, name.lastIndexOf('.'));
+    return script.contains(name)
+        || IntStream.range(0, stem.length())
+            .filter(i -> script.contains("/" + stem.substring(0, i) + "$"))
+            .anyMatch(i -> script.matches("(?s).*[ =]" + quote(stem.substring(i)) + "[ ;].*"));
+  }
+
+  @Test
+  void everyPageWithAPictureNamesTheScript() throws IOException {
+    for (Path document : documents()) {
+      String page = Files.readString(document);
+      boolean shows = found(LINK, document).anyMatch(link -> PICTURE.matcher(link.group(1)).find());
+      assertTrue(!shows || page.contains("docs/make-figures"), document.toString());
     }
   }
 
